@@ -1,0 +1,74 @@
+package rasterlab.engine.study;
+
+import java.util.List;
+
+/**
+ * One task of the course: its contract, the methods that solve it, an exact reference and the
+ * inputs to try them on.
+ *
+ * <p>Studies, hazards, labs, exercises and the command line know a task only through this type, so
+ * nothing is measured or compared by two different pieces of code.
+ *
+ * @param <C> the contract that methods implement
+ * @param <I> one input
+ * @param <O> one recorded output
+ */
+public interface Topic<C, I, O> {
+    /** Lower-case name with hyphens, as on the command line. */
+    String name();
+
+    /** All methods, those to recommend and those known to be faulty, in teaching order. */
+    List<Method<C>> methods();
+
+    List<Hazard<I>> hazards();
+
+    /** The inputs a study measures, smallest first. */
+    List<Workload<I>> workloads();
+
+    /**
+     * Runs a method and records what it produced.
+     *
+     * @param limit the most items to record; a method that goes on beyond it is stopped
+     * @throws LimitReached when the method produced more than {@code limit} items; carries what was
+     *     recorded
+     * @throws IllegalArgumentException when the method refuses the input
+     */
+    O record(C method, I input, int limit);
+
+    /**
+     * Runs a method as fast as it goes, with a sink that only counts, and returns the number of
+     * items produced.
+     */
+    long spend(C method, I input);
+
+    /**
+     * The right answer, slow and plain, sharing no code with the methods.
+     *
+     * @param limit the most items to produce; a longer answer is cut there
+     */
+    O exact(I input, int limit);
+
+    Deviation compare(I input, O exact, O actual);
+
+    /** What {@link #spend} counts, in the singular, for axis labels: "pixel", "segment". */
+    String item();
+
+    /** Unit of {@link Deviation#worst}. */
+    String errorUnit();
+
+    /** The method of that name. */
+    default Method<C> method(String name) {
+        return methods().stream()
+                .filter(method -> method.name().equals(name))
+                .findFirst()
+                .orElseThrow(
+                        () ->
+                                new IllegalArgumentException(
+                                        "topic '"
+                                                + name()
+                                                + "' has no method '"
+                                                + name
+                                                + "'; it has "
+                                                + methods().stream().map(Method::name).toList()));
+    }
+}

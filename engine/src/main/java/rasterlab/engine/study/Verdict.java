@@ -1,0 +1,30 @@
+package rasterlab.engine.study;
+
+import java.util.Locale;
+
+/**
+ * What a method did with a hazard.
+ *
+ * @param kind which of the six answers
+ * @param deviation how far from exact; {@link Deviation#NONE} unless degraded or wrong
+ * @param detail one line for people: the refusal's message, the exception's name, the first
+ *     difference; may be empty
+ */
+public record Verdict(Kind kind, Deviation deviation, String detail) {
+    /** The six answers, best first. */
+    public enum Kind {
+        EXACT,
+        /** Not exact, but within what the topic calls usable. */
+        DEGRADED,
+        WRONG,
+        /** The method said that it cannot: an answer, never rubbish. */
+        REFUSED,
+        ENDLESS,
+        CRASHED;
+
+        /** Lower-case name, as printed and stored. */
+        public String code() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+}

@@ -1,0 +1,81 @@
+package rasterlab.exercises;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * One exercise, as its folder describes it.
+ *
+ * @param id lower-case with hyphens, the folder's name
+ * @param topic the engine's topic whose contract the student implements
+ * @param title language code ("en", "ru") to title
+ * @param statement language code to Markdown text
+ * @param starter Java source to begin with
+ * @param revision changes whenever anything that grading depends on changes
+ * @param tolerance what still counts as right
+ * @param points the most points for accuracy, stability and speed
+ */
+public record Exercise(
+        String id,
+        String topic,
+        Map<String, String> title,
+        Map<String, String> statement,
+        String starter,
+        String revision,
+        Tolerance tolerance,
+        PointPlan points,
+        List<Case> cases) {
+    public Exercise {
+        title = Map.copyOf(title);
+        statement = Map.copyOf(statement);
+        cases = List.copyOf(cases);
+    }
+
+    /** The text in that language, or the English one where there is none. */
+    public String statement(String language) {
+        return statement.getOrDefault(language, statement.get("en"));
+    }
+
+    /** The title in that language, or the English one where there is none. */
+    public String title(String language) {
+        return title.getOrDefault(language, title.get("en"));
+    }
+
+    /**
+     * What still counts as right.
+     *
+     * @param eitherPixelOnTies where the exact line passes midway between two pixels, either is
+     *     right
+     */
+    public record Tolerance(boolean eitherPixelOnTies) {}
+
+    /** The most points of each kind. */
+    public record PointPlan(int accuracy, int stability, int speed) {
+        public int total() {
+            return accuracy + stability + speed;
+        }
+    }
+
+    /**
+     * One case as data; the topic's own package reads {@code input}.
+     *
+     * @param name what mistake it catches, lower-case with hyphens
+     * @param kind whether it earns accuracy or stability
+     * @param input the topic's input as JSON text; for a generated case, how to draw it from the
+     *     seed
+     * @param generated whether the seed draws it
+     */
+    public record Case(
+            String name,
+            Kind kind,
+            Visibility visibility,
+            int points,
+            String input,
+            boolean generated) {}
+
+    /** What a case earns. */
+    public enum Kind {
+        ACCURACY,
+        STABILITY
+    }
+}

@@ -1,0 +1,23 @@
+package rasterlab.exercises.score;
+
+import java.util.Optional;
+import rasterlab.exercises.Visibility;
+
+/**
+ * One judged case.
+ *
+ * @param name lower-case with hyphens; what mistake it catches
+ * @param points earned, 0 to {@code of}
+ * @param message why points were lost, one line in English; empty when none were
+ * @param pictures for a wrong case whose answer can be drawn
+ * @param scene the case as a scene file (JSON) that the lab opens; empty where the case is hidden
+ */
+public record CaseReport(
+        String name,
+        Visibility visibility,
+        GradingVerdict verdict,
+        int points,
+        int of,
+        String message,
+        Optional<CasePictures> pictures,
+        String scene) {}

@@ -1,0 +1,25 @@
+package rasterlab.exercises.score;
+
+import java.util.List;
+
+/**
+ * The whole answer to a submission, with nothing hidden.
+ *
+ * @param verdict {@code OK} if every case is right, else that of the first case that is not
+ * @param diagnostics compiler messages and refusals
+ * @param isolation how the method was shut in, such as "bubblewrap" or "process limits only", for
+ *     the result page
+ * @param nanosPerItem measured cost per item, 0 where not measured
+ */
+public record Report(
+        GradingVerdict verdict,
+        Points points,
+        List<CaseReport> cases,
+        List<Diagnostic> diagnostics,
+        String isolation,
+        double nanosPerItem) {
+    public Report {
+        cases = List.copyOf(cases);
+        diagnostics = List.copyOf(diagnostics);
+    }
+}

@@ -1,0 +1,5 @@
+package rasterlab.grader
+
+fun main() {
+    println("listening")
+}
