@@ -9,6 +9,7 @@ dependencies {
     testImplementation(project(":grader"))
     testImplementation(libs.archunit)
     testImplementation(libs.jackson.databind)
+    testImplementation(libs.jackson.dataformat.toml)
     testImplementation(libs.assertj.swing.junit)
     testImplementation(libs.selenium.chrome.driver)
 }
