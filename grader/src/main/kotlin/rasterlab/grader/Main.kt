@@ -21,7 +21,8 @@ private class GraderCommand : Runnable {
     @Spec
     lateinit var spec: CommandSpec
 
-    override fun run(): Unit = throw CommandLine.ParameterException(spec.commandLine(), "which command? see ./lab grader --help")
+    override fun run(): Unit =
+        throw CommandLine.ParameterException(spec.commandLine(), "which command? see ./lab grader --help")
 }
 
 fun main(arguments: Array<String>) {

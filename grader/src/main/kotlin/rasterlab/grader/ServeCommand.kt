@@ -31,33 +31,64 @@ import kotlin.io.path.isDirectory
     description = ["Takes in students' sources over HTTP and grades them."],
 )
 internal class ServeCommand : Callable<Int> {
-    @Option(names = ["--data"], paramLabel = "DIR", defaultValue = "rasterlab-data", description = [
-        "Folder for the database and the log, made if missing (default: \${DEFAULT-VALUE}).",
-    ])
+    @Option(
+        names = ["--data"],
+        paramLabel = "DIR",
+        defaultValue = "rasterlab-data",
+        description = [
+            "Folder for the database and the log, made if missing (default: \${DEFAULT-VALUE}).",
+        ],
+    )
     lateinit var data: Path
 
-    @Option(names = ["--host"], paramLabel = "HOST", defaultValue = "127.0.0.1", description = [
-        "Address to listen on; 0.0.0.0 for all (default: \${DEFAULT-VALUE}).",
-    ])
+    @Option(
+        names = ["--host"],
+        paramLabel = "HOST",
+        defaultValue = "127.0.0.1",
+        description = [
+            "Address to listen on; 0.0.0.0 for all (default: \${DEFAULT-VALUE}).",
+        ],
+    )
     lateinit var host: String
 
-    @Option(names = ["--port"], paramLabel = "PORT", defaultValue = "8080", description = [
-        "Port to listen on; 0 takes a free one (default: \${DEFAULT-VALUE}).",
-    ])
+    @Option(
+        names = ["--port"],
+        paramLabel = "PORT",
+        defaultValue = "8080",
+        description = [
+            "Port to listen on; 0 takes a free one (default: \${DEFAULT-VALUE}).",
+        ],
+    )
     var port = 8080
 
-    @Option(names = ["--db"], paramLabel = "URL", description = ["Database, sqlite:FILE (default: rasterlab.db in the data folder)."])
+    @Option(
+        names = ["--db"],
+        paramLabel = "URL",
+        description = ["Database, sqlite:FILE (default: rasterlab.db in the data folder)."],
+    )
     var db: String? = null
 
-    @Option(names = ["--exam"], description = ["Refuses to start where sources cannot be isolated by the operating system."])
+    @Option(
+        names = ["--exam"],
+        description = ["Refuses to start where sources cannot be isolated by the operating system."],
+    )
     var exam = false
 
-    @Option(names = ["--exercises"], paramLabel = "DIR", description = ["Folder of more exercises, one sub-folder each."])
+    @Option(
+        names = ["--exercises"],
+        paramLabel = "DIR",
+        description = ["Folder of more exercises, one sub-folder each."],
+    )
     var exercises: Path? = null
 
-    @Option(names = ["--workers"], paramLabel = "N", defaultValue = "1", description = [
-        "Submissions graded at the same time, 1 to 64; at most half the cores (default: \${DEFAULT-VALUE}).",
-    ])
+    @Option(
+        names = ["--workers"],
+        paramLabel = "N",
+        defaultValue = "1",
+        description = [
+            "Submissions graded at the same time, 1 to 64; at most half the cores (default: \${DEFAULT-VALUE}).",
+        ],
+    )
     var workers = 1
 
     override fun call(): Int {
@@ -119,7 +150,11 @@ internal class ServeCommand : Callable<Int> {
         try {
             Database.open(folder.databaseFile)
         } catch (failure: RuntimeException) {
-            val reason = failure.message.orEmpty().lineSequence().firstOrNull { it.isNotBlank() }
+            val reason =
+                failure.message
+                    .orEmpty()
+                    .lineSequence()
+                    .firstOrNull { it.isNotBlank() }
             throw CannotStart("${folder.databaseFile}: not a database of this server ($reason)")
         }
 

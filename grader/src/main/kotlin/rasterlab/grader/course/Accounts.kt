@@ -33,10 +33,15 @@ class Accounts(
     fun open(who: Identity): String {
         val session = Secrets.newToken()
         database.write { handle ->
-            handle.createUpdate("DELETE FROM sessions WHERE expires_at <= :now").bind("now", clock.instant().text()).execute()
             handle
-                .createUpdate("INSERT INTO sessions (token_hash, account_id, expires_at) VALUES (:hash, :account, :expires)")
-                .bind("hash", Secrets.hash(session))
+                .createUpdate(
+                    "DELETE FROM sessions WHERE expires_at <= :now",
+                ).bind("now", clock.instant().text())
+                .execute()
+            handle
+                .createUpdate(
+                    "INSERT INTO sessions (token_hash, account_id, expires_at) VALUES (:hash, :account, :expires)",
+                ).bind("hash", Secrets.hash(session))
                 .bind("account", who.id)
                 .bind("expires", (clock.instant() + SESSION_LENGTH).text())
                 .execute()
@@ -46,7 +51,11 @@ class Accounts(
 
     fun close(session: String) {
         database.write {
-            it.createUpdate("DELETE FROM sessions WHERE token_hash = :hash").bind("hash", Secrets.hash(session)).execute()
+            it
+                .createUpdate(
+                    "DELETE FROM sessions WHERE token_hash = :hash",
+                ).bind("hash", Secrets.hash(session))
+                .execute()
         }
     }
 
@@ -73,7 +82,9 @@ class Accounts(
 
     /** The new instructor token has been printed. */
     fun instructorAnnounced() {
-        database.write { it.createUpdate("UPDATE instructors SET announced_at = :now").bind("now", clock.instant().text()).execute() }
+        database.write {
+            it.createUpdate("UPDATE instructors SET announced_at = :now").bind("now", clock.instant().text()).execute()
+        }
     }
 
     private fun find(
@@ -84,8 +95,12 @@ class Accounts(
         handle
             .createQuery("SELECT id, name, course_id FROM students WHERE $column = :value")
             .bind("value", value)
-            .map { row, _ -> Identity.Student(row.getString("id"), row.getString("name"), row.getString("course_id")) as Identity }
-            .findOne()
+            .map {
+                row,
+                _,
+                ->
+                Identity.Student(row.getString("id"), row.getString("name"), row.getString("course_id")) as Identity
+            }.findOne()
             .or {
                 handle
                     .createQuery("SELECT id FROM instructors WHERE $column = :value")

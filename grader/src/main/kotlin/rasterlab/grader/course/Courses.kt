@@ -53,10 +53,20 @@ class Courses(
         key: String?,
     ): NewStudent =
         database.write { handle ->
-            val course = course(handle, "code", code.trim().uppercase(Locale.ROOT)) ?: throw Rejection.UnknownCourse(code)
+            val course =
+                course(handle, "code", code.trim().uppercase(Locale.ROOT)) ?: throw Rejection.UnknownCourse(code)
             val request = Repeatable("join ${course.id}", key, name.text)
-            val token = if (key == null) Secrets.newToken() else Secrets.derive(handle, "join ${course.id} $key ${name.text}")
-            val student = request.made(handle) ?: enrol(handle, course, name, token).also { request.remember(handle, it, clock.instant()) }
+            val token =
+                if (key ==
+                    null
+                ) {
+                    Secrets.newToken()
+                } else {
+                    Secrets.derive(handle, "join ${course.id} $key ${name.text}")
+                }
+            val student =
+                request.made(handle)
+                    ?: enrol(handle, course, name, token).also { request.remember(handle, it, clock.instant()) }
             NewStudent(student, token)
         }
 

@@ -22,6 +22,8 @@ sealed interface Identity {
 /** Who asks, inside `authenticate`. */
 fun ApplicationCall.identity(): Identity = principal<Identity>() ?: throw Rejection.NotSignedIn()
 
-fun ApplicationCall.student(): Identity.Student = identity() as? Identity.Student ?: throw Rejection.WrongRole("student")
+fun ApplicationCall.student(): Identity.Student =
+    identity() as? Identity.Student ?: throw Rejection.WrongRole("student")
 
-fun ApplicationCall.instructor(): Identity.Instructor = identity() as? Identity.Instructor ?: throw Rejection.WrongRole("instructor")
+fun ApplicationCall.instructor(): Identity.Instructor =
+    identity() as? Identity.Instructor ?: throw Rejection.WrongRole("instructor")

@@ -28,6 +28,7 @@ class Name private constructor(
                 Character.CONTROL, Character.FORMAT, Character.SURROGATE, Character.PRIVATE_USE, Character.UNASSIGNED,
                 Character.LINE_SEPARATOR, Character.PARAGRAPH_SEPARATOR,
                 -> false
+
                 else -> true
             }
     }

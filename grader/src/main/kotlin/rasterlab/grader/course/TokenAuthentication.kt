@@ -1,12 +1,11 @@
 package rasterlab.grader.course
 
+import io.ktor.http.HttpHeaders
 import io.ktor.http.HttpMethod
-import io.ktor.http.auth.HttpAuthHeader
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.auth.AuthenticationConfig
 import io.ktor.server.auth.AuthenticationContext
 import io.ktor.server.auth.AuthenticationProvider
-import io.ktor.server.auth.parseAuthorizationHeader
 import io.ktor.server.request.httpMethod
 import rasterlab.grader.problem.Rejection
 
@@ -32,9 +31,9 @@ private class TokenAuthentication(
     }
 
     private fun bearer(call: ApplicationCall): Identity? =
-        (call.request.parseAuthorizationHeader() as? HttpAuthHeader.Single)
-            ?.takeIf { it.authScheme.equals("Bearer", ignoreCase = true) }
-            ?.let { accounts.holder(it.blob) }
+        call.request.headers[HttpHeaders.Authorization]
+            ?.takeIf { it.startsWith("Bearer ", ignoreCase = true) }
+            ?.let { accounts.holder(it.substring("Bearer ".length).trim()) }
 
     private fun session(call: ApplicationCall): Identity? =
         call.request.cookies[SESSION_COOKIE]

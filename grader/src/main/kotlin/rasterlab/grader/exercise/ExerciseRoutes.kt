@@ -43,18 +43,26 @@ fun Route.exercises(exercises: Exercises) {
     }
     get("/exercises/{id}/statement") {
         val exercise = exercises.named(call.exerciseId())
-        call.respondText(exercise.statement(call.language()), ContentType("text", "markdown").withCharset(Charsets.UTF_8))
+        call.respondText(
+            exercise.statement(call.language()),
+            ContentType("text", "markdown").withCharset(Charsets.UTF_8),
+        )
     }
 }
 
 /** The file name that the compiler wants for the starter. */
-fun Exercise.starterFile(): String = (Regex("""\bclass\s+(\w+)""").find(starter())?.groupValues?.get(1) ?: "Starter") + ".java"
+fun Exercise.starterFile(): String =
+    (Regex("""\bclass\s+(\w+)""").find(starter())?.groupValues?.get(1) ?: "Starter") + ".java"
 
 private fun ApplicationCall.exerciseId() = parameters.getOrFail("id")
 
 /** What `?lang=` or else the header asks for. */
 private fun ApplicationCall.language() =
-    request.queryParameters["lang"] ?: request.acceptLanguageItems().firstOrNull()?.value?.substringBefore('-') ?: "en"
+    request.queryParameters["lang"] ?: request
+        .acceptLanguageItems()
+        .firstOrNull()
+        ?.value
+        ?.substringBefore('-') ?: "en"
 
 private fun Exercise.view(language: String) =
     ExerciseView(

@@ -40,7 +40,9 @@ suspend fun <T> ApplicationCall.receiveJson(format: DeserializationStrategy<T>):
     try {
         return Json.decodeFromString(format, text)
     } catch (failure: SerializationException) {
-        throw Rejection.Malformed("the body is not the JSON expected here: ${failure.message.orEmpty().lineSequence().first()}")
+        throw Rejection.Malformed(
+            "the body is not the JSON expected here: ${failure.message.orEmpty().lineSequence().first()}",
+        )
     }
 }
 

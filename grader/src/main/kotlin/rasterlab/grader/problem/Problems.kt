@@ -54,14 +54,29 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
     ) = if (call.isForPrograms()) call.respondProblem(status, code, detail) else page.show(call, status, code, detail)
     exception<Rejection> { call, rejection ->
         rejection.retryAfter()?.let { call.response.header(HttpHeaders.RetryAfter, it.toString()) }
-        if (rejection is Rejection.NotSignedIn) call.response.header(HttpHeaders.WWWAuthenticate, "Bearer realm=\"rasterlab\"")
+        if (rejection is Rejection.NotSignedIn) {
+            call.response.header(
+                HttpHeaders.WWWAuthenticate,
+                "Bearer realm=\"rasterlab\"",
+            )
+        }
         show(call, rejection.status(), rejection.code, rejection.message)
     }
-    exception<BadRequestException> { call, _ -> show(call, HttpStatusCode.BadRequest, "malformed-request", "the request cannot be read") }
+    exception<BadRequestException> {
+        call,
+        _,
+        ->
+        show(call, HttpStatusCode.BadRequest, "malformed-request", "the request cannot be read")
+    }
     exception<Throwable> { call, failure ->
         log.error("{} {} failed", call.request.httpMethod.value, call.request.path(), failure)
         if (failure is JdbiException || failure is SQLException) {
-            show(call, ServiceUnavailable, "storage", "the storage does not answer; nothing was stored, try again later")
+            show(
+                call,
+                ServiceUnavailable,
+                "storage",
+                "the storage does not answer; nothing was stored, try again later",
+            )
         } else {
             show(call, InternalServerError, "internal", "the server made a mistake; it is in its log")
         }
@@ -83,7 +98,10 @@ suspend fun ApplicationCall.respondProblem(
 }
 
 private fun ApplicationCall.isForPrograms() =
-    request.path().let { path -> path.startsWith("/api/") || path in setOf("/openapi.json", "/healthz", "/readyz", "/metrics") }
+    request.path().let { path ->
+        path.startsWith("/api/") ||
+            path in setOf("/openapi.json", "/healthz", "/readyz", "/metrics")
+    }
 
 private fun ApplicationCall.plainDetail(status: HttpStatusCode) =
     when (status) {

@@ -25,7 +25,8 @@ class Results(
     fun view(
         who: Identity,
         id: String,
-    ): SubmissionView = submissions.seenBy(who, id).view(who, submissions.position(id), live.casesOf(id), reports.of(id))
+    ): SubmissionView =
+        submissions.seenBy(who, id).view(who, submissions.position(id), live.casesOf(id), reports.of(id))
 
     /** @param picture "expected.png", "actual.png" or "difference.png" */
     fun picture(
@@ -35,7 +36,12 @@ class Results(
         picture: String,
     ): ByteArray {
         submissions.seenBy(who, id)
-        val cases = reports.of(id)?.report?.seenBy(who)?.cases() ?: live.casesOf(id).map { it.seenBy(who) }
+        val cases =
+            reports
+                .of(id)
+                ?.report
+                ?.seenBy(who)
+                ?.cases() ?: live.casesOf(id).map { it.seenBy(who) }
         val pictures = cases.firstOrNull { it.name() == case && it.pictures().isPresent }?.pictures()?.getOrNull()
         return when (picture) {
             "expected.png" -> pictures?.expectedPng()
@@ -51,7 +57,12 @@ fun Route.results(results: Results) {
     get("/submissions/{id}") { call.respond(results.view(call.identity(), call.submissionId())) }
     get("/submissions/{id}/cases/{case}/{picture}") {
         val picture =
-            results.picture(call.identity(), call.submissionId(), call.parameters.getOrFail("case"), call.parameters.getOrFail("picture"))
+            results.picture(
+                call.identity(),
+                call.submissionId(),
+                call.parameters.getOrFail("case"),
+                call.parameters.getOrFail("picture"),
+            )
         call.response.header(HttpHeaders.CacheControl, "private, max-age=3600")
         call.respondBytes(picture, ContentType.Image.PNG)
     }

@@ -32,7 +32,13 @@ class Reports(
                 .bind("id", submission)
                 .map { row, _ ->
                     val revision = row.getString("revision")
-                    val points = Points(row.getInt("accuracy"), row.getInt("stability"), row.getInt("speed"), row.getInt("points_of"))
+                    val points =
+                        Points(
+                            row.getInt("accuracy"),
+                            row.getInt("stability"),
+                            row.getInt("speed"),
+                            row.getInt("points_of"),
+                        )
                     Recorded(
                         Report(
                             GradingVerdict.valueOf(row.getString("verdict").uppercase()),
@@ -73,7 +79,12 @@ class Reports(
             .bind("now", gradedAt.text())
             .execute()
         report.cases().forEachIndexed { position, case -> insert(handle, submission, revision, position, case) }
-        report.diagnostics().forEachIndexed { position, diagnostic -> insert(handle, submission, revision, position, diagnostic) }
+        report.diagnostics().forEachIndexed {
+            position,
+            diagnostic,
+            ->
+            insert(handle, submission, revision, position, diagnostic)
+        }
     }
 
     private fun insert(
@@ -133,13 +144,19 @@ class Reports(
         revision: String,
     ): List<CaseReport> =
         handle
-            .createQuery("SELECT * FROM case_results WHERE submission_id = :id AND revision = :revision ORDER BY position")
-            .bind("id", submission)
+            .createQuery(
+                "SELECT * FROM case_results WHERE submission_id = :id AND revision = :revision ORDER BY position",
+            ).bind("id", submission)
             .bind("revision", revision)
             .map { row, _ ->
                 val pictures =
                     row.getString("picture_text")?.let {
-                        CasePictures(it, row.getBytes("expected_png"), row.getBytes("actual_png"), row.getBytes("difference_png"))
+                        CasePictures(
+                            it,
+                            row.getBytes("expected_png"),
+                            row.getBytes("actual_png"),
+                            row.getBytes("difference_png"),
+                        )
                     }
                 CaseReport(
                     row.getString("name"),
@@ -159,8 +176,9 @@ class Reports(
         revision: String,
     ): List<Diagnostic> =
         handle
-            .createQuery("SELECT * FROM diagnostics WHERE submission_id = :id AND revision = :revision ORDER BY position")
-            .bind("id", submission)
+            .createQuery(
+                "SELECT * FROM diagnostics WHERE submission_id = :id AND revision = :revision ORDER BY position",
+            ).bind("id", submission)
             .bind("revision", revision)
             .map { row, _ -> Diagnostic(row.getInt("line"), row.getInt("column_number"), row.getString("message")) }
             .list()

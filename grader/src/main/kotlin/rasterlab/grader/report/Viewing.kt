@@ -97,7 +97,10 @@ fun Submission.view(
 
 fun CaseReport.view(submission: String): CaseView {
     val folder = "/api/v1/submissions/$submission/cases/${name()}"
-    val pictures = pictures().getOrNull()?.let { PicturesView("$folder/expected.png", "$folder/actual.png", "$folder/difference.png", it.text()) }
+    val pictures =
+        pictures().getOrNull()?.let {
+            PicturesView("$folder/expected.png", "$folder/actual.png", "$folder/difference.png", it.text())
+        }
     val scene = scene().takeIf { it.isNotEmpty() }?.let(Json::parseToJsonElement)
     return CaseView(name(), visibility().code(), verdict().code(), points(), of(), message(), pictures, scene)
 }

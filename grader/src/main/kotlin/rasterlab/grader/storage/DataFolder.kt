@@ -7,8 +7,10 @@ import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption.CREATE
 import java.nio.file.StandardOpenOption.WRITE
+import java.nio.file.attribute.PosixFilePermissions
 import kotlin.io.path.absolute
 import kotlin.io.path.isDirectory
+import kotlin.io.path.setPosixFilePermissions
 
 /** The server cannot start; the message is one line for the person who started it. */
 class CannotStart(
@@ -44,7 +46,11 @@ class DataFolder private constructor(
         private fun fileOf(url: String): Path {
             val name = url.removePrefix("jdbc:").takeIf { it.startsWith("sqlite:") }?.removePrefix("sqlite:")
             if (name == null) throw CannotStart("--db $url: only sqlite:FILE is served so far; PostgreSQL comes later")
-            if (name.isEmpty() || '?' in name || ':' in name) throw CannotStart("--db $url: expected sqlite:FILE with a plain file name")
+            if (name.isEmpty() || '?' in name ||
+                ':' in name
+            ) {
+                throw CannotStart("--db $url: expected sqlite:FILE with a plain file name")
+            }
             val file = Path.of(name).absolute().normalize()
             if (file.isDirectory()) throw CannotStart("--db $url: is a folder, expected a file")
             if (!file.parent.isDirectory()) throw CannotStart("--db $url: there is no folder ${file.parent}")
@@ -52,13 +58,27 @@ class DataFolder private constructor(
         }
 
         private fun make(folder: Path) {
-            if (Files.exists(folder) && !folder.isDirectory()) throw CannotStart("--data $folder: is a file, expected a folder")
+            if (Files.exists(folder) &&
+                !folder.isDirectory()
+            ) {
+                throw CannotStart("--data $folder: is a file, expected a folder")
+            }
             try {
+                if (Files.exists(folder)) return
                 Files.createDirectories(folder)
+                if ("posix" in
+                    folder.fileSystem.supportedFileAttributeViews()
+                ) {
+                    folder.setPosixFilePermissions(OWNER_ONLY)
+                }
             } catch (failure: IOException) {
-                throw CannotStart("--data $folder: cannot be made (${failure.javaClass.simpleName} at ${failure.message})")
+                throw CannotStart(
+                    "--data $folder: cannot be made (${failure.javaClass.simpleName} at ${failure.message})",
+                )
             }
         }
+
+        private val OWNER_ONLY = PosixFilePermissions.fromString("rwx------")
 
         private fun lock(file: Path): FileChannel {
             try {
@@ -68,7 +88,9 @@ class DataFolder private constructor(
             } catch (failure: OverlappingFileLockException) {
                 throw CannotStart("${file.parent}: another server is using it")
             } catch (failure: IOException) {
-                throw CannotStart("${file.parent}: cannot be written (${failure.javaClass.simpleName} at ${failure.message})")
+                throw CannotStart(
+                    "${file.parent}: cannot be written (${failure.javaClass.simpleName} at ${failure.message})",
+                )
             }
             throw CannotStart("${file.parent}: another server is using it")
         }

@@ -24,7 +24,8 @@ object Secrets {
      * What is stored instead of a token. A plain SHA-256 is enough: a slow, salted hash protects
      * passwords that people choose, and nobody can search 2²⁵⁶ random tokens.
      */
-    fun hash(text: String): String = base64.encodeToString(MessageDigest.getInstance("SHA-256").digest(text.toByteArray()))
+    fun hash(text: String): String =
+        base64.encodeToString(MessageDigest.getInstance("SHA-256").digest(text.toByteArray()))
 
     /** A short code of [length] letters and digits that are not mistaken for each other when read aloud or copied. */
     fun newCode(length: Int): String = String(CharArray(length) { CODE_LETTERS[random.nextInt(CODE_LETTERS.length)] })

@@ -61,9 +61,23 @@ class Attempts(
         val exercise = exercises.find(submission.exercise)
         val report =
             when {
-                exercise == null -> ourFault("the exercise '${submission.exercise}' is not on this server any more", of = 0)
-                submission.tries > TRIES -> ourFault("grading ended without a result $TRIES times", exercise.points().total())
-                else -> grade(exercise, submission)
+                exercise == null -> {
+                    ourFault(
+                        "the exercise '${submission.exercise}' is not on this server any more",
+                        of = 0,
+                    )
+                }
+
+                submission.tries > TRIES -> {
+                    ourFault(
+                        "grading ended without a result $TRIES times",
+                        exercise.points().total(),
+                    )
+                }
+
+                else -> {
+                    grade(exercise, submission)
+                }
             }
         if (report.verdict() == GradingVerdict.INTERNAL && submission.tries < TRIES) {
             leases.giveUp(lease, counts = true)
@@ -84,7 +98,11 @@ class Attempts(
         submission: Submission,
     ): Report =
         try {
-            grading.grade(exercise, submission.source, CaseSelection.all(submission.seed)) { live.judged(submission.id, it) }
+            grading.grade(
+                exercise,
+                submission.source,
+                CaseSelection.all(submission.seed),
+            ) { live.judged(submission.id, it) }
         } catch (stop: InterruptedException) {
             throw stop
         } catch (failure: Exception) {

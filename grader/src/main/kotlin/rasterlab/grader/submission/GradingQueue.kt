@@ -36,7 +36,7 @@ class GradingQueue(
     private val task =
         Tasks
             .custom("grade", Void::class.java)
-            .onFailure(FailureHandler.maxRetries<Void>(FAILURES).withBackoff(PAUSE, 2.0).build())
+            .onFailure(FailureHandler.maxRetries<Void>(FAILURES).withBackoff(PAUSE, 2.0).thenRemove())
             .onDeadExecutionRevive()
             .execute { instance, _ -> completion(attempts.attempt(instance.id)) }
 
@@ -98,8 +98,18 @@ class GradingQueue(
 
     private fun completion(outcome: Outcome): CompletionHandler<Void> =
         when (outcome) {
-            Outcome.SETTLED -> CompletionHandler { _, operations -> operations.remove() }
-            Outcome.TRY_AGAIN -> CompletionHandler { done, operations -> operations.reschedule(done, Instant.now() + PAUSE) }
+            Outcome.SETTLED -> {
+                CompletionHandler { _, operations -> operations.remove() }
+            }
+
+            Outcome.TRY_AGAIN -> {
+                CompletionHandler { done, operations ->
+                    operations.reschedule(
+                        done,
+                        Instant.now() + PAUSE,
+                    )
+                }
+            }
         }
 
     /** A task carries nothing but its id, so nothing is ever made from stored bytes. */
@@ -116,6 +126,8 @@ class GradingQueue(
         const val FAILURES = 5
         val PAUSE: Duration = Duration.ofSeconds(1)
         val SWEEP: Duration = Duration.ofSeconds(10)
-        val STOP_WAIT: Duration = Duration.ofSeconds(12)
+
+        /** The scheduler waits this long twice: for the attempts to end, then for them to notice the interrupt. */
+        val STOP_WAIT: Duration = Duration.ofSeconds(7)
     }
 }

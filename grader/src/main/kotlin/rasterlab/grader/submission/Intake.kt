@@ -45,7 +45,9 @@ class Intake(
         if (!database.hasRoom()) throw Rejection.NoRoom()
         val request = Repeatable("submissions ${student.id}", key, "${exercise.id()}\n$source")
         return database.write { handle ->
-            val id = request.made(handle) ?: insert(handle, student, exercise, source).also { request.remember(handle, it, clock.instant()) }
+            val id =
+                request.made(handle)
+                    ?: insert(handle, student, exercise, source).also { request.remember(handle, it, clock.instant()) }
             val state = checkNotNull(Submissions.find(handle, id)) { "submission $id was just stored" }.state
             Accepted(id, state, Submissions.position(handle, id))
         }

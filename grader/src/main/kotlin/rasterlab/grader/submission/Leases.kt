@@ -99,7 +99,9 @@ class Leases(
 
     private fun release(condition: String) {
         database.write {
-            it.execute("UPDATE submissions SET state = 'queued', lease = NULL, lease_until = NULL WHERE state = 'running' AND $condition")
+            it.execute(
+                "UPDATE submissions SET state = 'queued', lease = NULL, lease_until = NULL WHERE state = 'running' AND $condition",
+            )
         }
     }
 

@@ -26,7 +26,9 @@ suspend fun ApplicationCall.receiveSource(): String {
     val bytes =
         when {
             type.match(JAVA_SOURCE) -> receiveAtMost(LONGEST_SOURCE_BYTES)
+
             type.match(ContentType.MultiPart.FormData) -> receiveFields()["source"]?.firstOrNull() ?: ByteArray(0)
+
             else -> throw Rejection.WrongMediaType(
                 request.headers[HttpHeaders.ContentType].orEmpty(),
                 "text/x-java-source or multipart/form-data with a field 'source'",
@@ -40,7 +42,11 @@ fun sourceOf(bytes: ByteArray): String {
     if (bytes.size > LONGEST_SOURCE_BYTES) throw Rejection.TooLarge(LONGEST_SOURCE_BYTES)
     val text =
         try {
-            Charsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString().removePrefix("\uFEFF")
+            Charsets.UTF_8
+                .newDecoder()
+                .decode(ByteBuffer.wrap(bytes))
+                .toString()
+                .removePrefix("\uFEFF")
         } catch (failure: CharacterCodingException) {
             throw Rejection.NotUtf8()
         }

@@ -68,7 +68,8 @@ fun Route.entering(
 }
 
 /** The fields of a small form. */
-suspend fun ApplicationCall.receiveForm(): Parameters = receiveAtMost(FORM_BYTES).decodeToString().parseUrlEncodedParameters()
+suspend fun ApplicationCall.receiveForm(): Parameters =
+    receiveAtMost(FORM_BYTES).decodeToString().parseUrlEncodedParameters()
 
 private suspend fun ApplicationCall.respondWelcome(problem: String?) {
     val texts = texts()

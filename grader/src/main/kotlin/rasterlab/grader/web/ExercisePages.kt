@@ -104,7 +104,11 @@ private suspend fun ApplicationCall.respondExercise(
             article("card statement") { unsafe { +markdownAsHtml(exercise.statement(texts.language)) } }
             section {
                 div("card") {
-                    p { a("/exercises/${exercise.id()}/starter") { +"${texts.say("exercise.starter")} (${exercise.starterFile()})" } }
+                    p {
+                        a(
+                            "/exercises/${exercise.id()}/starter",
+                        ) { +"${texts.say("exercise.starter")} (${exercise.starterFile()})" }
+                    }
                     if (mine != null) handIn(texts, exercise)
                 }
                 if (mine != null) {

@@ -18,7 +18,9 @@ fun Route.monitoring(database: Database) {
         database.write { it.execute("UPDATE secrets SET name = name WHERE 0") }
         call.respondText("ready\n")
     }
-    get("/metrics") { call.respondText(metrics(database), ContentType.parse("text/plain; version=0.0.4; charset=utf-8")) }
+    get(
+        "/metrics",
+    ) { call.respondText(metrics(database), ContentType.parse("text/plain; version=0.0.4; charset=utf-8")) }
     get("/openapi.json") { call.respondBytes(openApi, ContentType.Application.Json) }
 }
 
@@ -31,7 +33,15 @@ private object Monitoring {
 
 /** Counts in the Prometheus text format. */
 private fun metrics(database: Database): String {
-    fun counts(sql: String) = database.read { handle -> handle.createQuery(sql).map { row, _ -> row.getString(1) to row.getLong(2) }.list() }
+    fun counts(sql: String) =
+        database.read { handle ->
+            handle
+                .createQuery(sql)
+                .map { row, _ ->
+                    row.getString(1) to
+                        row.getLong(2)
+                }.list()
+        }
     return buildString {
         appendLine("# TYPE rasterlab_submissions gauge")
         counts("SELECT state, count(*) FROM submissions GROUP BY state").forEach { (state, count) ->

@@ -1,9 +1,11 @@
 package rasterlab.grader.web
 
+import io.ktor.http.HttpHeaders
 import io.ktor.http.HttpStatusCode
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.html.respondHtml
 import io.ktor.server.request.path
+import io.ktor.server.response.header
 import kotlinx.html.FlowContent
 import kotlinx.html.InputType
 import kotlinx.html.MAIN
@@ -39,6 +41,7 @@ suspend fun ApplicationCall.respondPage(
     content: MAIN.() -> Unit,
 ) {
     val path = request.path()
+    response.header(HttpHeaders.CacheControl, "no-store")
     respondHtml(status) {
         lang = texts.language
         head {

@@ -37,12 +37,17 @@ fun Route.resultPages(
         val who = call.someone(accounts)
         val submission = submissions.seenBy(who, call.submissionId())
         val texts = call.texts()
-        call.respondFragment(createHTML(prettyPrint = false).div { result(texts, results.view(who, submission.id), submission.source) })
+        call.respondFragment(
+            createHTML(prettyPrint = false).div {
+                result(texts, results.view(who, submission.id), submission.source)
+            },
+        )
     }
 }
 
 /** The inner part of a page. */
-suspend fun ApplicationCall.respondFragment(html: String) = respondText(html, ContentType.Text.Html.withCharset(Charsets.UTF_8))
+suspend fun ApplicationCall.respondFragment(html: String) =
+    respondText(html, ContentType.Text.Html.withCharset(Charsets.UTF_8))
 
 private suspend fun ApplicationCall.respondResult(
     who: Identity,

@@ -7,6 +7,7 @@ import kotlinx.html.article
 import kotlinx.html.code
 import kotlinx.html.details
 import kotlinx.html.div
+
 import kotlinx.html.figcaption
 import kotlinx.html.figure
 import kotlinx.html.h2

@@ -56,7 +56,17 @@ private fun FlowContent.listing(
         thead {
             tr {
                 (first.map { it.first } + listOf("verdict", "points", "received")).forEach { column ->
-                    th(scope = ThScope.col, classes = if (column == "points") "number" else null) { +texts.say("table.$column") }
+                    th(
+                        scope = ThScope.col,
+                        classes =
+                            if (column ==
+                                "points"
+                            ) {
+                                "number"
+                            } else {
+                                null
+                            },
+                    ) { +texts.say("table.$column") }
                 }
             }
         }
@@ -65,7 +75,13 @@ private fun FlowContent.listing(
                 tr {
                     first.forEachIndexed { index, (_, text) ->
                         td {
-                            if (index == 0) a("/submissions/${row.submission.id}") { +text(texts, row) } else +text(texts, row)
+                            if (index ==
+                                0
+                            ) {
+                                a("/submissions/${row.submission.id}") { +text(texts, row) }
+                            } else {
+                                +text(texts, row)
+                            }
                         }
                     }
                     td { status(texts, row.verdict, row.submission.state.code) }

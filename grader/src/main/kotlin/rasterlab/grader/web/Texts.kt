@@ -14,7 +14,12 @@ class Texts private constructor(
     val language: String,
 ) {
     private val locale = Locale.forLanguageTag(language)
-    private val bundle = ResourceBundle.getBundle("rasterlab.grader.web.texts", locale, ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_DEFAULT))
+    private val bundle =
+        ResourceBundle.getBundle(
+            "rasterlab.grader.web.texts",
+            locale,
+            ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_DEFAULT),
+        )
 
     /** @param values for the places {0}, {1}, … of the text */
     fun say(
