@@ -1,0 +1,98 @@
+package rasterlab.engine.study;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Gives a method its verdict on one input: runs it under guard and compares with the exact answer.
+ *
+ * <p>An exact answer of more than 20,000 items is compared by its first so many. A method is
+ * endless when it produces more than twice the exact items and 1,000 more, or goes beyond the wall
+ * limit.
+ */
+public final class HazardTrial {
+    private HazardTrial() {}
+
+    /**
+     * One cell of the method × hazard table.
+     *
+     * @param recorded the kind written down in the hazard; exact where none is
+     */
+    public record Cell(String hazard, String method, Verdict verdict, Verdict.Kind recorded) {
+        /** Whether the method did what is written down. */
+        public boolean asRecorded() {
+            return verdict.kind() == recorded;
+        }
+    }
+
+    /** Every method on every hazard, hazard by hazard. */
+    public static <C, I, O> List<Cell> table(Topic<C, I, O> topic, Duration wallLimit) {
+        var cells = new ArrayList<Cell>();
+        for (Hazard<I> hazard : topic.hazards()) {
+            Answer<O> answer = Answer.to(topic, hazard.input());
+            for (Method<C> method : topic.methods()) {
+                Verdict verdict = judge(topic, method, hazard.input(), answer, wallLimit);
+                Verdict.Kind recorded =
+                        hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);
+                cells.add(new Cell(hazard.name(), method.name(), verdict, recorded));
+            }
+        }
+        return cells;
+    }
+
+    /**
+     * What {@code method} does with {@code hazard}.
+     *
+     * @param wallLimit the longest it may take
+     */
+    public static <C, I, O> Verdict judge(
+            Topic<C, I, O> topic, Method<C> method, Hazard<I> hazard, Duration wallLimit) {
+        I input = hazard.input();
+        return judge(topic, method, input, Answer.to(topic, input), wallLimit);
+    }
+
+    static <C, I, O> Verdict judge(
+            Topic<C, I, O> topic, Method<C> method, I input, Answer<O> answer, Duration wallLimit) {
+        var outcome =
+                Guard.call(
+                        "trial of " + method.name(),
+                        () -> topic.record(method.implementation(), input, answer.limit()),
+                        wallLimit);
+        if (outcome instanceof Guard.Returned<O> returned)
+            return compared(topic, input, answer.exact(), returned.value());
+        if (outcome instanceof Guard.Threw<O> threw
+                && threw.cause() instanceof LimitReached reached)
+            return answer.cut()
+                    ? compared(topic, input, answer.exact(), recorded(reached))
+                    : endless(answer, topic.item());
+        return Verdicts.ofFailure(outcome);
+    }
+
+    private static Verdict endless(Answer<?> answer, String item) {
+        return new Verdict(
+                Verdict.Kind.ENDLESS,
+                Deviation.NONE,
+                "still going after "
+                        + answer.limit()
+                        + " "
+                        + item
+                        + "s where "
+                        + answer.items()
+                        + " are right");
+    }
+
+    private static <C, I, O> Verdict compared(Topic<C, I, O> topic, I input, O exact, O actual) {
+        Deviation deviation = topic.compare(input, exact, actual);
+        Verdict.Kind kind =
+                deviation.exact()
+                        ? Verdict.Kind.EXACT
+                        : topic.usable(deviation) ? Verdict.Kind.DEGRADED : Verdict.Kind.WRONG;
+        return new Verdict(kind, deviation, deviation.first());
+    }
+
+    @SuppressWarnings("unchecked") // the topic's own sink threw it, with the topic's output
+    private static <O> O recorded(LimitReached reached) {
+        return (O) reached.recorded();
+    }
+}
