@@ -22,7 +22,8 @@ sealed class Rejection(
     override val message: String,
     val code: String,
 ) : Exception(message) {
-    class NotSignedIn : Rejection("needs the header 'Authorization: Bearer TOKEN' with a token of this server", "not-signed-in")
+    class NotSignedIn :
+        Rejection("needs the header 'Authorization: Bearer TOKEN' with a token of this server", "not-signed-in")
 
     class WrongRole(
         needed: String,
@@ -98,7 +99,8 @@ fun Rejection.status(): HttpStatusCode =
     when (this) {
         is Rejection.NotSignedIn -> Unauthorized
         is Rejection.WrongRole, is Rejection.ForeignOrigin -> Forbidden
-        is Rejection.UnknownExercise, is Rejection.UnknownSubmission, is Rejection.UnknownPicture, is Rejection.UnknownCourse -> NotFound
+        is Rejection.UnknownExercise, is Rejection.UnknownSubmission -> NotFound
+        is Rejection.UnknownPicture, is Rejection.UnknownCourse -> NotFound
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
         is Rejection.EmptySource, is Rejection.NotUtf8 -> UnprocessableEntity

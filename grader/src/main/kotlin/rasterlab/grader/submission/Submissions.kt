@@ -29,7 +29,7 @@ class Submissions(
         id: String,
     ): Submission {
         val found = find(id)
-        if (found == null || who is Identity.Student && found.student != who.id) throw Rejection.UnknownSubmission(id)
+        if (found == null || (who is Identity.Student && found.student != who.id)) throw Rejection.UnknownSubmission(id)
         return found
     }
 
@@ -38,13 +38,24 @@ class Submissions(
 
     fun waiting(): List<String> =
         database.read {
-            it.createQuery("SELECT id FROM submissions WHERE state = 'queued' ORDER BY sequence").mapTo(String::class.java).list()
+            it
+                .createQuery(
+                    "SELECT id FROM submissions WHERE state = 'queued' ORDER BY sequence",
+                ).mapTo(String::class.java)
+                .list()
         }
 
     fun ofStudent(
         student: String,
         exercise: String,
-    ): List<Listed> = list("WHERE s.student_id = :student AND s.exercise = :exercise", mapOf("student" to student, "exercise" to exercise))
+    ): List<Listed> =
+        list(
+            "WHERE s.student_id = :student AND s.exercise = :exercise",
+            mapOf(
+                "student" to student,
+                "exercise" to exercise,
+            ),
+        )
 
     fun latest(): List<Listed> = list("", emptyMap())
 

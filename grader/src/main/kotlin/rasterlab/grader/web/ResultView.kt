@@ -7,7 +7,6 @@ import kotlinx.html.article
 import kotlinx.html.code
 import kotlinx.html.details
 import kotlinx.html.div
-
 import kotlinx.html.figcaption
 import kotlinx.html.figure
 import kotlinx.html.h2
@@ -63,7 +62,13 @@ private fun FlowContent.progress(
 ) {
     if (view.verdict != null) return
     p {
-        if (view.state == "queued") +texts.say("result.position", view.position) else +texts.say("result.running", view.cases.size)
+        if (view.state ==
+            "queued"
+        ) {
+            +texts.say("result.position", view.position)
+        } else {
+            +texts.say("result.running", view.cases.size)
+        }
         +" "
         a("/submissions/${view.id}") { +texts.say("result.reload") }
     }
@@ -74,8 +79,9 @@ private fun FlowContent.points(
     points: PointsView,
 ) {
     p("total") { +texts.say("result.points", points.total, points.of) }
+    val kinds = listOf("accuracy" to points.accuracy, "stability" to points.stability, "speed" to points.speed)
     ul("points") {
-        listOf("accuracy" to points.accuracy, "stability" to points.stability, "speed" to points.speed).forEach { (kind, earned) ->
+        kinds.forEach { (kind, earned) ->
             li {
                 +"${texts.say("result.$kind")} "
                 strong { +"$earned" }
@@ -95,7 +101,9 @@ private fun FlowContent.diagnostics(
             li {
                 if (diagnostic.line > 0) span("place") { +place(texts, diagnostic) }
                 span("message") { +diagnostic.message }
-                lines.getOrNull(diagnostic.line - 1)?.takeIf { it.isNotBlank() }?.let { line -> pre { code { +line.trimEnd() } } }
+                lines.getOrNull(diagnostic.line - 1)?.takeIf { it.isNotBlank() }?.let { line ->
+                    pre { code { +line.trimEnd() } }
+                }
             }
         }
     }
@@ -130,7 +138,11 @@ private fun FlowContent.pictures(
     pictures: PicturesView,
 ) {
     div("pictures") {
-        listOf("expected" to pictures.expected, "actual" to pictures.actual, "difference" to pictures.difference).forEach { (kind, address) ->
+        listOf(
+            "expected" to pictures.expected,
+            "actual" to pictures.actual,
+            "difference" to pictures.difference,
+        ).forEach { (kind, address) ->
             figure {
                 a(address) { img(src = address, alt = "$case: ${texts.say("result.$kind")}") }
                 figcaption { +texts.say("result.$kind") }
