@@ -116,7 +116,7 @@ class Visit(
     val database: Database,
     val instructor: String,
 ) {
-    val client: HttpClient = application.createClient { followRedirects = false }
+    val client: HttpClient by lazy { application.createClient { followRedirects = false } }
 
     suspend fun newCourse(): String =
         client

@@ -1,6 +1,7 @@
 package rasterlab.grader.course
 
 import org.jdbi.v3.core.Handle
+import org.jdbi.v3.core.statement.Query
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Repeatable
@@ -39,7 +40,7 @@ class Courses(
         }
     }
 
-    fun all(): List<Course> = database.read { select(it, "1 = :value", "1").list() }
+    fun all(): List<Course> = database.read { rows(select(it, "")).list() }
 
     /**
      * A new student of the course with this code.
@@ -110,16 +111,15 @@ class Courses(
         handle: Handle,
         column: String,
         value: String,
-    ) = select(handle, "$column = :value", value).findOne().getOrNull()
+    ): Course? = rows(select(handle, "WHERE $column = :value").bind("value", value)).findOne().getOrNull()
 
     private fun select(
         handle: Handle,
         condition: String,
-        value: String,
-    ) = handle
-        .createQuery("SELECT id, name, code FROM courses WHERE $condition ORDER BY created_at DESC")
-        .bind("value", value)
-        .map { row, _ -> Course(row.getString("id"), row.getString("name"), row.getString("code")) }
+    ): Query = handle.createQuery("SELECT id, name, code FROM courses $condition ORDER BY created_at DESC")
+
+    private fun rows(query: Query) =
+        query.map { row, _ -> Course(row.getString("id"), row.getString("name"), row.getString("code")) }
 
     private companion object {
         /** 40 bits, and guesses are counted. */

@@ -22,15 +22,15 @@ class OpenApiTest {
     @Test
     fun describesTheRoutesThereAreAndNoOthers() =
         Classroom(folder).open(grades = false) {
-            val described =
-                client.get("/openapi.json").json().getValue("paths").jsonObject.flatMap { (path, methods) ->
-                    methods.jsonObject.keys.map { "${it.uppercase()} $path" }
-                }
             val served = mutableSetOf<String>()
             application.application {
                 routing { served += (this as RoutingRoot).getAllRoutes().mapNotNull(::call) }
             }
             application.startApplication()
+            val described =
+                client.get("/openapi.json").json().getValue("paths").jsonObject.flatMap { (path, methods) ->
+                    methods.jsonObject.keys.map { "${it.uppercase()} $path" }
+                }
             assertEquals(served.sorted(), described.sorted())
         }
 
