@@ -50,6 +50,11 @@ public interface Topic<C, I, O> {
 
     Deviation compare(I input, O exact, O actual);
 
+    /** Whether an output that is not exact still serves: degraded rather than wrong. */
+    default boolean usable(Deviation deviation) {
+        return deviation.exact();
+    }
+
     /** What {@link #spend} counts, in the singular, for axis labels: "pixel", "segment". */
     String item();
 

@@ -6,7 +6,7 @@ import java.util.Locale;
  * What a method did with a hazard.
  *
  * @param kind which of the six answers
- * @param deviation how far from exact; {@link Deviation#NONE} unless degraded or wrong
+ * @param deviation how far from exact; {@link Deviation#NONE} where there is no answer to compare
  * @param detail one line for people: the refusal's message, the exception's name, the first
  *     difference; may be empty
  */

@@ -1,0 +1,16 @@
+package rasterlab.engine.line;
+
+import rasterlab.contract.LineRasterizer;
+
+/** A method whose steps can be looked at: drawing and stepping drain the same walk. */
+public interface SteppedLine extends LineRasterizer {
+    /**
+     * A walk over the pixels that {@code draw} sends, in the same order.
+     *
+     * @throws IllegalArgumentException as {@code draw} does
+     */
+    LineWalk walk(int x0, int y0, int x1, int y1);
+
+    /** What {@link LineWalk#decision} is, as a formula, and when it makes the line step aside. */
+    String decisionFormula();
+}

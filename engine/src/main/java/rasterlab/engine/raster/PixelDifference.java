@@ -1,0 +1,107 @@
+package rasterlab.engine.raster;
+
+import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/**
+ * Two pictures of single pixels, one exact and one drawn, told apart.
+ *
+ * @param right drawn, and nothing to object to
+ * @param missing in the exact picture but not drawn
+ * @param extra drawn but not in the exact picture
+ */
+public record PixelDifference(PixelSet right, PixelSet missing, PixelSet extra) {
+    private static final int MOST_COLUMNS = 80;
+    private static final int MOST_ROWS = 40;
+
+    public static PixelDifference of(PixelRecording exact, PixelRecording actual) {
+        return of(exact, actual, (x, y) -> false);
+    }
+
+    /**
+     * The difference under a tolerance.
+     *
+     * @param forgiven pixels that may be drawn or not: drawn they count as right, not drawn they
+     *     count for nothing
+     */
+    public static PixelDifference of(
+            PixelRecording exact, PixelRecording actual, PixelPredicate forgiven) {
+        PixelSet wanted = PixelSet.of(exact);
+        PixelSet drawn = PixelSet.of(actual);
+        return new PixelDifference(
+                drawn.filter((x, y) -> wanted.contains(x, y) || forgiven.test(x, y)),
+                wanted.filter((x, y) -> !drawn.contains(x, y) && !forgiven.test(x, y)),
+                drawn.filter((x, y) -> !wanted.contains(x, y) && !forgiven.test(x, y)));
+    }
+
+    /** Neither missing nor extra pixels. */
+    public boolean isEmpty() {
+        return missing.isEmpty() && extra.isEmpty();
+    }
+
+    /** The smallest box around all three sets; none if there is no pixel at all. */
+    public Optional<PixelBox> box() {
+        if (right.isEmpty() && isEmpty()) return Optional.empty();
+        return Optional.of(
+                new PixelBox(
+                        xs().min().orElseThrow(),
+                        ys().min().orElseThrow(),
+                        xs().max().orElseThrow(),
+                        ys().max().orElseThrow()));
+    }
+
+    /**
+     * The box as rows of characters, top row first, joined by line feeds: {@code #} right, {@code
+     * +} extra, {@code -} missing, {@code .} none of them; empty where there is no pixel.
+     *
+     * <p>A box of more than 80 columns or 40 rows is cut to that size around its topmost wrong
+     * pixel (where nothing is wrong, around its topmost pixel), and a first line says which part is
+     * shown.
+     */
+    public String text() {
+        return box().map(this::text).orElse("");
+    }
+
+    private String text(PixelBox whole) {
+        PixelSet wrong = missing.union(extra);
+        PixelSet centre = wrong.isEmpty() ? right : wrong;
+        PixelBox shown = whole.around(centre.x(0), centre.y(0), MOST_COLUMNS, MOST_ROWS);
+        var text = new StringBuilder();
+        if (!shown.equals(whole)) text.append(part(shown, whole)).append('\n');
+        for (long y = shown.minY(); y <= shown.maxY(); y++) {
+            if (y > shown.minY()) text.append('\n');
+            for (long x = shown.minX(); x <= shown.maxX(); x++) text.append(mark((int) x, (int) y));
+        }
+        return text.toString();
+    }
+
+    private static String part(PixelBox shown, PixelBox whole) {
+        return String.format(
+                "columns %d..%d of %d..%d, rows %d..%d of %d..%d",
+                shown.minX(),
+                shown.maxX(),
+                whole.minX(),
+                whole.maxX(),
+                shown.minY(),
+                shown.maxY(),
+                whole.minY(),
+                whole.maxY());
+    }
+
+    private char mark(int x, int y) {
+        if (right.contains(x, y)) return '#';
+        if (extra.contains(x, y)) return '+';
+        return missing.contains(x, y) ? '-' : '.';
+    }
+
+    private IntStream xs() {
+        return Stream.of(right, missing, extra)
+                .flatMapToInt(set -> IntStream.range(0, set.size()).map(set::x));
+    }
+
+    private IntStream ys() {
+        return Stream.of(right, missing, extra)
+                .flatMapToInt(set -> IntStream.range(0, set.size()).map(set::y));
+    }
+}

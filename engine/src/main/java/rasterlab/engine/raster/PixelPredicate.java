@@ -1,0 +1,7 @@
+package rasterlab.engine.raster;
+
+/** A yes or no about a pixel. */
+@FunctionalInterface
+public interface PixelPredicate {
+    boolean test(int x, int y);
+}

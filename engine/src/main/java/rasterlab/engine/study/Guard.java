@@ -1,0 +1,48 @@
+package rasterlab.engine.study;
+
+import java.time.Duration;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+
+/**
+ * Runs foreign code on a thread of its own, so that it may crash or never end.
+ *
+ * <p>A thread that does not end cannot be stopped from outside; it is interrupted and left behind
+ * as a daemon, which does not keep the process alive.
+ */
+final class Guard {
+    private Guard() {}
+
+    /** How a call ended. */
+    sealed interface Outcome<T> {}
+
+    record Returned<T>(T value) implements Outcome<T> {}
+
+    record Threw<T>(Throwable cause) implements Outcome<T> {}
+
+    record TimedOut<T>(Duration limit) implements Outcome<T> {}
+
+    /** The outcome of {@code work} within {@code limit}, errors of the virtual machine included. */
+    static <T> Outcome<T> call(String name, Callable<T> work, Duration limit) {
+        var task = new FutureTask<>(work);
+        var thread = new Thread(task, name);
+        thread.setDaemon(true);
+        thread.start();
+        try {
+            return new Returned<>(task.get(limit.toNanos(), TimeUnit.NANOSECONDS));
+        } catch (ExecutionException e) {
+            return new Threw<>(e.getCause());
+        } catch (TimeoutException e) {
+            task.cancel(true);
+            return new TimedOut<>(limit);
+        } catch (InterruptedException e) {
+            task.cancel(true);
+            Thread.currentThread().interrupt();
+            throw new CancellationException(name + " was interrupted");
+        }
+    }
+}

@@ -1,0 +1,96 @@
+package rasterlab.engine.study;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Gives a method its verdict on one input: runs it under guard and compares with the exact answer.
+ *
+ * <p>An exact answer of more than {@value #MOST_ITEMS} items is compared by its first so many. A
+ * method is endless when it produces more than twice the exact items and {@value #SLACK}, or goes
+ * beyond the wall limit.
+ */
+public final class HazardTrial {
+    static final int MOST_ITEMS = 20_000;
+    static final int SLACK = 1_000;
+
+    private HazardTrial() {}
+
+    /**
+     * One cell of the method × hazard table.
+     *
+     * @param recorded the kind written down in the hazard; null where none is
+     */
+    public record Cell(String hazard, String method, Verdict verdict, Verdict.Kind recorded) {
+        /** Whether the method did what is written down. */
+        public boolean asRecorded() {
+            return verdict.kind() == recorded;
+        }
+    }
+
+    /** Every method on every hazard, hazard by hazard. */
+    public static <C, I, O> List<Cell> table(Topic<C, I, O> topic, Duration wallLimit) {
+        var cells = new ArrayList<Cell>();
+        for (Hazard<I> hazard : topic.hazards())
+            for (Method<C> method : topic.methods()) {
+                Verdict verdict = judge(topic, method, hazard, wallLimit);
+                Verdict.Kind recorded = hazard.recorded().get(method.name());
+                cells.add(new Cell(hazard.name(), method.name(), verdict, recorded));
+            }
+        return cells;
+    }
+
+    /**
+     * What {@code method} does with {@code hazard}.
+     *
+     * @param wallLimit the longest it may take
+     */
+    public static <C, I, O> Verdict judge(
+            Topic<C, I, O> topic, Method<C> method, Hazard<I> hazard, Duration wallLimit) {
+        return judge(topic, method, hazard.input(), wallLimit);
+    }
+
+    static <C, I, O> Verdict judge(
+            Topic<C, I, O> topic, Method<C> method, I input, Duration wallLimit) {
+        O exact = topic.exact(input, MOST_ITEMS + 1);
+        long items = topic.compare(input, exact, exact).of();
+        boolean cut = items > MOST_ITEMS;
+        int limit = cut ? MOST_ITEMS : (int) (2 * items + SLACK);
+        var outcome =
+                Guard.call(
+                        "trial of " + method.name(),
+                        () -> topic.record(method.implementation(), input, limit),
+                        wallLimit);
+        if (outcome instanceof Guard.Returned<O> returned)
+            return compared(
+                    topic, input, cut ? topic.exact(input, limit) : exact, returned.value());
+        if (outcome instanceof Guard.Threw<O> threw
+                && threw.cause() instanceof LimitReached reached)
+            return cut
+                    ? compared(topic, input, topic.exact(input, limit), recorded(reached))
+                    : endless(limit, items, topic.item());
+        return Verdicts.ofFailure(outcome);
+    }
+
+    private static Verdict endless(int limit, long items, String item) {
+        return new Verdict(
+                Verdict.Kind.ENDLESS,
+                Deviation.NONE,
+                "still going after " + limit + " " + item + "s where " + items + " are right");
+    }
+
+    private static <C, I, O> Verdict compared(Topic<C, I, O> topic, I input, O exact, O actual) {
+        Deviation deviation = topic.compare(input, exact, actual);
+        Verdict.Kind kind =
+                deviation.exact()
+                        ? Verdict.Kind.EXACT
+                        : topic.usable(deviation) ? Verdict.Kind.DEGRADED : Verdict.Kind.WRONG;
+        return new Verdict(kind, deviation, deviation.first());
+    }
+
+    @SuppressWarnings("unchecked") // the topic's own sink threw it, with the topic's output
+    private static <O> O recorded(LimitReached reached) {
+        return (O) reached.recorded();
+    }
+}

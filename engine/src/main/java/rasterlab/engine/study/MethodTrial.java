@@ -1,0 +1,128 @@
+package rasterlab.engine.study;
+
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+
+/** One method on one workload while a study runs: judged once, then timed in rounds. */
+final class MethodTrial<C, I, O> {
+    private final Topic<C, I, O> topic;
+    private final Method<C> method;
+    private final Workload<I> workload;
+    private final StudySettings settings;
+    private final double[] nanosPerItem;
+    private int rounds;
+    private long itemsPerPass;
+    private Deviation error = Deviation.NONE;
+    private Verdict worst = new Verdict(Verdict.Kind.EXACT, Deviation.NONE, "");
+
+    MethodTrial(
+            Topic<C, I, O> topic, Method<C> method, Workload<I> workload, StudySettings settings) {
+        this.topic = topic;
+        this.method = method;
+        this.workload = workload;
+        this.settings = settings;
+        nanosPerItem = new double[settings.rounds()];
+    }
+
+    private record Sample(long nanos, long items, long passes) {}
+
+    String method() {
+        return method.name();
+    }
+
+    String workload() {
+        return workload.name();
+    }
+
+    /** Judges input by input, until one gets no answer. */
+    void judge() {
+        for (I input : workload.inputs()) {
+            take(HazardTrial.judge(topic, method, input, settings.wallLimit()));
+            if (!answered()) return;
+        }
+    }
+
+    void warmUp() {
+        run(settings.warmUp());
+    }
+
+    void round() {
+        Sample sample = run(settings.round());
+        if (sample.items() > 0) nanosPerItem[rounds++] = (double) sample.nanos() / sample.items();
+    }
+
+    Measurement measurement() {
+        return new Measurement(
+                method.name(),
+                workload.name(),
+                workload.size(),
+                answered() ? cost() : Cost.NONE,
+                answered() ? error : Deviation.NONE,
+                worst.kind(),
+                worst.detail());
+    }
+
+    private void take(Verdict verdict) {
+        if (verdict.kind().compareTo(worst.kind()) > 0) worst = verdict;
+        Deviation more = verdict.deviation();
+        error =
+                new Deviation(
+                        Math.max(error.worst(), more.worst()),
+                        error.missing() + more.missing(),
+                        error.extra() + more.extra(),
+                        error.of() + more.of(),
+                        error.first().isEmpty() ? more.first() : error.first());
+    }
+
+    private boolean answered() {
+        return worst.kind().compareTo(Verdict.Kind.REFUSED) < 0;
+    }
+
+    private Sample run(Duration atLeast) {
+        if (!answered()) return new Sample(0, 0, 0);
+        Duration limit = settings.wallLimit().multipliedBy(workload.inputs().size()).plus(atLeast);
+        var outcome =
+                Guard.call("timing of " + method.name(), () -> passes(atLeast.toNanos()), limit);
+        if (outcome instanceof Guard.Returned<Sample> returned) {
+            itemsPerPass = returned.value().items() / returned.value().passes();
+            return returned.value();
+        }
+        take(Verdicts.ofFailure(outcome));
+        return new Sample(0, 0, 0);
+    }
+
+    private Sample passes(long atLeastNanos) {
+        C implementation = method.implementation();
+        List<I> inputs = workload.inputs();
+        long items = 0;
+        long passes = 0;
+        long start = System.nanoTime();
+        long elapsed;
+        do {
+            for (int i = 0; i < inputs.size(); i++)
+                items += topic.spend(implementation, inputs.get(i));
+            passes++;
+            elapsed = System.nanoTime() - start;
+        } while (elapsed < atLeastNanos);
+        return new Sample(elapsed, items, passes);
+    }
+
+    private Cost cost() {
+        var counts = Map.of("inputs", (long) workload.inputs().size(), "items", itemsPerPass);
+        if (rounds == 0) return new Cost(0, 0, 0, counts);
+        double[] sorted = Arrays.copyOf(nanosPerItem, rounds);
+        Arrays.sort(sorted);
+        return new Cost(
+                quantile(sorted, 0.5), quantile(sorted, 0.25), quantile(sorted, 0.75), counts);
+    }
+
+    /** The value at {@code share} of the way through the sorted values, between them linearly. */
+    private static double quantile(double[] sorted, double share) {
+        double place = share * (sorted.length - 1);
+        int below = (int) place;
+        int above = Math.min(below + 1, sorted.length - 1);
+        return sorted[below] + (place - below) * (sorted[above] - sorted[below]);
+    }
+}

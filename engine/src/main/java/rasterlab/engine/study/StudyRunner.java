@@ -1,0 +1,75 @@
+package rasterlab.engine.study;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+
+/**
+ * Measures every method of a topic on every workload.
+ *
+ * <p>On each workload a method is first judged, input by input, and only one that answers all of
+ * them is timed: warmed up, then timed in rounds that take turns with the other methods' rounds, so
+ * that a busy moment of the machine hits all alike.
+ */
+public final class StudyRunner<C, I, O> {
+    private final Topic<C, I, O> topic;
+    private final StudySettings settings;
+    private final Consumer<Progress> progress;
+    private final BooleanSupplier cancelled;
+    private final int total;
+    private int done;
+
+    private StudyRunner(
+            Topic<C, I, O> topic,
+            StudySettings settings,
+            Consumer<Progress> progress,
+            BooleanSupplier cancelled) {
+        this.topic = topic;
+        this.settings = settings;
+        this.progress = progress;
+        this.cancelled = cancelled;
+        total = topic.workloads().size() * topic.methods().size() * (settings.rounds() + 2);
+    }
+
+    /**
+     * The study of one topic.
+     *
+     * @param progress told after each piece of work, on the caller's thread
+     * @param cancelled asked before each piece of work
+     * @throws CancellationException when {@code cancelled} says so or the thread is interrupted
+     */
+    public static <C, I, O> Study measure(
+            Topic<C, I, O> topic,
+            StudySettings settings,
+            Consumer<Progress> progress,
+            BooleanSupplier cancelled) {
+        return new StudyRunner<>(topic, settings, progress, cancelled).run();
+    }
+
+    private Study run() {
+        var measurements = new ArrayList<Measurement>();
+        for (Workload<I> workload : topic.workloads()) measurements.addAll(measure(workload));
+        return new Study(topic.name(), topic.item(), topic.errorUnit(), measurements);
+    }
+
+    private List<Measurement> measure(Workload<I> workload) {
+        var trials = new ArrayList<MethodTrial<C, I, O>>();
+        for (Method<C> method : topic.methods())
+            trials.add(new MethodTrial<>(topic, method, workload, settings));
+        for (var trial : trials) step(trial, trial::judge);
+        for (var trial : trials) step(trial, trial::warmUp);
+        for (int round = 0; round < settings.rounds(); round++)
+            for (var trial : trials) step(trial, trial::round);
+        return trials.stream().map(MethodTrial::measurement).toList();
+    }
+
+    private void step(MethodTrial<C, I, O> trial, Runnable work) {
+        if (cancelled.getAsBoolean())
+            throw new CancellationException("study of '" + topic.name() + "' was cancelled");
+        work.run();
+        done++;
+        progress.accept(new Progress(done, total, trial.method(), trial.workload()));
+    }
+}

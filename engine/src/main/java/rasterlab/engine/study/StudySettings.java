@@ -1,0 +1,39 @@
+package rasterlab.engine.study;
+
+import java.time.Duration;
+
+/**
+ * How long a study takes its time.
+ *
+ * @param warmUp time each method runs on each workload before it is timed
+ * @param round the least time of one timed round
+ * @param rounds number of timed rounds, at least 1; their median counts
+ * @param wallLimit the longest that a method may take for one input
+ */
+public record StudySettings(Duration warmUp, Duration round, int rounds, Duration wallLimit) {
+    public StudySettings {
+        requireAbove(Duration.ZERO.minusNanos(1), warmUp, "warm-up");
+        requireAbove(Duration.ZERO, round, "round");
+        requireAbove(Duration.ZERO, wallLimit, "wall limit");
+        if (rounds < 1)
+            throw new IllegalArgumentException("rounds must be at least 1, got " + rounds);
+    }
+
+    /** For figures to quote: about 10 seconds for five methods on five workloads. */
+    public static StudySettings thorough() {
+        return new StudySettings(
+                Duration.ofMillis(150), Duration.ofMillis(20), 11, Duration.ofSeconds(2));
+    }
+
+    /** For a first look: about 2 seconds for five methods on five workloads. */
+    public static StudySettings quick() {
+        return new StudySettings(
+                Duration.ofMillis(30), Duration.ofMillis(5), 7, Duration.ofSeconds(2));
+    }
+
+    private static void requireAbove(Duration bound, Duration value, String name) {
+        if (value.compareTo(bound) <= 0)
+            throw new IllegalArgumentException(
+                    name + " must be longer than " + bound.toNanos() + " ns, got " + value);
+    }
+}

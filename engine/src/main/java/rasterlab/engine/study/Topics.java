@@ -1,0 +1,32 @@
+package rasterlab.engine.study;
+
+import java.util.List;
+import rasterlab.engine.line.LineTopic;
+
+/** The list of every topic there is. */
+public final class Topics {
+    private Topics() {}
+
+    /** All topics, in the course's order. */
+    public static List<Topic<?, ?, ?>> all() {
+        return List.of(new LineTopic());
+    }
+
+    /**
+     * The topic of that name.
+     *
+     * @throws IllegalArgumentException if there is none; lists those there are
+     */
+    public static Topic<?, ?, ?> named(String name) {
+        return all().stream()
+                .filter(topic -> topic.name().equals(name))
+                .findFirst()
+                .orElseThrow(
+                        () ->
+                                new IllegalArgumentException(
+                                        "no topic '"
+                                                + name
+                                                + "'; there are "
+                                                + all().stream().map(Topic::name).toList()));
+    }
+}

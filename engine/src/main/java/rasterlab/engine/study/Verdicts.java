@@ -1,0 +1,36 @@
+package rasterlab.engine.study;
+
+/** The verdict of a call that gave no answer to compare. */
+final class Verdicts {
+    private static final int LONGEST_DETAIL = 300;
+
+    private Verdicts() {}
+
+    static Verdict ofFailure(Guard.Outcome<?> outcome) {
+        if (outcome instanceof Guard.TimedOut<?> late)
+            return verdict(
+                    Verdict.Kind.ENDLESS, "no answer within " + late.limit().toMillis() + " ms");
+        if (outcome instanceof Guard.Threw<?> threw) {
+            Throwable cause = threw.cause();
+            if (cause instanceof LimitReached)
+                return verdict(Verdict.Kind.ENDLESS, "it " + cause.getMessage());
+            if (cause instanceof IllegalArgumentException && cause.getMessage() != null)
+                return verdict(Verdict.Kind.REFUSED, cause.getMessage());
+            return verdict(Verdict.Kind.CRASHED, cause + place(cause));
+        }
+        throw new AssertionError("an answer was given: " + outcome);
+    }
+
+    private static String place(Throwable cause) {
+        StackTraceElement[] trace = cause.getStackTrace();
+        return trace.length == 0 ? "" : " at " + trace[0];
+    }
+
+    private static Verdict verdict(Verdict.Kind kind, String detail) {
+        String line = detail.strip().replaceAll("\\R+", " ");
+        return new Verdict(
+                kind,
+                Deviation.NONE,
+                line.length() <= LONGEST_DETAIL ? line : line.substring(0, LONGEST_DETAIL) + "…");
+    }
+}
