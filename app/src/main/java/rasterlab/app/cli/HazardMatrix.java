@@ -1,0 +1,122 @@
+package rasterlab.app.cli;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+
+/**
+ * The verdict of every method of a topic on each of its hazards.
+ *
+ * @param methods in the topic's order
+ * @param hazards in the topic's order
+ * @param cells one for each pair
+ */
+public record HazardMatrix(
+        String topic, List<String> methods, List<String> hazards, List<Cell> cells) {
+    public HazardMatrix {
+        methods = List.copyOf(methods);
+        hazards = List.copyOf(hazards);
+        cells = List.copyOf(cells);
+    }
+
+    /**
+     * Tries every method on every hazard.
+     *
+     * @param longest wall time that a method may take for one hazard
+     */
+    public static HazardMatrix judged(Topic<?, ?, ?> topic, Duration longest) {
+        return new HazardMatrix(
+                topic.name(),
+                topic.methods().stream().map(Method::name).toList(),
+                topic.hazards().stream().map(Hazard::name).toList(),
+                HazardTrial.table(topic, longest));
+    }
+
+    /** Whether every verdict is the recorded one. */
+    public boolean asRecorded() {
+        return cells.stream().allMatch(Cell::asRecorded);
+    }
+
+    /** The cell of that pair. */
+    public Cell cell(String hazard, String method) {
+        return cells.stream()
+                .filter(cell -> cell.hazard().equals(hazard) && cell.method().equals(method))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(hazard + ", " + method));
+    }
+
+    void print(PrintStream out) {
+        List<String> heads = new ArrayList<>(List.of(topic));
+        heads.addAll(methods);
+        var table = new TextTable(heads);
+        for (String hazard : hazards) {
+            List<String> row = new ArrayList<>(List.of(hazard));
+            for (String method : methods) row.add(mark(cell(hazard, method)));
+            table.add(row);
+        }
+        table.lines().forEach(out::println);
+        cells.stream()
+                .filter(cell -> !cell.asRecorded())
+                .map(this::difference)
+                .forEach(out::println);
+    }
+
+    /** The verdict, with "!" where it is not the recorded one. */
+    private static String mark(Cell cell) {
+        return cell.verdict().kind().code() + (cell.asRecorded() ? "" : " !");
+    }
+
+    private String difference(Cell cell) {
+        return "! "
+                + cell.method()
+                + " on "
+                + cell.hazard()
+                + ": "
+                + cell.verdict().kind().code()
+                + ", recorded is "
+                + recorded(cell).orElse("nothing")
+                + (cell.verdict().detail().isEmpty() ? "" : "; " + cell.verdict().detail());
+    }
+
+    private static Optional<String> recorded(Cell cell) {
+        return Optional.ofNullable(cell.recorded()).map(kind -> kind.code());
+    }
+
+    static void writeJson(List<HazardMatrix> matrices, PrintStream out) throws IOException {
+        var json = new JsonFactory().createGenerator(out);
+        json.disable(JsonGenerator.Feature.AUTO_CLOSE_TARGET).useDefaultPrettyPrinter();
+        json.writeStartObject();
+        json.writeBooleanField("asRecorded", matrices.stream().allMatch(HazardMatrix::asRecorded));
+        json.writeArrayFieldStart("verdicts");
+        for (HazardMatrix matrix : matrices)
+            for (Cell cell : matrix.cells) writeCell(json, matrix.topic, cell);
+        json.writeEndArray();
+        json.writeEndObject();
+        json.writeRaw('\n');
+        json.close();
+    }
+
+    private static void writeCell(JsonGenerator json, String topic, Cell cell) throws IOException {
+        json.writeStartObject();
+        json.writeStringField("topic", topic);
+        json.writeStringField("hazard", cell.hazard());
+        json.writeStringField("method", cell.method());
+        json.writeStringField("verdict", cell.verdict().kind().code());
+        json.writeStringField("recorded", recorded(cell).orElse(null));
+        json.writeNumberField("worst", cell.verdict().deviation().worst());
+        json.writeNumberField("missing", cell.verdict().deviation().missing());
+        json.writeNumberField("extra", cell.verdict().deviation().extra());
+        json.writeStringField("detail", cell.verdict().detail());
+        json.writeEndObject();
+    }
+}
