@@ -1,0 +1,17 @@
+plugins {
+    application
+}
+
+dependencies {
+    implementation(project(":engine"))
+    implementation(project(":exercises"))
+    implementation(libs.jackson.databind)
+    implementation(libs.flatlaf)
+    implementation(libs.miglayout.swing)
+    implementation(libs.picocli)
+    implementation(libs.xchart)
+}
+
+application {
+    mainClass.set("rasterlab.app.shell.Main")
+}

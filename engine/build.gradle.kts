@@ -1,0 +1,18 @@
+plugins {
+    `java-library`
+}
+
+dependencies {
+    implementation(libs.joml)
+}
+
+// All that a student's method may see, as a jar of its own.
+val contractJar by tasks.registering(Jar::class) {
+    archiveClassifier.set("contract")
+    from(sourceSets.main.get().output)
+    include("rasterlab/contract/**")
+}
+
+tasks.assemble {
+    dependsOn(contractJar)
+}

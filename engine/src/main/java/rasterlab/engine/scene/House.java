@@ -1,0 +1,52 @@
+package rasterlab.engine.scene;
+
+import rasterlab.engine.transform.SphericalView;
+
+/**
+ * The house: a box of 8×6×5 with a ridge roof of height 4, ten vertices, seven faces.
+ *
+ * <p>The scene shows it 16 times as large with the middle of its bounding box at the origin, where
+ * a spherical view looks; {@link HouseStages} has the textbook's own stages.
+ *
+ * <p>Source: Ponomarev, course text on computer graphics, "forming the picture" (the vertices and
+ * the scale; colours and faces are ours).
+ */
+public final class House {
+    public static final double SCALE = 16;
+
+    private static final SphericalView CAMERA =
+            new SphericalView(Math.PI / 6, Math.PI * 7 / 18, 400);
+    private static final int WALL_RGB = 0xE8D8B8;
+    private static final int GABLE_RGB = 0xC9D8C0;
+    private static final int ROOF_RGB = 0xC0574A;
+    private static final int FLOOR_RGB = 0x8A7A68;
+    private static final int BACKGROUND_RGB = 0x2B3A4A;
+
+    private House() {}
+
+    /** x, y, z of the vertices 1 to 10 in their order, in metres. */
+    public static double[] vertices() {
+        return new double[] {
+            0, 0, 0, 8, 0, 0, 8, 6, 0, 0, 6, 0, //
+            0, 0, 5, 8, 0, 5, 8, 6, 5, 0, 6, 5, //
+            4, 0, 9, 4, 6, 9
+        };
+    }
+
+    static Scene scene() {
+        double[] centre = {4, 3, 4.5};
+        double[] xyz = vertices();
+        for (int i = 0; i < xyz.length; i++) xyz[i] = SCALE * (xyz[i] - centre[i % 3]);
+        int[][] faces = {
+            {0, 3, 2, 1},
+            {1, 2, 6, 5},
+            {3, 0, 4, 7}, //
+            {0, 1, 5, 8, 4},
+            {2, 3, 7, 9, 6},
+            {5, 6, 9, 8},
+            {7, 4, 8, 9}
+        };
+        int[] rgb = {FLOOR_RGB, WALL_RGB, WALL_RGB, GABLE_RGB, GABLE_RGB, ROOF_RGB, ROOF_RGB};
+        return new Scene("house", new Mesh(xyz, faces), rgb, BACKGROUND_RGB, CAMERA, 2.5);
+    }
+}

@@ -1,0 +1,107 @@
+package rasterlab.engine.scene;
+
+import java.util.Arrays;
+
+/** The rules a {@link Mesh} keeps, with messages that name the place that breaks one. */
+final class MeshCheck {
+    /** How far a corner may lie off its face's plane or turn inwards, as a share of its size. */
+    private static final double TOLERANCE = 1e-9;
+
+    private final double[] xyz;
+
+    private MeshCheck(double[] xyz) {
+        this.xyz = xyz;
+    }
+
+    /** Checks everything and returns the faces' unit normals as x, y, z triples. */
+    static double[] normals(double[] xyz, int[][] faces) {
+        var check = new MeshCheck(xyz);
+        check.vertices();
+        double[] normals = new double[3 * faces.length];
+        for (int f = 0; f < faces.length; f++) {
+            check.corners(f, faces[f]);
+            double[] normal = check.normal(f, faces[f]);
+            check.flatAndConvex(f, faces[f], normal);
+            System.arraycopy(normal, 0, normals, 3 * f, 3);
+        }
+        return normals;
+    }
+
+    private void vertices() {
+        if (xyz.length % 3 != 0)
+            throw new IllegalArgumentException(
+                    "vertices need three coordinates each, got " + xyz.length + " numbers");
+        for (int i = 0; i < xyz.length; i++)
+            if (!Double.isFinite(xyz[i]))
+                throw new IllegalArgumentException(
+                        "vertex %d: %s must be finite, got %s"
+                                .formatted(i / 3, "xyz".charAt(i % 3), xyz[i]));
+    }
+
+    private void corners(int face, int[] corners) {
+        int vertices = xyz.length / 3;
+        for (int corner : corners)
+            if (corner < 0 || corner >= vertices)
+                throw new IllegalArgumentException(
+                        "face %d: corner must be a vertex from 0 to %d, got %d"
+                                .formatted(face, vertices - 1, corner));
+        long different = Arrays.stream(corners).distinct().count();
+        if (different < 3)
+            throw new IllegalArgumentException(
+                    "face %d: at least 3 different corners are needed, got %s"
+                            .formatted(face, Arrays.toString(corners)));
+    }
+
+    /** The sum of the fan's cross products, scaled to length 1 (Newell's method for a polygon). */
+    private double[] normal(int face, int[] corners) {
+        double[] sum = new double[3];
+        double size = 0;
+        for (int k = 1; k + 1 < corners.length; k++) {
+            double[] a = edge(corners[0], corners[k]);
+            double[] b = edge(corners[0], corners[k + 1]);
+            double[] cross = cross(a, b);
+            for (int i = 0; i < 3; i++) sum[i] += cross[i];
+            size = Math.max(size, Math.max(dot(a, a), dot(b, b)));
+        }
+        double length = Math.sqrt(dot(sum, sum));
+        if (!(length > TOLERANCE * size))
+            throw new IllegalArgumentException(
+                    "face %d: corners %s span no area".formatted(face, Arrays.toString(corners)));
+        for (int i = 0; i < 3; i++) sum[i] /= length;
+        return sum;
+    }
+
+    private void flatAndConvex(int face, int[] corners, double[] normal) {
+        int n = corners.length;
+        for (int k = 0; k < n; k++) {
+            double[] fromFirst = edge(corners[0], corners[k]);
+            if (Math.abs(dot(normal, fromFirst)) > TOLERANCE * Math.sqrt(dot(fromFirst, fromFirst)))
+                throw new IllegalArgumentException(
+                        "face %d: corner %d lies off the plane of the others"
+                                .formatted(face, corners[k]));
+            double[] in = edge(corners[k], corners[(k + 1) % n]);
+            double[] out = edge(corners[(k + 1) % n], corners[(k + 2) % n]);
+            double allowed = -TOLERANCE * Math.sqrt(dot(in, in) * dot(out, out));
+            if (dot(cross(in, out), normal) < allowed)
+                throw new IllegalArgumentException(
+                        "face %d: corner %d turns inwards, faces must be convex"
+                                .formatted(face, corners[(k + 1) % n]));
+        }
+    }
+
+    private double[] edge(int from, int to) {
+        double[] edge = new double[3];
+        for (int i = 0; i < 3; i++) edge[i] = xyz[3 * to + i] - xyz[3 * from + i];
+        return edge;
+    }
+
+    private static double[] cross(double[] a, double[] b) {
+        return new double[] {
+            a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+        };
+    }
+
+    private static double dot(double[] a, double[] b) {
+        return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+}

@@ -1,0 +1,89 @@
+package rasterlab.engine.visibility;
+
+import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.transform.PictureFit;
+import rasterlab.engine.transform.Projection;
+
+/**
+ * A z-buffer of floats that holds nearness: ρ/z in perspective, −z in parallel projection.
+ *
+ * <p>Both are linear in pixel coordinates over a plane, unlike z itself in perspective, so a face's
+ * nearness is {@code base + x·perColumn + y·perRow} from its plane n·p = k. The larger nearness
+ * wins; equal ones keep the earlier face.
+ *
+ * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974.
+ */
+final class FloatZBuffer implements Visibility {
+    /** The buffer of the last frame, for the next one of the same size. */
+    private final AtomicReference<float[]> spare = new AtomicReference<>(new float[0]);
+
+    @Override
+    public void draw(ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled) {
+        float[] nearness = takeBuffer(out.argb().length);
+        var polygon = new ScreenPolygon(view.mesh().mostCorners());
+        var plane = new NearnessPlane();
+        for (int face = 0; face < view.mesh().faceCount(); face++) {
+            Cancellation.check(cancelled);
+            if (!plane.load(view, face)) continue;
+            polygon.load(view, face);
+            fill(polygon, plane, paint.fill()[face], nearness, out);
+        }
+        spare.set(nearness);
+    }
+
+    private float[] takeBuffer(int pixels) {
+        float[] last = spare.getAndSet(new float[0]);
+        float[] buffer = last.length == pixels ? last : new float[pixels];
+        Arrays.fill(buffer, Float.NEGATIVE_INFINITY);
+        return buffer;
+    }
+
+    private static void fill(
+            ScreenPolygon polygon, NearnessPlane plane, int fill, float[] nearness, Raster out) {
+        int[] argb = out.argb();
+        int width = out.width();
+        double perColumn = plane.perColumn;
+        polygon.fill(
+                width,
+                out.height(),
+                (y, from, to) -> {
+                    double rowBase = plane.base + y * plane.perRow;
+                    for (int x = from, i = y * width + from; x < to; x++, i++) {
+                        float here = (float) (rowBase + x * perColumn);
+                        if (here > nearness[i]) {
+                            nearness[i] = here;
+                            argb[i] = fill;
+                        }
+                    }
+                });
+    }
+
+    /** Nearness over one face as a linear function of the pixel. */
+    private static final class NearnessPlane {
+        double base;
+        double perColumn;
+        double perRow;
+
+        /** False for a face seen exactly edge-on: it covers nothing. */
+        boolean load(ViewedMesh view, int face) {
+            double nx = view.eyeNormal(face, 0);
+            double ny = view.eyeNormal(face, 1);
+            double nz = view.eyeNormal(face, 2);
+            double k = view.planeOffset(face);
+            boolean central = view.projection() == Projection.PERSPECTIVE;
+            double divisor = central ? k : nz;
+            if (divisor == 0) return false;
+            double perUnitX = nx / divisor;
+            double perUnitY = ny / divisor;
+            double middle = central ? nz * view.camera().rho() / k : -k / nz;
+            PictureFit fit = view.fit();
+            perColumn = perUnitX / fit.pixelsPerUnit();
+            perRow = -perUnitY / fit.pixelsPerUnit();
+            base = middle + perUnitX * fit.toPlaneX(0) + perUnitY * fit.toPlaneY(0);
+            return true;
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package rasterlab.engine.visibility;
+
+import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.raster.Raster;
+
+/**
+ * The edges of a polygon, drawn with a line method between the corners' nearest pixels.
+ *
+ * <p>An edge that leaves the picture by more than a margin is first cut there (Liang and Barsky,
+ * 1984), so that the line method never walks over pixels nobody sees; inside the margin the line is
+ * the uncut one to within half a pixel.
+ */
+final class OutlineStroke {
+    private static final double MARGIN = 64;
+
+    private final LineRasterizer line;
+    private final Raster out;
+    private final int argb;
+    private double enter;
+    private double leave;
+
+    OutlineStroke(LineRasterizer line, Raster out, int argb) {
+        this.line = line;
+        this.out = out;
+        this.argb = argb;
+    }
+
+    void around(ScreenPolygon polygon) {
+        for (int k = 0, p = polygon.size() - 1; k < polygon.size(); p = k++)
+            edge(polygon.x(p), polygon.y(p), polygon.x(k), polygon.y(k));
+    }
+
+    private void edge(double x0, double y0, double x1, double y1) {
+        double dx = x1 - x0;
+        double dy = y1 - y0;
+        enter = 0;
+        leave = 1;
+        boolean seen =
+                keep(-dx, x0 + MARGIN)
+                        && keep(dx, out.width() + MARGIN - x0)
+                        && keep(-dy, y0 + MARGIN)
+                        && keep(dy, out.height() + MARGIN - y0);
+        if (!seen) return;
+        line.draw(
+                (int) Math.rint(x0 + enter * dx),
+                (int) Math.rint(y0 + enter * dy),
+                (int) Math.rint(x0 + leave * dx),
+                (int) Math.rint(y0 + leave * dy),
+                this::plot);
+    }
+
+    /** Cuts the parameters to {@code t · speed ≤ room}; false when nothing remains. */
+    private boolean keep(double speed, double room) {
+        if (speed == 0) return room >= 0;
+        double t = room / speed;
+        if (speed < 0) enter = Math.max(enter, t);
+        else leave = Math.min(leave, t);
+        return enter <= leave;
+    }
+
+    private void plot(int x, int y) {
+        if (out.contains(x, y)) out.argb()[y * out.width() + x] = argb;
+    }
+}

@@ -1,0 +1,43 @@
+plugins {
+    application
+    alias(libs.plugins.kotlin.jvm)
+    alias(libs.plugins.kotlin.serialization)
+}
+
+dependencies {
+    implementation(project(":engine"))
+    implementation(project(":exercises"))
+    implementation(libs.logback.classic)
+    implementation(libs.db.scheduler)
+    implementation(libs.hikari)
+    implementation(libs.picocli)
+    implementation(libs.ktor.serialization.kotlinx.json)
+    implementation(libs.ktor.server.auth)
+    implementation(libs.ktor.server.cio)
+    implementation(libs.ktor.server.content.negotiation)
+    implementation(libs.ktor.server.core)
+    implementation(libs.ktor.server.html.builder)
+    implementation(libs.ktor.server.rate.limit)
+    implementation(libs.ktor.server.sse)
+    implementation(libs.ktor.server.status.pages)
+    implementation(libs.commonmark)
+    implementation(libs.flyway.core)
+    implementation(libs.jdbi3.core)
+    implementation(libs.jdbi3.kotlin)
+    implementation(libs.kotlin.stdlib)
+    implementation(libs.kotlinx.html)
+    implementation(libs.kotlinx.serialization.json)
+    implementation(libs.sqlite.jdbc)
+    testImplementation(libs.ktor.server.test.host)
+}
+
+application {
+    mainClass.set("rasterlab.grader.MainKt")
+}
+
+kotlin {
+    compilerOptions {
+        jvmTarget.set(org.jetbrains.kotlin.gradle.dsl.JvmTarget.JVM_17)
+        allWarningsAsErrors.set(true)
+    }
+}

@@ -1,0 +1,75 @@
+@echo off
+rem Rasterlab's front door on Windows: builds what is not built yet, then runs it. "lab help" lists the commands.
+setlocal EnableExtensions DisableDelayedExpansion
+set "root=%~dp0"
+if "%root:~-1%"=="\" set "root=%root:~0,-1%"
+set "state=%root%\target\lab"
+set "log=%state%\build.log"
+set "stamp=%state%\built"
+
+set "java="
+if defined JAVA_HOME if exist "%JAVA_HOME%\bin\java.exe" set "java=%JAVA_HOME%\bin\java.exe"
+if not defined java for %%J in (java.exe) do set "java=%%~$PATH:J"
+if not defined java (
+    echo lab: no Java found; install a JDK 17 or later, or set JAVA_HOME to one 1>&2
+    exit /b 2
+)
+set "version="
+set "home="
+for /f "tokens=1,* delims== " %%A in ('""%java%" -XshowSettings:properties -version 2>&1"') do (
+    if "%%A"=="java.specification.version" set "version=%%B"
+    if "%%A"=="java.home" set "home=%%B"
+)
+if not defined version (
+    echo lab: "%java%" does not start; set JAVA_HOME to a JDK 17 or later 1>&2
+    exit /b 2
+)
+set "major=%version%"
+if "%version:~0,2%"=="1." set "major=1"
+if %major% LSS 17 (
+    echo lab: "%java%" is Java %version%; Rasterlab needs a JDK 17 or later ^(set JAVA_HOME to one^) 1>&2
+    exit /b 2
+)
+if not exist "%home%\bin\javac.exe" (
+    echo lab: "%home%" is Java without a compiler; Rasterlab needs a whole JDK 17 or later ^(set JAVA_HOME to one^) 1>&2
+    exit /b 2
+)
+
+call :stale
+if not errorlevel 1 goto run
+if not exist "%state%" mkdir "%state%"
+if not exist "%state%" (
+    echo lab: cannot write to "%root%\target"; Rasterlab is built there 1>&2
+    exit /b 1
+)
+echo lab: building Rasterlab (the first time fetches its libraries and takes a few minutes); log: "%log%" 1>&2
+type nul > "%state%\building"
+set "JAVA_HOME=%home%"
+call "%root%\mvnw.cmd" -B -f "%root%\pom.xml" -pl app,grader -am -Dmaven.test.skip=true package > "%log%" 2>&1 < nul
+if errorlevel 1 (
+    findstr /b /c:"[ERROR] " "%log%" 1>&2
+    echo lab: the build failed; its whole log is in "%log%" 1>&2
+    exit /b 1
+)
+move /y "%state%\building" "%stamp%" > nul
+echo lab: built 1>&2
+
+:run
+set "module=app"
+set "main=rasterlab.app.shell.Main"
+set "arguments=%*"
+if "%~1"=="grader" (
+    set "module=grader"
+    set "main=rasterlab.grader.MainKt"
+    for /f "tokens=1,* delims= " %%A in ("%*") do set "arguments=%%B"
+)
+set "native="
+if %major% GEQ 24 set "native=--enable-native-access=ALL-UNNAMED"
+"%java%" %native% -Dfile.encoding=UTF-8 "-Drasterlab.home=%root%" -cp "%root%\%module%\target\classes;%root%\%module%\target\lib\*" %main% %arguments%
+exit /b %errorlevel%
+
+rem Errorlevel 1 when a source is newer than the last build, or there was none.
+:stale
+if not exist "%stamp%" exit /b 1
+powershell -NoProfile -Command "$built = (Get-Item -LiteralPath $env:stamp).LastWriteTime; Set-Location -LiteralPath $env:root; if (Get-ChildItem pom.xml, */pom.xml, */src/main -Recurse | Where-Object { $_.LastWriteTime -gt $built } | Select-Object -First 1) { exit 1 }; exit 0"
+exit /b %errorlevel%
