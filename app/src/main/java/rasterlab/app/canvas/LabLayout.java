@@ -38,7 +38,9 @@ public final class LabLayout extends JPanel {
     }
 
     private static JPanel column(Inspector inspector, JComponent actions) {
-        var column = new JPanel(new MigLayout("insets 0, gap 0 8, wrap 1", "[grow,fill]", "[grow,fill][]"));
+        var column =
+                new JPanel(
+                        new MigLayout("insets 0, gap 0 8, wrap 1", "[grow,fill]", "[grow,fill][]"));
         column.add(scrolled(inspector), "hmin 0");
         column.add(actions);
         return column;

@@ -82,8 +82,8 @@ public final class MethodColours {
     /**
      * Contrast of two colours, from 1 (equal) to 21 (black on white).
      *
-     * <p>(L₁ + 0.05) / (L₂ + 0.05), L being the relative luminance in [0, 1], the greater one first.
-     * Source: W3C, Web Content Accessibility Guidelines 2.1, 2018.
+     * <p>(L₁ + 0.05) / (L₂ + 0.05), L being the relative luminance in [0, 1], the greater one
+     * first. Source: W3C, Web Content Accessibility Guidelines 2.1, 2018.
      */
     public static double contrast(Color one, Color other) {
         double a = luminance(one) + 0.05;

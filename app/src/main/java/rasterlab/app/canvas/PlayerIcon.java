@@ -38,9 +38,7 @@ enum PlayerIcon {
         @Override
         protected void paintIcon(Component c, Graphics2D g) {
             g.setColor(
-                    c.isEnabled()
-                            ? c.getForeground()
-                            : UIManager.getColor("Button.disabledText"));
+                    c.isEnabled() ? c.getForeground() : UIManager.getColor("Button.disabledText"));
             switch (sign) {
                 case "|<" -> {
                     bar(g, 2);

@@ -84,8 +84,7 @@ public final class Rulers {
         for (long y = Math.floorDiv(first.y, stepY) * stepY; y <= last.y; y += stepY) {
             String number = shortened(y);
             int at = (int) Math.round(grid.viewY(y) + metrics.getAscent() / 2.0 - 1);
-            if (at > TOP + 8)
-                g.drawString(number, LEFT - 6 - metrics.stringWidth(number), at);
+            if (at > TOP + 8) g.drawString(number, LEFT - 6 - metrics.stringWidth(number), at);
         }
     }
 

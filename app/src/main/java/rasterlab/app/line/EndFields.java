@@ -56,8 +56,6 @@ final class EndFields extends JPanel {
     private void moved() {
         if (!refreshing)
             model.moveEnd(
-                    end,
-                    ((Number) x.getValue()).intValue(),
-                    ((Number) y.getValue()).intValue());
+                    end, ((Number) x.getValue()).intValue(), ((Number) y.getValue()).intValue());
     }
 }

@@ -38,8 +38,7 @@ final class LineInspector {
         List<String> names = model.methods().stream().map(Method::name).toList();
 
         method = new MethodChooser("method", "", names, model::chooseMethod);
-        comparison =
-                new MethodChooser("comparison", texts.text("none"), names, model::compareWith);
+        comparison = new MethodChooser("comparison", texts.text("none"), names, model::compareWith);
         column.row("method", method);
         column.row("comparison", comparison);
         a = new EndFields(End.A, model, texts);

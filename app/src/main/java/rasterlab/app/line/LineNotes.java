@@ -21,8 +21,7 @@ final class LineNotes {
                                     "note.cut",
                                     state.choice().segment().steps() + 1,
                                     LineDrawing.LIMIT));
-            case ENDLESS ->
-                    Optional.of(texts.text("note.endless", method, LineDrawing.LIMIT));
+            case ENDLESS -> Optional.of(texts.text("note.endless", method, LineDrawing.LIMIT));
             case REFUSED -> Optional.of(texts.text("note.refused", method));
             case CRASHED ->
                     Optional.of(texts.text("note.crashed", method, drawing.trace().message()));

@@ -79,8 +79,7 @@ final class LinePainter {
 
     private void mark(PixelMark mark, int pixelX, int pixelY) {
         double size = Math.max(7, grid.cell());
-        mark.paint(
-                g, grid.viewX(pixelX) - size / 2, grid.viewY(pixelY) - size / 2, size);
+        mark.paint(g, grid.viewX(pixelX) - size / 2, grid.viewY(pixelY) - size / 2, size);
     }
 
     private void paintExactLine(Segment segment) {

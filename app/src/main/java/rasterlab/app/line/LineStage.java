@@ -105,8 +105,7 @@ final class LineStage extends JComponent {
     }
 
     private PixelGrid grid() {
-        return chosen.orElseGet(
-                () -> LineFraming.of(model.state(), Rulers.inside(getSize())));
+        return chosen.orElseGet(() -> LineFraming.of(model.state(), Rulers.inside(getSize())));
     }
 
     private Point2D centre() {
@@ -186,8 +185,7 @@ final class LineStage extends JComponent {
                     colours,
                     text,
                     Math.max(Rulers.LEFT + 8, Math.min(getWidth() - width - 10, x)),
-                    Math.max(
-                            Rulers.TOP + metrics.getAscent() + 6, Math.min(getHeight() - 10, y)));
+                    Math.max(Rulers.TOP + metrics.getAscent() + 6, Math.min(getHeight() - 10, y)));
         }
     }
 

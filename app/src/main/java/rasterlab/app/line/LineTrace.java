@@ -16,7 +16,8 @@ import rasterlab.engine.study.LimitReached;
  * @param decisions the decision variable at each pixel; empty when the method does not show it
  * @param message what the method said when it refused or crashed; else empty
  */
-public record LineTrace(PixelRecording pixels, List<Double> decisions, Ending ending, String message) {
+public record LineTrace(
+        PixelRecording pixels, List<Double> decisions, Ending ending, String message) {
     /** How the drawing came to its end. */
     public enum Ending {
         /** The method reached its own end. */
@@ -31,7 +32,7 @@ public record LineTrace(PixelRecording pixels, List<Double> decisions, Ending en
         CRASHED
     }
 
-    LineTrace {
+    public LineTrace {
         decisions = List.copyOf(decisions);
     }
 

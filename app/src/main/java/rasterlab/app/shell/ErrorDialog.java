@@ -26,10 +26,7 @@ final class ErrorDialog {
     /** Shows the failure and waits until it is closed. On the event thread. */
     void show(Component parent, Throwable failure) {
         JOptionPane.showMessageDialog(
-                parent,
-                content(failure),
-                texts.text("error.title"),
-                JOptionPane.ERROR_MESSAGE);
+                parent, content(failure), texts.text("error.title"), JOptionPane.ERROR_MESSAGE);
     }
 
     JPanel content(Throwable failure) {
@@ -37,7 +34,8 @@ final class ErrorDialog {
         var area = new JTextArea(details, 10, 60);
         area.setName("error.details");
         area.setEditable(false);
-        area.setFont(new Font(Font.MONOSPACED, Font.PLAIN, UIManager.getFont("Label.font").getSize()));
+        area.setFont(
+                new Font(Font.MONOSPACED, Font.PLAIN, UIManager.getFont("Label.font").getSize()));
         area.setCaretPosition(0);
         area.getAccessibleContext().setAccessibleName(texts.text("error.details"));
 

@@ -14,7 +14,9 @@ import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
-/** What the frame holds: the tabs, and the choice of language and theme at the end of their strip. */
+/**
+ * What the frame holds: the tabs, and the choice of language and theme at the end of their strip.
+ */
 public final class LabContent extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -26,7 +28,10 @@ public final class LabContent extends JPanel {
      * @param onTheme told the theme that the user chooses
      */
     public LabContent(
-            LabTabs labs, LabTheme theme, Consumer<Language> onLanguage, Consumer<LabTheme> onTheme) {
+            LabTabs labs,
+            LabTheme theme,
+            Consumer<Language> onLanguage,
+            Consumer<LabTheme> onTheme) {
         super(new BorderLayout());
         Texts texts = Texts.of("shell", labs.language());
         tabs = labs.all();
@@ -67,7 +72,10 @@ public final class LabContent extends JPanel {
     }
 
     private static JPanel choices(
-            Texts texts, LabTheme theme, Consumer<Language> onLanguage, Consumer<LabTheme> onTheme) {
+            Texts texts,
+            LabTheme theme,
+            Consumer<Language> onLanguage,
+            Consumer<LabTheme> onTheme) {
         var language = new JComboBox<String>();
         for (Language each : Language.values()) language.addItem(each.ownName());
         language.setSelectedIndex(texts.language().ordinal());
@@ -84,7 +92,8 @@ public final class LabContent extends JPanel {
         toggle.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
         toggle.addActionListener(e -> onTheme.accept(theme.other()));
 
-        var panel = new JPanel(new MigLayout("insets 0 0 0 10, gap 8", "push[][]", "[center,grow]"));
+        var panel =
+                new JPanel(new MigLayout("insets 0 0 0 10, gap 8", "push[][]", "[center,grow]"));
         panel.setOpaque(false);
         panel.add(language);
         panel.add(toggle);

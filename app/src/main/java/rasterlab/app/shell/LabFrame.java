@@ -93,8 +93,7 @@ public final class LabFrame extends JFrame {
 
     /** Makes the tabs again in the present language and theme; tab and focus stay. */
     private void refill() {
-        Component focused =
-                KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        Component focused = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
         String focus = focused == null ? null : focused.getName();
         LabTabs old = tabs;
         fill(content.shown());
