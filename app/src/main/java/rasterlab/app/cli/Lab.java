@@ -41,6 +41,7 @@ public final class Lab {
         lab.addSubcommand(new HazardsCommand(console));
         lab.addSubcommand(new RenderCommand(console));
         lab.addSubcommand(new CheckCommand(console));
+        lab.addSubcommand(new TourCommand(console));
         lab.addSubcommand(new GraderCommand(console));
         lab.addSubcommand(new CompletionCommand(console));
         lab.addSubcommand(new CommandLine.HelpCommand());
