@@ -50,15 +50,21 @@ public final class StudyRunner<C, I, O> {
 
     private Study run() {
         var trials = new ArrayList<MethodTrial<C, I, O>>();
-        for (Workload<I> workload : topic.workloads())
-            for (Method<C> method : topic.methods())
-                trials.add(new MethodTrial<>(topic, method, workload, settings));
+        for (Workload<I> workload : topic.workloads()) trials.addAll(trials(workload));
         for (var trial : trials) step(trial, trial::judge);
         for (var trial : trials) step(trial, trial::warmUp);
         for (int round = 0; round < settings.rounds(); round++)
             for (var trial : trials) step(trial, trial::round);
         List<Measurement> measurements = trials.stream().map(MethodTrial::measurement).toList();
         return new Study(topic.name(), topic.item(), topic.errorUnit(), measurements);
+    }
+
+    private List<MethodTrial<C, I, O>> trials(Workload<I> workload) {
+        List<Answer<O>> answers =
+                workload.inputs().stream().map(input -> Answer.to(topic, input)).toList();
+        return topic.methods().stream()
+                .map(method -> new MethodTrial<>(topic, method, workload, answers, settings))
+                .toList();
     }
 
     private void step(MethodTrial<C, I, O> trial, Runnable work) {

@@ -43,6 +43,13 @@ class LineHazardTest {
     }
 
     @Test
+    void everyMethodHasARecordedVerdictOnEveryHazard() {
+        Set<String> names = TOPIC.methods().stream().map(Method::name).collect(Collectors.toSet());
+        for (var hazard : TOPIC.hazards())
+            assertEquals(names, hazard.recorded().keySet(), hazard.name());
+    }
+
+    @Test
     void bresenhamIsExactOnEveryHazard() {
         for (Cell cell : TABLE)
             if (cell.method().equals("bresenham"))

@@ -115,12 +115,22 @@ class HazardTrialTest {
     }
 
     @Test
+    void aMethodRunsOnAThreadThatDoesNotKeepTheProcessAlive() {
+        LineRasterizer curious =
+                (x0, y0, x1, y1, out) -> {
+                    if (Thread.currentThread().isDaemon()) right().draw(x0, y0, x1, y1, out);
+                };
+        assertEquals(Kind.EXACT, judge(curious, SEGMENT, AMPLE).kind());
+    }
+
+    @Test
     void theTableNamesEveryMethodOnEveryHazard() {
         var topic = new LinesOf(List.of(named("right", right()), named("never", nothing())));
         List<HazardTrial.Cell> table = HazardTrial.table(topic, AMPLE);
         assertEquals(
                 List.of("right", "never"), table.stream().map(HazardTrial.Cell::method).toList());
         assertEquals("made-up", table.get(0).hazard());
+        assertTrue(table.get(0).asRecorded() && !table.get(1).asRecorded(), table.toString());
     }
 
     static LineRasterizer right() {
