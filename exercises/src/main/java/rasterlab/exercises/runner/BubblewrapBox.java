@@ -50,7 +50,10 @@ final class BubblewrapBox implements Box {
         command.addAll(List.of("--gid", "65534", "--hostname", "box"));
         if (canDisableUserNamespaces) command.add("--disable-userns");
         command.addAll(List.of("--die-with-parent", "--new-session", "--cap-drop", "ALL"));
-        command.addAll(List.of("--clearenv"));
+        command.add("--clearenv");
+        // without /proc the loader cannot ask where java lies, and would not find its libraries
+        Path bin = Path.of(Programs.java()).getParent();
+        command.addAll(List.of("--setenv", "LD_ORIGIN_PATH", bin.toString()));
         command.addAll(root());
         command.addAll(List.of("--chdir", "/", "--", Programs.java()));
         command.addAll(kind.arguments(HARNESS, CONTRACT, warm));

@@ -3,7 +3,10 @@ package rasterlab.exercises.runner;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.EnumMap;
+import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * Starts children and keeps some unused ones in reserve. A child serves one submission and is never
@@ -17,6 +20,7 @@ final class Children implements AutoCloseable {
     private final Launcher launcher;
     private final boolean spares;
     private final Map<ChildKind, Deque<Child>> waiting = new EnumMap<>(ChildKind.class);
+    private final Set<Child> started = new HashSet<>();
     private boolean closed;
 
     Children(Box box, Launcher launcher, boolean spares) {
@@ -49,12 +53,20 @@ final class Children implements AutoCloseable {
 
     private Child start(ChildKind kind, boolean warm) {
         if (closed) throw new IllegalStateException("the judge is closed");
-        return new Child(launcher.start(box.command(kind, warm)));
+        started.removeIf(child -> !child.isAlive());
+        Child child = new Child(launcher.start(box.command(kind, warm)));
+        started.add(child);
+        return child;
     }
 
+    /** Kills all children, also those in use: their gradings end with an internal fault. */
     @Override
-    public synchronized void close() {
-        closed = true;
-        waiting.values().forEach(reserve -> reserve.forEach(Child::close));
+    public void close() {
+        List<Child> running;
+        synchronized (this) {
+            closed = true;
+            running = List.copyOf(started);
+        }
+        running.forEach(Child::close);
     }
 }

@@ -4,7 +4,8 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.ExecutionException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 
@@ -24,26 +25,31 @@ final class Launcher implements AutoCloseable {
         this.folder = folder;
     }
 
-    /** Starts a command with an empty environment. */
+    /**
+     * Starts a command with an empty environment.
+     *
+     * @throws UncheckedIOException when it cannot be started
+     */
     Process start(List<String> command) {
         try {
-            return thread.submit(() -> spawn(command)).get();
-        } catch (ExecutionException e) {
-            throw new UncheckedIOException(
-                    "cannot start " + command.get(0),
-                    e.getCause() instanceof IOException io ? io : new IOException(e.getCause()));
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-            throw new IllegalStateException("interrupted while starting a child", e);
+            // join, unlike get, is not left by an interrupt: no started process gets lost
+            return CompletableFuture.supplyAsync(() -> spawn(command), thread).join();
+        } catch (CompletionException e) {
+            if (e.getCause() instanceof UncheckedIOException io) throw io;
+            throw e;
         }
     }
 
-    private Process spawn(List<String> command) throws IOException {
+    private Process spawn(List<String> command) {
         ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
         String windows = System.getenv("SystemRoot");
         builder.environment().clear();
         if (windows != null) builder.environment().put("SystemRoot", windows);
-        return builder.start();
+        try {
+            return builder.start();
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot start " + command.get(0), e);
+        }
     }
 
     @Override
