@@ -3,6 +3,7 @@ package rasterlab.app.canvas;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import javax.swing.JEditorPane;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Method;
 
@@ -10,10 +11,12 @@ import rasterlab.engine.study.Method;
 public final class AboutText extends JEditorPane {
     private static final long serialVersionUID = 1L;
 
+    private final transient Texts labels;
     private String shown = "";
 
-    public AboutText(String name) {
+    public AboutText(String name, Language language) {
         super("text/html", "");
+        labels = Texts.of("canvas", language);
         setName(name);
         setEditable(false);
         setOpaque(false);
@@ -22,13 +25,11 @@ public final class AboutText extends JEditorPane {
     }
 
     /**
-     * @param labels texts with the keys {@code about.formula} and so on
      * @param translations texts {@code METHOD.formula} and so on, where there are any
      * @param decision what the decision variable is; "" for a method without one
      * @param refusal what the method said to the present input; "" when it drew
      */
-    public void show(
-            Texts labels, Texts translations, Method<?> method, String decision, String refusal) {
+    public void show(Texts translations, Method<?> method, String decision, String refusal) {
         Method.About about = method.about();
         var parts = new LinkedHashMap<String, String>();
         parts.put("refusal", refusal);
@@ -38,7 +39,7 @@ public final class AboutText extends JEditorPane {
         parts.put("cost", translated(translations, method, "cost", about.cost()));
         parts.put("failures", translated(translations, method, "failures", about.failures()));
         parts.put("source", translated(translations, method, "source", about.source()));
-        show(html(labels, parts));
+        show(html(parts));
     }
 
     /** Shows a text unless it is shown already, so that a selection in it stays. */
@@ -54,7 +55,7 @@ public final class AboutText extends JEditorPane {
         return translations.textOr(method.name() + "." + part, english);
     }
 
-    private static String html(Texts labels, Map<String, String> parts) {
+    private String html(Map<String, String> parts) {
         var html = new StringBuilder("<html><body>");
         parts.forEach(
                 (part, text) -> {

@@ -1,12 +1,13 @@
 package rasterlab.app.canvas;
 
 import java.awt.event.ActionEvent;
-import java.util.Hashtable;
+import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
+import javax.swing.KeyStroke;
 import javax.swing.Timer;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Texts;
@@ -20,6 +21,7 @@ public final class StepPlayer extends JPanel {
 
     private final transient Steps steps;
     private final transient Texts texts;
+    private final transient Supplier<String> reading;
     private final JButton toStart;
     private final JButton back;
     private final JButton play;
@@ -31,10 +33,15 @@ public final class StepPlayer extends JPanel {
     private final Timer timer = new Timer(1000, this::advance);
     private boolean refreshing;
 
-    public StepPlayer(Texts texts, Steps steps) {
+    /**
+     * @param texts of this package
+     * @param reading what stands beside the position, such as "3 / 12"
+     */
+    public StepPlayer(Texts texts, Steps steps, Supplier<String> reading) {
         super(new MigLayout("insets 0, gap 4", "[][][][][]8[grow,fill]8[]16[]4[]", "[center]"));
         this.steps = steps;
         this.texts = texts;
+        this.reading = reading;
         toStart = button("toStart", PlayerIcon.TO_START, () -> steps.goTo(steps.first()));
         back = button("back", PlayerIcon.BACK, () -> steps.goTo(steps.step() - 1));
         play = button("play", PlayerIcon.PLAY, this::togglePlaying);
@@ -60,8 +67,19 @@ public final class StepPlayer extends JPanel {
         toEnd.setEnabled(steps.step() < steps.last());
         play.setEnabled(any);
         position.setEnabled(any);
-        count.setText(texts.text("player.count", steps.step(), steps.last()));
+        count.setText(reading.get());
         if (!any) stop();
+    }
+
+    /** Lets the keys that the hints name work while that component has the focus. */
+    public void bindKeys(JComponent stage) {
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("SPACE"), this::togglePlaying);
+        KeyBinding.within(
+                stage, KeyStroke.getKeyStroke("PAGE_UP"), () -> steps.goTo(steps.step() - 1));
+        KeyBinding.within(
+                stage, KeyStroke.getKeyStroke("PAGE_DOWN"), () -> steps.goTo(steps.step() + 1));
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("HOME"), () -> steps.goTo(steps.first()));
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("END"), () -> steps.goTo(steps.last()));
     }
 
     /** Plays from where it stands, from the first step when it stands at the last; or stops. */
@@ -124,7 +142,6 @@ public final class StepPlayer extends JPanel {
         speed.setName("player.speed");
         name(speed, "player.speed.hint");
         speed.setSnapToTicks(true);
-        speed.setLabelTable(new Hashtable<>());
         speed.addChangeListener(e -> setPace());
         add(label);
         add(speed, "w 90!");

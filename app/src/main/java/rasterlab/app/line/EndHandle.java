@@ -15,11 +15,10 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.function.Consumer;
-import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
-import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
 
 /**
@@ -27,7 +26,7 @@ import rasterlab.app.canvas.StageColours;
  *
  * <p>End A is a circle, end B a square, so that they differ without their letters.
  */
-final class EndHandle extends JComponent {
+final class EndHandle extends SelfDrawn {
     private static final long serialVersionUID = 1L;
 
     /** Pixels that Shift and an arrow key move. */
@@ -40,6 +39,7 @@ final class EndHandle extends JComponent {
      * @param dragged told where the pointer is while it drags, in this component's coordinates
      */
     EndHandle(End end, LineLabModel model, Consumer<Point> dragged) {
+        super(AccessibleRole.SLIDER);
         this.end = end;
         this.model = model;
         setName("end." + end);
@@ -93,21 +93,6 @@ final class EndHandle extends JComponent {
         g.setStroke(new BasicStroke(isFocusOwner() ? 3.5f : 2f));
         g.draw(ring);
         g.dispose();
-    }
-
-    @Override
-    public AccessibleContext getAccessibleContext() {
-        if (accessibleContext == null)
-            accessibleContext =
-                    new AccessibleJComponent() {
-                        private static final long serialVersionUID = 1L;
-
-                        @Override
-                        public AccessibleRole getAccessibleRole() {
-                            return AccessibleRole.SLIDER;
-                        }
-                    };
-        return accessibleContext;
     }
 
     /** One drag of the handle, which is one change for undo. */

@@ -60,7 +60,7 @@ final class LineInspector {
         other = column.value("other");
 
         column.heading("heading.about");
-        about = new AboutText("about");
+        about = new AboutText("about", texts.language());
         column.wide(about);
     }
 
@@ -93,7 +93,7 @@ final class LineInspector {
                         .filter(each -> each.name().equals(state.choice().method()))
                         .findFirst()
                         .orElseThrow();
-        about.show(texts, translations, chosen, decisionFormula(chosen), refusal(state));
+        about.show(translations, chosen, decisionFormula(chosen), refusal(state));
     }
 
     private String decisionFormula(Method<LineRasterizer> chosen) {

@@ -1,11 +1,10 @@
 package rasterlab.app.line;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Steps;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.Segment;
@@ -20,16 +19,12 @@ import rasterlab.engine.study.Topic;
  * <p>Used from one thread; each change publishes a new immutable {@link LineLabState}.
  */
 public final class LineLabModel implements Steps {
-    /** Inputs that undo remembers. */
-    private static final int REMEMBERED = 200;
-
     private static final Segment FIRST_SEGMENT = new Segment(2, 3, 17, 9);
 
     private final Topic<LineRasterizer, Segment, PixelRecording> topic;
     private final LineChoice first;
-    private final Deque<LineChoice> undo = new ArrayDeque<>();
+    private final History<LineChoice> history = new History<>();
     private final List<Consumer<LineLabState>> listeners = new ArrayList<>();
-    private boolean dragging;
     private LineLabState state;
 
     public LineLabModel(Topic<LineRasterizer, Segment, PixelRecording> topic) {
@@ -71,13 +66,11 @@ public final class LineLabModel implements Steps {
     }
 
     public void beginDrag() {
-        remember();
-        dragging = true;
+        history.beginDrag(state.choice());
     }
 
     public void endDrag() {
-        dragging = false;
-        if (state.choice().equals(undo.peek())) undo.pop();
+        history.endDrag(state.choice());
         publish(at(state.step()));
     }
 
@@ -102,7 +95,7 @@ public final class LineLabModel implements Steps {
     }
 
     public void undo() {
-        if (!undo.isEmpty()) publish(drawn(undo.pop(), state.arrangement() + 1));
+        history.undo().ifPresent(choice -> publish(drawn(choice, state.arrangement() + 1)));
     }
 
     /** Back to the first segment and method; can be undone. */
@@ -138,13 +131,8 @@ public final class LineLabModel implements Steps {
 
     private void change(LineChoice next, boolean arrange) {
         if (next.equals(state.choice()) && !arrange) return;
-        if (!dragging && !next.equals(state.choice())) remember();
+        if (!next.equals(state.choice())) history.remember(state.choice());
         publish(drawn(next, state.arrangement() + (arrange ? 1 : 0)));
-    }
-
-    private void remember() {
-        undo.push(state.choice());
-        if (undo.size() > REMEMBERED) undo.removeLast();
     }
 
     private LineLabState drawn(LineChoice choice, int arrangement) {
@@ -154,7 +142,7 @@ public final class LineLabModel implements Steps {
                         .filter(name -> !name.isEmpty())
                         .map(name -> LineDrawing.of(topic, name, choice.segment()));
         return new LineLabState(
-                choice, drawing, other, drawing.pixels(), !undo.isEmpty(), arrangement);
+                choice, drawing, other, drawing.pixels(), !history.isEmpty(), arrangement);
     }
 
     private LineLabState at(int step) {
@@ -163,7 +151,7 @@ public final class LineLabModel implements Steps {
                 state.drawing(),
                 state.other(),
                 step,
-                !undo.isEmpty(),
+                !history.isEmpty(),
                 state.arrangement());
     }
 

@@ -37,7 +37,11 @@ public final class LinePanel extends JPanel implements AutoCloseable {
         texts = Texts.of("line", language);
         stage = new LineStage(model, texts);
         inspector = new LineInspector(model, texts);
-        player = new StepPlayer(Texts.of("canvas", language), model);
+        player =
+                new StepPlayer(
+                        Texts.of("canvas", language),
+                        model,
+                        () -> texts.text("count", model.step(), model.last()));
         actions = new Actions(Texts.of("canvas", language));
         actions.add("undo", model::undo);
         actions.add("reset", model::reset);
@@ -47,13 +51,7 @@ public final class LinePanel extends JPanel implements AutoCloseable {
                 () -> Copying.text(LineCommand.of(model.state().choice()), onFailure));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
         KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("SPACE"), player::togglePlaying);
-        KeyBinding.within(
-                stage, KeyStroke.getKeyStroke("PAGE_UP"), () -> model.goTo(model.step() - 1));
-        KeyBinding.within(
-                stage, KeyStroke.getKeyStroke("PAGE_DOWN"), () -> model.goTo(model.step() + 1));
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("HOME"), () -> model.goTo(model.first()));
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("END"), () -> model.goTo(model.last()));
+        player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
         refresh();
     }

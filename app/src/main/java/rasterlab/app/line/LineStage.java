@@ -15,21 +15,22 @@ import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Point2D;
 import java.util.List;
 import java.util.Optional;
+import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
-import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.Rulers;
+import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.Segment;
 
 /** The zoomed pixel grid on which the segment is drawn and its ends are moved. */
-final class LineStage extends JComponent {
+final class LineStage extends SelfDrawn {
     private static final long serialVersionUID = 1L;
 
     private static final double ZOOM = 1.25;
@@ -42,6 +43,7 @@ final class LineStage extends JComponent {
     private int arrangement;
 
     LineStage(LineLabModel model, Texts texts) {
+        super(AccessibleRole.CANVAS);
         this.model = model;
         this.texts = texts;
         setName("stage");
