@@ -32,7 +32,7 @@ public final class Inspector extends JPanel implements Scrollable {
         label.putClientProperty("FlatLaf.styleClass", "h4");
         label.setFont(label.getFont().deriveFont(Font.BOLD));
         label.setName(key);
-        if (getComponentCount() > 0) add(new JSeparator(), "span 2, growx, gaptop 6");
+        if (getComponentCount() > 0) add(new JSeparator(), "span 2, growx, gaptop 6, wmin 0");
         add(label, "span 2, growx, wmin 0");
     }
 

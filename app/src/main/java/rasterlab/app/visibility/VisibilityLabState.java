@@ -9,8 +9,8 @@ import rasterlab.engine.raster.PictureDifference;
  * @param picture the newest finished picture, maybe of an earlier choice
  * @param difference from the exact picture of the present choice; empty while it is made or when it
  *     is not asked for
- * @param medianNanos median time of the last pictures of the present method and size; 0 before the
- *     first
+ * @param medianNanos median time of the last pictures of the present method and size; 0 while there
+ *     are too few
  * @param undoable whether there is something to undo
  */
 public record VisibilityLabState(

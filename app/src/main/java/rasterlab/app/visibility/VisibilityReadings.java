@@ -43,7 +43,7 @@ final class VisibilityReadings {
     }
 
     String frameTime() {
-        if (state.medianNanos() == 0) return "–";
+        if (state.medianNanos() == 0) return texts.text("frameTime.none");
         return texts.text("frameTime.millis", number(state.medianNanos() / 1e6, 1));
     }
 
