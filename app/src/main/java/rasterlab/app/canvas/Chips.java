@@ -37,6 +37,8 @@ public final class Chips extends JPanel {
         chip.setToolTipText(hint);
         chip.getAccessibleContext().setAccessibleDescription(hint);
         chip.putClientProperty("JButton.buttonType", "roundRect");
+        chip.putClientProperty("FlatLaf.styleClass", "medium");
+        chip.putClientProperty("FlatLaf.style", "margin: 2,4,2,4; minimumWidth: 0");
         chip.addActionListener(e -> action.run());
         add(chip);
     }

@@ -22,7 +22,7 @@ public final class Inspector extends JPanel implements Scrollable {
         super(
                 new MigLayout(
                         "insets 0 2 4 10, gap 6 5, wrap 2, hidemode 3",
-                        "[pref!]8[grow,fill,100::]",
+                        "[pref!]8[grow,fill,0::]",
                         ""));
         this.texts = texts;
     }
@@ -32,8 +32,8 @@ public final class Inspector extends JPanel implements Scrollable {
         label.putClientProperty("FlatLaf.styleClass", "h4");
         label.setFont(label.getFont().deriveFont(Font.BOLD));
         label.setName(key);
-        if (getComponentCount() > 0) add(new JSeparator(), "span 2, growx, gaptop 6");
-        add(label, "span 2, growx");
+        if (getComponentCount() > 0) add(new JSeparator(), "span 2, growx, gaptop 6, wmin 0");
+        add(label, "span 2, growx, wmin 0");
     }
 
     /** A control behind its label, whose mnemonic goes to the control. */

@@ -2,10 +2,12 @@ package rasterlab.app.canvas;
 
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
+import javax.swing.UIManager;
 
 /** Grid lines between pixels, the axes, and the coordinates along the upper and left margin. */
 public final class Rulers {
@@ -56,14 +58,13 @@ public final class Rulers {
         g.setColor(colours.axis());
         g.drawLine(LEFT, TOP, view.width, TOP);
         g.drawLine(LEFT, TOP, LEFT, view.height);
-        g.setFont(g.getFont().deriveFont(11f));
+        g.setFont(UIManager.getFont("Label.font").deriveFont(Font.PLAIN, 11f));
         g.setColor(colours.ink());
         paintNumbers(g);
         g.setColor(colours.margin());
         g.fillRect(0, 0, LEFT, TOP);
         g.setColor(colours.ink());
-        g.drawString("x →", LEFT - 24, 15);
-        g.drawString("y ↓", 6, TOP - 3);
+        g.drawString("y\\x", LEFT - 24, 15);
     }
 
     private void paintNumbers(Graphics2D g) {
@@ -78,7 +79,8 @@ public final class Rulers {
         for (long x = Math.floorDiv(first.x, stepX) * stepX; x <= last.x; x += stepX) {
             String number = Long.toString(x);
             int at = (int) Math.round(grid.viewX(x) - metrics.stringWidth(number) / 2.0);
-            if (at > LEFT) g.drawString(number, at, 15);
+            if (at > LEFT && at + metrics.stringWidth(number) < view.width)
+                g.drawString(number, at, 15);
         }
         long stepY = step(22 / grid.cell());
         for (long y = Math.floorDiv(first.y, stepY) * stepY; y <= last.y; y += stepY) {

@@ -40,7 +40,7 @@ final class EndFields extends JPanel {
                         new SpinnerNumberModel(
                                 (Number) 0, Integer.MIN_VALUE, Integer.MAX_VALUE, 1));
         var editor = new JSpinner.NumberEditor(spinner, "0");
-        editor.getTextField().setColumns(4);
+        editor.getTextField().setColumns(3);
         editor.getTextField().setName("end." + end + "." + axis + ".text");
         spinner.setEditor(editor);
         spinner.setName("end." + end + "." + axis);
@@ -49,7 +49,7 @@ final class EndFields extends JPanel {
         editor.getTextField().getAccessibleContext().setAccessibleName(name);
         spinner.setToolTipText(name);
         spinner.addChangeListener(e -> moved());
-        add(spinner);
+        add(spinner, "wmin 0");
         return spinner;
     }
 

@@ -136,5 +136,6 @@ public final class LabFrame extends JFrame {
         boolean filled = (getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH;
         file.save(settings.at(content.shown(), filled ? unmaximised : getBounds(), filled));
         tabs.close();
+        models.close();
     }
 }

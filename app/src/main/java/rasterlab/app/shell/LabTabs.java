@@ -1,23 +1,23 @@
 package rasterlab.app.shell;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LinePanel;
+import rasterlab.app.visibility.VisibilityPanel;
 
 /** The labs' panels in one language; made again for another, while the models live on. */
 public final class LabTabs implements AutoCloseable {
     private final Language language;
     private final List<LabTab> tabs;
-    private final List<AutoCloseable> panels;
+    private final Runnable close;
 
-    private LabTabs(Language language, List<LabTab> tabs, List<AutoCloseable> panels) {
+    private LabTabs(Language language, List<LabTab> tabs, Runnable close) {
         this.language = language;
         this.tabs = List.copyOf(tabs);
-        this.panels = List.copyOf(panels);
+        this.close = close;
     }
 
     /**
@@ -29,7 +29,14 @@ public final class LabTabs implements AutoCloseable {
             LabModels models, Language language, Consumer<Throwable> onFailure) {
         Texts texts = Texts.of("shell", language);
         var line = new LinePanel(models.line(), language, onFailure);
-        return new LabTabs(language, List.of(tab("line", texts, line)), List.of(line));
+        var visibility = new VisibilityPanel(models.visibility(), language, onFailure);
+        return new LabTabs(
+                language,
+                List.of(tab("line", texts, line), tab("visibility", texts, visibility)),
+                () -> {
+                    line.close();
+                    visibility.close();
+                });
     }
 
     private static LabTab tab(String name, Texts texts, JComponent panel) {
@@ -65,14 +72,6 @@ public final class LabTabs implements AutoCloseable {
     /** Stops what the panels play and listen to. On the event thread. */
     @Override
     public void close() {
-        var failures = new ArrayList<Exception>();
-        for (AutoCloseable panel : panels) {
-            try {
-                panel.close();
-            } catch (Exception e) {
-                failures.add(e);
-            }
-        }
-        if (!failures.isEmpty()) throw new IllegalStateException(failures.get(0));
+        close.run();
     }
 }

@@ -35,7 +35,7 @@ final class WindowStart {
                 new FailureReports(
                         failure -> new ErrorDialog(texts(shown[0])).show(shown[0], failure));
         Thread.setDefaultUncaughtExceptionHandler(reports);
-        shown[0] = new LabFrame(LabModels.first(), settings, file, reports);
+        shown[0] = new LabFrame(LabModels.first(reports), settings, file, reports);
         shown[0].setVisible(true);
         problems.forEach(problem -> tell(shown[0], texts(shown[0]), problem));
     }
