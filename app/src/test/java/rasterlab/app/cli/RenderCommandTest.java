@@ -36,6 +36,13 @@ class RenderCommandTest {
         assertTrue(diff.path("largestLevelDifference").asInt() > 0, diff.toString());
     }
 
+    @Test
+    void referenceIsTheRayCasterWhateverElseIsAsked() throws Exception {
+        String out = folder.resolve("r.png").toString();
+        Ran ran = render("--visibility", "painter", "--reference", "--size", "8x6", "--out", out);
+        assertEquals("raycast", new ObjectMapper().readTree(ran.out()).path("visibility").asText());
+    }
+
     private Path rendered(String visibility, String size) {
         Path picture = folder.resolve("a.png");
         String[] options = {"--visibility", visibility, "--size", size, "--out", "" + picture};
