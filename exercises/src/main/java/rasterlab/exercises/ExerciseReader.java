@@ -11,11 +11,13 @@ import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.PointPlan;
 import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.line.LineCaseReader;
 
 /**
  * Turns an exercise folder into an {@link Exercise}, or says which field of which file is wrong.
  */
 final class ExerciseReader {
+    private static final List<String> TOPICS = List.of("line");
     private static final List<String> LANGUAGES = List.of("en", "ru");
     private static final String[] CASE_FIELDS = {
         "name", "kind", "visibility", "points", "input", "generate"
@@ -50,7 +52,7 @@ final class ExerciseReader {
         checkSum(cases, Kind.STABILITY, points.stability());
         return new Exercise(
                 id,
-                fields.text("topic"),
+                fields.word("topic", TOPICS),
                 fields.object("title", "en", "ru").allTexts(),
                 statements(),
                 folder.text("Starter.java"),
@@ -95,7 +97,7 @@ final class ExerciseReader {
         return cases;
     }
 
-    private static Case oneCase(JsonFields fields) {
+    private Case oneCase(JsonFields fields) {
         String name = fields.text("name");
         if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*"))
             throw fields.wrong("name", "must be lower-case words with hyphens, got '" + name + "'");
@@ -114,13 +116,26 @@ final class ExerciseReader {
                                                 "never"))));
         if (generated && visibility == Visibility.OPEN)
             throw fields.wrong("visibility", "must not be open where the case is generated");
-        return new Case(
-                name,
-                Kind.valueOf(constant(fields.word("kind", List.of("accuracy", "stability")))),
-                visibility,
-                fields.integer("points", 0, 100),
-                fields.json(generated ? "generate" : "input"),
-                generated);
+        return checked(
+                fields,
+                new Case(
+                        name,
+                        Kind.valueOf(
+                                constant(fields.word("kind", List.of("accuracy", "stability")))),
+                        visibility,
+                        fields.integer("points", 0, 100),
+                        fields.json(generated ? "generate" : "input"),
+                        generated));
+    }
+
+    /** Reads the input as the runner will, so that a mistake shows before anybody submits. */
+    private static Case checked(JsonFields fields, Case one) {
+        try {
+            LineCaseReader.read(one, 0);
+            return one;
+        } catch (CatalogueException e) {
+            throw fields.wrong("", "cannot be used: " + e.getMessage());
+        }
     }
 
     private static String constant(String word) {

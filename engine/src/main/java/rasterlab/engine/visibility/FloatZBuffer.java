@@ -17,6 +17,9 @@ import rasterlab.engine.transform.Projection;
  * <p>Source: E. Catmull, A subdivision algorithm for computer display of curved surfaces, 1974.
  */
 final class FloatZBuffer implements Visibility {
+    /** A larger buffer is not kept between frames, in pixels: a screen of 3840×2160 fits. */
+    private static final int LARGEST_KEPT = 1 << 23;
+
     /** The buffer of the last frame, for the next one of the same size. */
     private final AtomicReference<float[]> spare = new AtomicReference<>(new float[0]);
 
@@ -31,7 +34,7 @@ final class FloatZBuffer implements Visibility {
             polygon.load(view, face);
             fill(polygon, plane, paint.fill()[face], nearness, out);
         }
-        spare.set(nearness);
+        if (nearness.length <= LARGEST_KEPT) spare.set(nearness);
     }
 
     private float[] takeBuffer(int pixels) {

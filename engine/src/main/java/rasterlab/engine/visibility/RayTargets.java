@@ -68,6 +68,7 @@ final class RayTargets {
         for (int f = 0; f < faces; f++) {
             int at = 4 * f;
             double toward = planes[at] * ray[3] + planes[at + 1] * ray[4] + planes[at + 2] * ray[5];
+            if (toward == 0) continue;
             double t =
                     (planes[at + 3]
                                     - planes[at] * ray[0]

@@ -1,0 +1,91 @@
+package rasterlab.engine.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class MeshTest {
+    private static final double[] SQUARE = {0, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0};
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void refuses(double[] xyz, int[] face, String message) {
+        var refusal =
+                assertThrows(
+                        IllegalArgumentException.class, () -> new Mesh(xyz, new int[][] {face}));
+        assertEquals(message, refusal.getMessage());
+    }
+
+    static Stream<Arguments> mistakes() {
+        int[] triangle = {0, 1, 2};
+        return Stream.of(
+                argumentSet(
+                        "half a vertex is accepted",
+                        new double[] {0, 0},
+                        triangle,
+                        "vertices need three coordinates each, got 2 numbers"),
+                argumentSet(
+                        "a vertex that is no number is accepted",
+                        new double[] {0, 0, 0, 1, Double.NaN, 0, 0, 1, 0},
+                        triangle,
+                        "vertex 1: y must be finite, got NaN"),
+                argumentSet(
+                        "a corner without vertex is accepted",
+                        SQUARE,
+                        new int[] {0, 1, 4},
+                        "face 0: corner must be a vertex from 0 to 3, got 4"),
+                argumentSet(
+                        "a negative corner is accepted",
+                        SQUARE,
+                        new int[] {0, 1, -1},
+                        "face 0: corner must be a vertex from 0 to 3, got -1"),
+                argumentSet(
+                        "repeated corners are counted",
+                        SQUARE,
+                        new int[] {0, 1, 1, 0},
+                        "face 0: at least 3 different corners are needed, got [0, 1, 1, 0]"),
+                argumentSet(
+                        "a face without area is accepted",
+                        new double[] {0, 0, 0, 1, 1, 1, 3, 3, 3},
+                        triangle,
+                        "face 0: corners [0, 1, 2] span no area"),
+                argumentSet(
+                        "a bent face is accepted",
+                        new double[] {0, 0, 0, 4, 0, 0, 4, 4, 1, 0, 4, 0},
+                        new int[] {0, 1, 2, 3},
+                        "face 0: corner 1 lies off the plane of the others"),
+                argumentSet(
+                        "an inward corner is accepted",
+                        new double[] {0, 0, 0, 4, 0, 0, 1, 1, 0, 0, 4, 0},
+                        new int[] {0, 1, 2, 3},
+                        "face 0: corner 2 turns inwards, faces must be convex"));
+    }
+
+    @Test
+    @DisplayName("the normal points inwards")
+    void normalPointsToTheCounterClockwiseSide() {
+        var mesh = new Mesh(SQUARE, new int[][] {{0, 1, 2, 3}});
+        assertEquals(0, mesh.normalX(0));
+        assertEquals(0, mesh.normalY(0));
+        assertEquals(1, mesh.normalZ(0));
+    }
+
+    @Test
+    @DisplayName("the caller's array is kept")
+    void laterWritesDoNotReachTheMesh() {
+        double[] xyz = SQUARE.clone();
+        int[][] faces = {{0, 1, 2, 3}};
+        var mesh = new Mesh(xyz, faces);
+        xyz[3] = 99;
+        faces[0][1] = 3;
+        assertEquals(4, mesh.x(1));
+        assertEquals(1, mesh.corner(0, 1));
+    }
+}
