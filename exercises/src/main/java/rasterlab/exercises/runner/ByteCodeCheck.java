@@ -43,8 +43,7 @@ final class ByteCodeCheck {
             return refused("the class files cannot be read: " + malformed);
         }
         for (String name : own.names()) {
-            if (name.contains("/"))
-                return refused("package " + packageOf(name) + " is not allowed: remove the line");
+            if (name.contains("/")) return packageRefused(packageOf(name), source);
             if (name.length() > LONGEST_NAME || !classes.containsKey(name))
                 return refused("class names have at most " + LONGEST_NAME + " characters");
         }
@@ -73,6 +72,17 @@ final class ByteCodeCheck {
         int access = own.shape(name).access();
         boolean concrete = (access & (Opcodes.ACC_ABSTRACT | Opcodes.ACC_INTERFACE)) == 0;
         return concrete && (access & Opcodes.ACC_PUBLIC) != 0 && !name.contains("$");
+    }
+
+    private static Result packageRefused(String name, String source) {
+        List<String> lines = source.lines().takeWhile(line -> !line.contains("package")).toList();
+        return new Result(
+                "",
+                List.of(
+                        new Diagnostic(
+                                lines.size() + 1,
+                                0,
+                                "package " + name + " is not allowed: remove the line")));
     }
 
     private static String packageOf(String name) {
