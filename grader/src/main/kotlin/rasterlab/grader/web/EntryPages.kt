@@ -69,7 +69,7 @@ fun Route.entering(
 
 /** The fields of a small form. */
 suspend fun ApplicationCall.receiveForm(): Parameters =
-    receiveAtMost(FORM_BYTES).decodeToString().parseUrlEncodedParameters()
+    receiveAtMost(FORM_BYTES).decodeToString().replace("+", "%20").parseUrlEncodedParameters()
 
 private suspend fun ApplicationCall.respondWelcome(problem: String?) {
     val texts = texts()

@@ -45,7 +45,7 @@ fun FlowContent.classTable(
 private fun attemptLink(
     texts: Texts,
     row: Listed,
-) = texts.say("result.title", row.submission.attempt)
+) = texts.say("table.attempt.number", row.submission.attempt)
 
 private fun FlowContent.listing(
     texts: Texts,

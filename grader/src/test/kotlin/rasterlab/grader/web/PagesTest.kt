@@ -29,10 +29,13 @@ class PagesTest {
     fun showsWhatPeopleWroteAsText() =
         Classroom(folder).open {
             val code = newCourse()
-            val joined = form("/join", "course" to code, "name" to "<b>Ada</b> & \"co\"")
+            val joined = form("/join", "course" to code, "name" to "<b>Ada+1</b> & \"co\"")
             val cookie = session(joined)
             val exercise = page("/exercises/draw-dot", cookie)
-            assertTrue("&lt;b&gt;Ada&lt;/b&gt;" in exercise && "<b>Ada" !in exercise, "the name is markup in $exercise")
+            assertTrue(
+                "&lt;b&gt;Ada+1&lt;/b&gt; &amp; &quot;co&quot;" in exercise && "<b>Ada" !in exercise,
+                "the name is markup in $exercise",
+            )
             assertTrue(
                 "<strong>one</strong>" in exercise && "<script>alert" !in exercise,
                 "the statement is markup in $exercise",
@@ -153,7 +156,9 @@ class PagesTest {
             origin?.let { header(HttpHeaders.Origin, it) }
             cookie?.let { header(HttpHeaders.Cookie, it) }
             header(HttpHeaders.ContentType, "application/x-www-form-urlencoded")
-            setBody(fields.joinToString("&") { (name, value) -> "$name=${value.encodeURLParameter()}" })
+            setBody(
+                fields.joinToString("&") { (name, value) -> "$name=${value.encodeURLParameter(spaceToPlus = true)}" },
+            )
         }
 
     private suspend fun Visit.handIn(
