@@ -5,12 +5,14 @@ import rasterlab.contract.Pixels;
 /**
  * The digital differential analyser: one floating-point addition per pixel, and still exact.
  *
- * <p>Only f, how far the exact line lies beside the current pixel, is kept, −½ ≤ f &lt; ½; it grows
- * by the slope k and loses a whole pixel whenever the line steps across. It starts at −1/(4·n):
- * exact positions are multiples of 1/n, so a tie falls to the smaller coordinate and every decision
- * has a margin of 1/(4·n). One addition errs by at most 2⁻⁵³, the slope by 2⁻⁵⁴, and taking off a
- * whole pixel is exact (Sterbenz 1974), so n + 1 additions err by less than 2·(n + 1)·2⁻⁵³ ≤ 2⁻²⁷
- * for n ≤ 2²⁴, less than the margin, at least 2⁻²⁶: drift never decides. Longer lines are refused.
+ * <p>Only f is kept, how far the exact line lies beside the current pixel in the direction it
+ * drifts to, −½ ≤ f &lt; ½; it grows by k = b/n and loses a whole pixel whenever the line steps
+ * across. It starts at −1/(4·n) where the coordinate across grows and at +1/(4·n) where it falls:
+ * exact positions are multiples of 1/n, so a tie goes to the smaller coordinate and every decision
+ * has a margin of 1/(4·n). One addition errs by at most 2⁻⁵³, k by 2⁻⁵⁴, and taking off a whole
+ * pixel is exact (Sterbenz 1974), so n + 1 additions err by less than 2·(n + 1)·2⁻⁵³ ≤ 2⁻²⁷ for n ≤
+ * 2²⁴, less than the margin, which is at least 2⁻²⁶: rounding never decides. Longer lines are
+ * refused. The walk begins one step before the first end.
  */
 public final class DdaLine implements SteppedLine {
     /** The largest n, in steps along the longer axis, for which the result is proved exact. */
@@ -29,7 +31,7 @@ public final class DdaLine implements SteppedLine {
 
     @Override
     public String decisionFormula() {
-        return "f = k·i − j − 1/(4·n); after f + k: step across at f ≥ ½ or f < −½";
+        return "f ← f + k; step across and take 1 off when f ≥ ½; begins at ∓1/(4·n)";
     }
 
     private static final class Walk implements LineWalk {
@@ -50,10 +52,11 @@ public final class DdaLine implements SteppedLine {
             int n = ProvedSteps.checked(Math.abs(steep ? dy : dx), MOST_STEPS);
             alongX = steep ? 0 : Long.signum(dx);
             alongY = steep ? Long.signum(dy) : 0;
-            acrossX = steep ? 1 : 0;
-            acrossY = steep ? 0 : 1;
-            k = n == 0 ? 0 : (double) (steep ? dx : dy) / n;
-            f = n == 0 ? 0 : -0.25 / n - k;
+            acrossX = steep ? Long.signum(dx) : 0;
+            acrossY = steep ? 0 : Long.signum(dy);
+            k = n == 0 ? 0 : (double) Math.abs(steep ? dx : dy) / n;
+            double tie = acrossX + acrossY < 0 ? 0.25 : -0.25;
+            f = n == 0 ? 0 : tie / n - k;
             x = x0 - alongX;
             y = y0 - alongY;
             left = n + 1;
@@ -68,10 +71,6 @@ public final class DdaLine implements SteppedLine {
                 f--;
                 x += acrossX;
                 y += acrossY;
-            } else if (f < -0.5) {
-                f++;
-                x -= acrossX;
-                y -= acrossY;
             }
             x += alongX;
             y += alongY;

@@ -40,13 +40,13 @@ final class LineHazards {
                 hazard(
                         "leftward",
                         "The second end lies to the left of the first.",
-                        new Segment(12, 5, 0, 0),
+                        new Segment(12, 10, 0, 0),
                         recorded(WRONG, EXACT, EXACT, WRONG, EXACT)),
                 hazard(
                         "steep-upward",
                         "Steep, and the rows have to be counted down.",
                         new Segment(0, 13, 3, 0),
-                        recorded(WRONG, EXACT, EXACT, WRONG, EXACT)),
+                        recorded(WRONG, EXACT, EXACT, DEGRADED, EXACT)),
                 hazard(
                         "vertical",
                         "There is no slope: the columns do not differ.",

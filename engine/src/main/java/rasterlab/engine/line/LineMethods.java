@@ -43,9 +43,9 @@ final class LineMethods {
         return new Method<>(
                 "dda",
                 new About(
-                        "f ← f + k; step across and take 1 off where f leaves [−½, ½)",
-                        "f = k·i − j − 1/(4·n) up to an error below 1/(4·n)",
-                        "one floating-point addition and two comparisons per pixel, a second"
+                        "f ← f + k, k = b/n; step across and take 1 off where f ≥ ½",
+                        "f = k·i − j ∓ 1/(4·n) up to an error below 1/(4·n)",
+                        "one floating-point addition and one comparison per pixel, a second"
                                 + " addition where the line steps across",
                         "none known up to n = 2²⁴ steps; longer lines are refused",
                         "the digital differential analyser; error bound in the class's comment"),

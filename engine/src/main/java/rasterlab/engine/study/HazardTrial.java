@@ -7,20 +7,17 @@ import java.util.List;
 /**
  * Gives a method its verdict on one input: runs it under guard and compares with the exact answer.
  *
- * <p>An exact answer of more than {@value #MOST_ITEMS} items is compared by its first so many. A
- * method is endless when it produces more than twice the exact items and {@value #SLACK}, or goes
- * beyond the wall limit.
+ * <p>An exact answer of more than 20,000 items is compared by its first so many. A method is
+ * endless when it produces more than twice the exact items and 1,000 more, or goes beyond the wall
+ * limit.
  */
 public final class HazardTrial {
-    static final int MOST_ITEMS = 20_000;
-    static final int SLACK = 1_000;
-
     private HazardTrial() {}
 
     /**
      * One cell of the method × hazard table.
      *
-     * @param recorded the kind written down in the hazard; null where none is
+     * @param recorded the kind written down in the hazard; exact where none is
      */
     public record Cell(String hazard, String method, Verdict verdict, Verdict.Kind recorded) {
         /** Whether the method did what is written down. */
@@ -32,12 +29,15 @@ public final class HazardTrial {
     /** Every method on every hazard, hazard by hazard. */
     public static <C, I, O> List<Cell> table(Topic<C, I, O> topic, Duration wallLimit) {
         var cells = new ArrayList<Cell>();
-        for (Hazard<I> hazard : topic.hazards())
+        for (Hazard<I> hazard : topic.hazards()) {
+            Answer<O> answer = Answer.to(topic, hazard.input());
             for (Method<C> method : topic.methods()) {
-                Verdict verdict = judge(topic, method, hazard, wallLimit);
-                Verdict.Kind recorded = hazard.recorded().get(method.name());
+                Verdict verdict = judge(topic, method, hazard.input(), answer, wallLimit);
+                Verdict.Kind recorded =
+                        hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);
                 cells.add(new Cell(hazard.name(), method.name(), verdict, recorded));
             }
+        }
         return cells;
     }
 
@@ -48,36 +48,38 @@ public final class HazardTrial {
      */
     public static <C, I, O> Verdict judge(
             Topic<C, I, O> topic, Method<C> method, Hazard<I> hazard, Duration wallLimit) {
-        return judge(topic, method, hazard.input(), wallLimit);
+        I input = hazard.input();
+        return judge(topic, method, input, Answer.to(topic, input), wallLimit);
     }
 
     static <C, I, O> Verdict judge(
-            Topic<C, I, O> topic, Method<C> method, I input, Duration wallLimit) {
-        O exact = topic.exact(input, MOST_ITEMS + 1);
-        long items = topic.compare(input, exact, exact).of();
-        boolean cut = items > MOST_ITEMS;
-        int limit = cut ? MOST_ITEMS : (int) (2 * items + SLACK);
+            Topic<C, I, O> topic, Method<C> method, I input, Answer<O> answer, Duration wallLimit) {
         var outcome =
                 Guard.call(
                         "trial of " + method.name(),
-                        () -> topic.record(method.implementation(), input, limit),
+                        () -> topic.record(method.implementation(), input, answer.limit()),
                         wallLimit);
         if (outcome instanceof Guard.Returned<O> returned)
-            return compared(
-                    topic, input, cut ? topic.exact(input, limit) : exact, returned.value());
+            return compared(topic, input, answer.exact(), returned.value());
         if (outcome instanceof Guard.Threw<O> threw
                 && threw.cause() instanceof LimitReached reached)
-            return cut
-                    ? compared(topic, input, topic.exact(input, limit), recorded(reached))
-                    : endless(limit, items, topic.item());
+            return answer.cut()
+                    ? compared(topic, input, answer.exact(), recorded(reached))
+                    : endless(answer, topic.item());
         return Verdicts.ofFailure(outcome);
     }
 
-    private static Verdict endless(int limit, long items, String item) {
+    private static Verdict endless(Answer<?> answer, String item) {
         return new Verdict(
                 Verdict.Kind.ENDLESS,
                 Deviation.NONE,
-                "still going after " + limit + " " + item + "s where " + items + " are right");
+                "still going after "
+                        + answer.limit()
+                        + " "
+                        + item
+                        + "s where "
+                        + answer.items()
+                        + " are right");
     }
 
     private static <C, I, O> Verdict compared(Topic<C, I, O> topic, I input, O exact, O actual) {

@@ -10,8 +10,8 @@ import java.util.function.Consumer;
  * Measures every method of a topic on every workload.
  *
  * <p>On each workload a method is first judged, input by input, and only one that answers all of
- * them is timed: warmed up, then timed in rounds that take turns with the other methods' rounds, so
- * that a busy moment of the machine hits all alike.
+ * them is timed. All are warmed up before any is timed, and their rounds take turns, so that the
+ * compiler's work and a busy moment of the machine hit all alike.
  */
 public final class StudyRunner<C, I, O> {
     private final Topic<C, I, O> topic;
@@ -49,20 +49,22 @@ public final class StudyRunner<C, I, O> {
     }
 
     private Study run() {
-        var measurements = new ArrayList<Measurement>();
-        for (Workload<I> workload : topic.workloads()) measurements.addAll(measure(workload));
-        return new Study(topic.name(), topic.item(), topic.errorUnit(), measurements);
-    }
-
-    private List<Measurement> measure(Workload<I> workload) {
         var trials = new ArrayList<MethodTrial<C, I, O>>();
-        for (Method<C> method : topic.methods())
-            trials.add(new MethodTrial<>(topic, method, workload, settings));
+        for (Workload<I> workload : topic.workloads()) trials.addAll(trials(workload));
         for (var trial : trials) step(trial, trial::judge);
         for (var trial : trials) step(trial, trial::warmUp);
         for (int round = 0; round < settings.rounds(); round++)
             for (var trial : trials) step(trial, trial::round);
-        return trials.stream().map(MethodTrial::measurement).toList();
+        List<Measurement> measurements = trials.stream().map(MethodTrial::measurement).toList();
+        return new Study(topic.name(), topic.item(), topic.errorUnit(), measurements);
+    }
+
+    private List<MethodTrial<C, I, O>> trials(Workload<I> workload) {
+        List<Answer<O>> answers =
+                workload.inputs().stream().map(input -> Answer.to(topic, input)).toList();
+        return topic.methods().stream()
+                .map(method -> new MethodTrial<>(topic, method, workload, answers, settings))
+                .toList();
     }
 
     private void step(MethodTrial<C, I, O> trial, Runnable work) {
