@@ -1,5 +1,9 @@
 package rasterlab.exercises.score;
 
+import java.util.List;
+import java.util.Optional;
+import rasterlab.engine.raster.PixelDifference;
+
 /**
  * A wrong case as pictures.
  *
@@ -10,4 +14,14 @@ package rasterlab.exercises.score;
  * @param differencePng missing, extra and right pixels told apart by shape and colour, PNG
  */
 public record CasePictures(
-        String text, byte[] expectedPng, byte[] actualPng, byte[] differencePng) {}
+        String text, byte[] expectedPng, byte[] actualPng, byte[] differencePng) {
+    /** The difference as pictures; none where no pixel is expected or drawn. */
+    public static Optional<CasePictures> of(PixelDifference difference) {
+        String text = difference.text();
+        List<String> rows = text.lines().filter(row -> row.matches("[#+.-]+")).toList();
+        if (rows.isEmpty()) return Optional.empty();
+        GridPicture grid = new GridPicture(rows);
+        return Optional.of(
+                new CasePictures(text, grid.lit("#-"), grid.lit("#+"), grid.difference()));
+    }
+}

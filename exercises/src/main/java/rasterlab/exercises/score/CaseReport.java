@@ -20,4 +20,13 @@ public record CaseReport(
         int of,
         String message,
         Optional<CasePictures> pictures,
-        String scene) {}
+        String scene) {
+    /** The same with what the student may not see taken out. */
+    public CaseReport forStudent(boolean afterDeadline) {
+        if (visibility == Visibility.OPEN
+                || visibility == Visibility.AFTER_DEADLINE && afterDeadline) return this;
+        String shown = visibility == Visibility.NEVER ? "hidden" : name;
+        return new CaseReport(
+                shown, visibility, verdict, points, of, verdict.hint(), Optional.empty(), "");
+    }
+}

@@ -18,6 +18,16 @@ public enum GradingVerdict {
     /** Our own fault: tried again, never a mark. */
     INTERNAL;
 
+    /** The class of the error in words, for a case whose input stays hidden; empty when right. */
+    String hint() {
+        return switch (this) {
+            case OK -> "";
+            case WRONG -> "wrong pixels on a hidden input";
+            case RUNTIME_ERROR -> "an exception on a hidden input";
+            default -> name().toLowerCase(Locale.ROOT).replace('_', ' ') + " on a hidden input";
+        };
+    }
+
     /** Lower-case name, as in the HTTP API. */
     public String code() {
         return name().toLowerCase(Locale.ROOT);

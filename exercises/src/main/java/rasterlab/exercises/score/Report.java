@@ -22,4 +22,18 @@ public record Report(
         cases = List.copyOf(cases);
         diagnostics = List.copyOf(diagnostics);
     }
+
+    /**
+     * The same with what the student may not see taken out: of a hidden case only the class of the
+     * error is left, and of one that is never shown not even the name.
+     */
+    public Report forStudent(boolean afterDeadline) {
+        return new Report(
+                verdict,
+                points,
+                cases.stream().map(one -> one.forStudent(afterDeadline)).toList(),
+                diagnostics,
+                isolation,
+                nanosPerItem);
+    }
 }

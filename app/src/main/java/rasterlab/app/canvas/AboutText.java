@@ -1,0 +1,75 @@
+package rasterlab.app.canvas;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import javax.swing.JEditorPane;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Method;
+
+/** A method in a teacher's words: formula, invariant, cost, failures, source. */
+public final class AboutText extends JEditorPane {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Texts labels;
+    private String shown = "";
+
+    public AboutText(String name, Language language) {
+        super("text/html", "");
+        labels = Texts.of("canvas", language);
+        setName(name);
+        setEditable(false);
+        setOpaque(false);
+        setBorder(null);
+        putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
+    }
+
+    /**
+     * @param translations texts {@code METHOD.formula} and so on, where there are any
+     * @param decision what the decision variable is; "" for a method without one
+     * @param refusal what the method said to the present input; "" when it drew
+     */
+    public void show(Texts translations, Method<?> method, String decision, String refusal) {
+        Method.About about = method.about();
+        var parts = new LinkedHashMap<String, String>();
+        parts.put("refusal", refusal);
+        parts.put("formula", translated(translations, method, "formula", about.formula()));
+        parts.put("decision", decision);
+        parts.put("invariant", translated(translations, method, "invariant", about.invariant()));
+        parts.put("cost", translated(translations, method, "cost", about.cost()));
+        parts.put("failures", translated(translations, method, "failures", about.failures()));
+        parts.put("source", translated(translations, method, "source", about.source()));
+        show(html(parts));
+    }
+
+    /** Shows a text unless it is shown already, so that a selection in it stays. */
+    private void show(String html) {
+        if (html.equals(shown)) return;
+        shown = html;
+        setText(html);
+        setCaretPosition(0);
+    }
+
+    private static String translated(
+            Texts translations, Method<?> method, String part, String english) {
+        return translations.textOr(method.name() + "." + part, english);
+    }
+
+    private String html(Map<String, String> parts) {
+        var html = new StringBuilder("<html><body>");
+        parts.forEach(
+                (part, text) -> {
+                    if (!text.isEmpty())
+                        html.append("<p style='margin: 0 0 5 0'><b>")
+                                .append(escaped(labels.text("about." + part)))
+                                .append(".</b> ")
+                                .append(escaped(text))
+                                .append("</p>");
+                });
+        return html.append("</body></html>").toString();
+    }
+
+    private static String escaped(String text) {
+        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+    }
+}

@@ -1,0 +1,40 @@
+package rasterlab.app.canvas;
+
+import java.util.HashMap;
+import java.util.Map;
+import javax.swing.JButton;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.language.Texts;
+
+/** The buttons below the inspector: undo, reset, copy. */
+public final class Actions extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Texts texts;
+    private final Map<String, JButton> buttons = new HashMap<>();
+
+    public Actions(Texts texts) {
+        super(new MigLayout("insets 0 2 0 10, gap 6, wrap 2", "[grow,fill,50%][grow,fill,50%]"));
+        this.texts = texts;
+    }
+
+    /**
+     * @param key the button's name; its text is {@code action.KEY}, its hint {@code
+     *     action.KEY.hint}
+     */
+    public void add(String key, Runnable action) {
+        var button = new JButton(texts.label("action." + key));
+        button.setName(key);
+        button.setMnemonic(texts.mnemonic("action." + key));
+        button.setDisplayedMnemonicIndex(texts.mnemonicIndex("action." + key));
+        button.setToolTipText(texts.text("action." + key + ".hint"));
+        button.addActionListener(e -> action.run());
+        buttons.put(key, button);
+        add(button, "wmin 0");
+    }
+
+    public void enable(String key, boolean enabled) {
+        buttons.get(key).setEnabled(enabled);
+    }
+}

@@ -1,0 +1,70 @@
+package rasterlab.app.canvas;
+
+import java.awt.Image;
+import java.awt.Toolkit;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.Transferable;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.awt.image.BufferedImage;
+import java.util.function.Consumer;
+import javax.swing.JComponent;
+
+/** Puts pictures and commands on the system's clipboard. */
+public final class Copying {
+    private Copying() {}
+
+    /**
+     * @param onFailure told when the system has no clipboard or another program holds it
+     */
+    public static void text(String text, Consumer<Throwable> onFailure) {
+        put(new StringSelection(text), onFailure);
+    }
+
+    /** Copies what a component shows, at the screen's own resolution. */
+    public static void picture(JComponent shown, Consumer<Throwable> onFailure) {
+        double scale = deviceScale(shown);
+        var picture =
+                new BufferedImage(
+                        (int) Math.max(1, Math.round(shown.getWidth() * scale)),
+                        (int) Math.max(1, Math.round(shown.getHeight() * scale)),
+                        BufferedImage.TYPE_INT_RGB);
+        var g = picture.createGraphics();
+        g.scale(scale, scale);
+        shown.paint(g);
+        g.dispose();
+        put(new PictureSelection(picture), onFailure);
+    }
+
+    /** Device dots per view unit of the screen that shows the component; 1 off screen. */
+    public static double deviceScale(JComponent component) {
+        var configuration = component.getGraphicsConfiguration();
+        return configuration == null ? 1 : configuration.getDefaultTransform().getScaleX();
+    }
+
+    private static void put(Transferable content, Consumer<Throwable> onFailure) {
+        try {
+            Toolkit.getDefaultToolkit().getSystemClipboard().setContents(content, null);
+        } catch (IllegalStateException | UnsupportedOperationException e) {
+            onFailure.accept(e);
+        }
+    }
+
+    private record PictureSelection(Image picture) implements Transferable {
+        @Override
+        public DataFlavor[] getTransferDataFlavors() {
+            return new DataFlavor[] {DataFlavor.imageFlavor};
+        }
+
+        @Override
+        public boolean isDataFlavorSupported(DataFlavor flavor) {
+            return DataFlavor.imageFlavor.equals(flavor);
+        }
+
+        @Override
+        public Object getTransferData(DataFlavor flavor) throws UnsupportedFlavorException {
+            if (!isDataFlavorSupported(flavor)) throw new UnsupportedFlavorException(flavor);
+            return picture;
+        }
+    }
+}

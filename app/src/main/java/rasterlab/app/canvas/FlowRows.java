@@ -1,0 +1,60 @@
+package rasterlab.app.canvas;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.LayoutManager;
+
+/** Rows from left to right that wrap at the container's width and ask for the height they need. */
+final class FlowRows implements LayoutManager {
+    private final int gap;
+
+    /**
+     * @param gap view units between components and between rows
+     */
+    FlowRows(int gap) {
+        this.gap = gap;
+    }
+
+    @Override
+    public Dimension preferredLayoutSize(Container parent) {
+        return flow(parent, parent.getWidth() > 0 ? parent.getWidth() : Integer.MAX_VALUE, false);
+    }
+
+    @Override
+    public Dimension minimumLayoutSize(Container parent) {
+        return new Dimension(0, preferredLayoutSize(parent).height);
+    }
+
+    @Override
+    public void layoutContainer(Container parent) {
+        flow(parent, parent.getWidth(), true);
+    }
+
+    private Dimension flow(Container parent, int width, boolean place) {
+        int x = 0;
+        int y = 0;
+        int rowHeight = 0;
+        int widest = 0;
+        for (Component child : parent.getComponents()) {
+            if (!child.isVisible()) continue;
+            Dimension size = child.getPreferredSize();
+            if (x > 0 && x + size.width > width) {
+                y += rowHeight + gap;
+                x = 0;
+                rowHeight = 0;
+            }
+            if (place) child.setBounds(x, y, size.width, size.height);
+            x += size.width + gap;
+            rowHeight = Math.max(rowHeight, size.height);
+            widest = Math.max(widest, x - gap);
+        }
+        return new Dimension(widest, y + rowHeight);
+    }
+
+    @Override
+    public void addLayoutComponent(String name, Component component) {}
+
+    @Override
+    public void removeLayoutComponent(Component component) {}
+}

@@ -1,0 +1,96 @@
+package rasterlab.app.canvas;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Rectangle;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSeparator;
+import javax.swing.Scrollable;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.language.Texts;
+
+/** The column right of the stage: choosers, live numbers and explanations under headings. */
+public final class Inspector extends JPanel implements Scrollable {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Texts texts;
+
+    public Inspector(Texts texts) {
+        super(
+                new MigLayout(
+                        "insets 0 2 4 10, gap 6 5, wrap 2, hidemode 3",
+                        "[pref!]8[grow,fill,0::]",
+                        ""));
+        this.texts = texts;
+    }
+
+    public void heading(String key) {
+        var label = new JLabel(texts.text(key));
+        label.putClientProperty("FlatLaf.styleClass", "h4");
+        label.setFont(label.getFont().deriveFont(Font.BOLD));
+        label.setName(key);
+        if (getComponentCount() > 0) add(new JSeparator(), "span 2, growx, gaptop 6, wmin 0");
+        add(label, "span 2, growx, wmin 0");
+    }
+
+    /** A control behind its label, whose mnemonic goes to the control. */
+    public void row(String key, JComponent control) {
+        var label = new JLabel(texts.label(key));
+        label.setName(key);
+        label.setLabelFor(control);
+        if (texts.mnemonic(key) != 0) {
+            label.setDisplayedMnemonic(texts.mnemonic(key));
+            label.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
+        }
+        add(label);
+        add(control, "wmin 0");
+    }
+
+    /** A number that changes while the lab works. */
+    public JLabel value(String key) {
+        var value = new JLabel(" ");
+        row(key, value);
+        value.setName(key + ".value");
+        return value;
+    }
+
+    /** Shows or hides a value with its label. */
+    public void showRow(JComponent control, boolean shown) {
+        control.setVisible(shown);
+        for (Component each : getComponents())
+            if (each instanceof JLabel label && label.getLabelFor() == control)
+                label.setVisible(shown);
+    }
+
+    public void wide(JComponent component) {
+        add(component, "span 2, growx, wmin 0");
+    }
+
+    @Override
+    public Dimension getPreferredScrollableViewportSize() {
+        return getPreferredSize();
+    }
+
+    @Override
+    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+        return 16;
+    }
+
+    @Override
+    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+        return Math.max(16, visible.height - 32);
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+        return true;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportHeight() {
+        return false;
+    }
+}

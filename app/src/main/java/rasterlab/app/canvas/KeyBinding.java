@@ -1,0 +1,37 @@
+package rasterlab.app.canvas;
+
+import java.awt.event.ActionEvent;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+
+/** Binds keys to actions. */
+public final class KeyBinding {
+    private KeyBinding() {}
+
+    /** While the component itself has the focus. */
+    public static void whenFocused(JComponent component, KeyStroke key, Runnable action) {
+        bind(component, JComponent.WHEN_FOCUSED, key, action);
+    }
+
+    /** While the component or one inside it has the focus and does not use the key itself. */
+    public static void within(JComponent component, KeyStroke key, Runnable action) {
+        bind(component, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, key, action);
+    }
+
+    private static void bind(JComponent component, int when, KeyStroke key, Runnable action) {
+        component.getInputMap(when).put(key, key.toString());
+        component
+                .getActionMap()
+                .put(
+                        key.toString(),
+                        new AbstractAction() {
+                            private static final long serialVersionUID = 1L;
+
+                            @Override
+                            public void actionPerformed(ActionEvent e) {
+                                action.run();
+                            }
+                        });
+    }
+}

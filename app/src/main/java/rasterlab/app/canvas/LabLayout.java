@@ -1,0 +1,59 @@
+package rasterlab.app.canvas;
+
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.ScrollPaneConstants;
+import net.miginfocom.swing.MigLayout;
+
+/**
+ * The one layout of every lab: hazard chips above the stage, the stage left and largest, the
+ * inspector on the right, the timeline below.
+ */
+public final class LabLayout extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    /** Width of the inspector in view units, enough for the longest Russian row. */
+    public static final int INSPECTOR = 340;
+
+    /**
+     * @param actions buttons that stay in sight below the inspector
+     */
+    public LabLayout(
+            JComponent chips,
+            JComponent stage,
+            Inspector inspector,
+            JComponent actions,
+            JComponent timeline) {
+        super(
+                new MigLayout(
+                        "insets 8 10 10 2, gap 10 8",
+                        "[grow,fill][" + INSPECTOR + "!,fill]",
+                        "[][grow,fill][]"));
+        add(chips, "wmin 0, growx");
+        add(column(inspector, actions), "spany 3, growy, wrap, hmin 0");
+        add(stage, "wmin 100, hmin 100, wrap");
+        add(timeline, "wmin 0, growx");
+    }
+
+    private static JPanel column(Inspector inspector, JComponent actions) {
+        var column =
+                new JPanel(
+                        new MigLayout("insets 0, gap 0 8, wrap 1", "[grow,fill]", "[grow,fill][]"));
+        column.add(scrolled(inspector), "hmin 0");
+        column.add(actions);
+        return column;
+    }
+
+    private static JScrollPane scrolled(Inspector inspector) {
+        var scroll =
+                new JScrollPane(
+                        inspector,
+                        ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+                        ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        scroll.setName("inspector.scroll");
+        return scroll;
+    }
+}

@@ -1,0 +1,114 @@
+package rasterlab.app.canvas;
+
+import java.util.concurrent.CancellationException;
+import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+
+/**
+ * Answers the newest question on a thread of its own; older ones are cancelled, none pile up.
+ *
+ * <p>So that a fast drag still shows pictures, a question is let finish when the one before it was
+ * cancelled: at least every second question that was begun is answered.
+ *
+ * @param <Q> an immutable question
+ * @param <A> its answer
+ */
+public final class LatestOnly<Q, A> implements AutoCloseable {
+    /** Work that takes longer than a frame. */
+    @FunctionalInterface
+    public interface Work<Q, A> {
+        /**
+         * @param cancelled asked often; the answer is of no use once it is true
+         * @throws CancellationException when it stopped because of {@code cancelled}
+         */
+        A answer(Q question, BooleanSupplier cancelled);
+    }
+
+    private final Work<Q, A> work;
+    private final BiConsumer<Q, A> answered;
+    private final Consumer<Throwable> failed;
+    private final Thread worker;
+
+    private Q waiting;
+    private boolean busy;
+    private boolean closed;
+    private boolean lastWasCancelled;
+    private volatile boolean cancelled;
+
+    /**
+     * @param answered told each answer, on the worker's thread
+     * @param failed told what the work threw, on the worker's thread
+     */
+    public LatestOnly(
+            String threadName,
+            Work<Q, A> work,
+            BiConsumer<Q, A> answered,
+            Consumer<Throwable> failed) {
+        this.work = work;
+        this.answered = answered;
+        this.failed = failed;
+        worker = new Thread(this::run, threadName);
+        worker.setDaemon(true);
+        worker.start();
+    }
+
+    /** Puts this question in place of the one that waits, and cancels the one being answered. */
+    public synchronized void ask(Q question) {
+        waiting = question;
+        if (busy && !lastWasCancelled) cancelled = true;
+        notifyAll();
+    }
+
+    /** Drops the question that waits and cancels the one being answered. */
+    public synchronized void cancel() {
+        waiting = null;
+        cancelled = true;
+    }
+
+    /** Waits until every question asked so far is answered or dropped. */
+    public synchronized void settle() throws InterruptedException {
+        while (busy || waiting != null) wait();
+    }
+
+    @Override
+    public synchronized void close() {
+        closed = true;
+        cancel();
+        notifyAll();
+    }
+
+    private void run() {
+        for (Q question = next(); question != null; question = next()) {
+            try {
+                A answer = work.answer(question, () -> cancelled);
+                if (!cancelled) answered.accept(question, answer);
+            } catch (CancellationException e) {
+                if (!cancelled) failed.accept(e);
+            } catch (Throwable e) {
+                failed.accept(e);
+            }
+        }
+    }
+
+    /** Ends the last question and waits for the next; null when closed. */
+    private synchronized Q next() {
+        lastWasCancelled = busy && cancelled;
+        busy = false;
+        notifyAll();
+        try {
+            while (waiting == null && !closed) wait();
+        } catch (InterruptedException e) {
+            closed = true;
+        }
+        if (closed) {
+            waiting = null;
+            return null;
+        }
+        busy = true;
+        cancelled = false;
+        Q question = waiting;
+        waiting = null;
+        return question;
+    }
+}

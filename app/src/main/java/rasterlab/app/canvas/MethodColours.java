@@ -1,0 +1,105 @@
+package rasterlab.app.canvas;
+
+import java.awt.Color;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * One colour for each method, the same in every lab and chart.
+ *
+ * <p>The palette is told apart with every common colour blindness. {@link #VERMILLION} belongs to
+ * wrong pixels, no method has it. Source: M. Okabe, K. Ito, Color Universal Design, 2008.
+ */
+public final class MethodColours {
+    public static final Color ORANGE = new Color(0xE69F00);
+    public static final Color SKY_BLUE = new Color(0x56B4E9);
+    public static final Color GREEN = new Color(0x009E73);
+    public static final Color YELLOW = new Color(0xF0E442);
+    public static final Color BLUE = new Color(0x0072B2);
+    public static final Color VERMILLION = new Color(0xD55E00);
+    public static final Color PURPLE = new Color(0xCC79A7);
+    public static final Color GREY = new Color(0x7F7F7F);
+
+    /** What a method without a colour of its own is given, by its name's hash. */
+    private static final List<Color> OTHERS =
+            List.of(GREEN, BLUE, ORANGE, SKY_BLUE, PURPLE, YELLOW);
+
+    private static final Map<String, Color> OWN =
+            Map.ofEntries(
+                    Map.entry("naive", ORANGE),
+                    Map.entry("naive-textbook", SKY_BLUE),
+                    Map.entry("dda", GREEN),
+                    Map.entry("dda-float", GREY),
+                    Map.entry("bresenham-textbook", PURPLE),
+                    Map.entry("bresenham", BLUE),
+                    Map.entry("midpoint", YELLOW),
+                    Map.entry("painter-textbook", PURPLE),
+                    Map.entry("painter", ORANGE),
+                    Map.entry("zfloat", BLUE),
+                    Map.entry("raycast", GREEN));
+
+    private MethodColours() {}
+
+    public static Color of(String method) {
+        Color own = OWN.get(method);
+        return own != null ? own : OTHERS.get(Math.floorMod(method.hashCode(), OTHERS.size()));
+    }
+
+    /**
+     * The colour's darker or lighter kin that stands out from a ground with a contrast of at least
+     * 3, for the edges of pixels.
+     */
+    public static Color edgeOn(Color ground, Color colour) {
+        Color end = inkOn(ground);
+        for (int part = 1; part < 16; part++) {
+            Color mixed = mix(colour, end, part / 16.0);
+            if (contrast(mixed, ground) >= 3) return mixed;
+        }
+        return end;
+    }
+
+    /**
+     * @param share of {@code other}, in [0, 1]
+     */
+    public static Color mix(Color one, Color other, double share) {
+        return new Color(
+                level(one.getRed(), other.getRed(), share),
+                level(one.getGreen(), other.getGreen(), share),
+                level(one.getBlue(), other.getBlue(), share));
+    }
+
+    private static int level(int one, int other, double share) {
+        return (int) Math.round(one + (other - one) * share);
+    }
+
+    /** Black or white, whichever stands out more on that colour. */
+    public static Color inkOn(Color background) {
+        return contrast(Color.BLACK, background) >= contrast(Color.WHITE, background)
+                ? Color.BLACK
+                : Color.WHITE;
+    }
+
+    /**
+     * Contrast of two colours, from 1 (equal) to 21 (black on white).
+     *
+     * <p>(L₁ + 0.05) / (L₂ + 0.05), L being the relative luminance in [0, 1], the greater one
+     * first. Source: W3C, Web Content Accessibility Guidelines 2.1, 2018.
+     */
+    public static double contrast(Color one, Color other) {
+        double a = luminance(one) + 0.05;
+        double b = luminance(other) + 0.05;
+        return Math.max(a, b) / Math.min(a, b);
+    }
+
+    private static double luminance(Color colour) {
+        return 0.2126 * linear(colour.getRed())
+                + 0.7152 * linear(colour.getGreen())
+                + 0.0722 * linear(colour.getBlue());
+    }
+
+    /** From an sRGB level in 0..255 to linear light in [0, 1]. */
+    private static double linear(int level) {
+        double s = level / 255.0;
+        return s <= 0.04045 ? s / 12.92 : Math.pow((s + 0.055) / 1.055, 2.4);
+    }
+}

@@ -1,0 +1,75 @@
+package rasterlab.app.canvas;
+
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.geom.Point2D;
+
+/**
+ * Where a zoomed pixel grid lies in the stage.
+ *
+ * <p>The pixel (x, y) covers the view square of {@code cell} units whose centre is {@code view =
+ * origin + cell · pixel}; both y axes grow down.
+ *
+ * @param originX view x of the centre of pixel column 0
+ * @param originY view y of the centre of pixel row 0
+ * @param cell view units per pixel, in [{@link #SMALLEST}, {@link #LARGEST}]
+ */
+public record PixelGrid(double originX, double originY, double cell) {
+    public static final double SMALLEST = 0.25;
+    public static final double LARGEST = 96;
+
+    public PixelGrid {
+        if (!(cell >= SMALLEST && cell <= LARGEST))
+            throw new IllegalArgumentException(
+                    "cell must be in [" + SMALLEST + ", " + LARGEST + "], got " + cell);
+    }
+
+    /**
+     * The grid that shows {@code pixels} whole and centred in a view of that size.
+     *
+     * @param pixels bounds in pixels, counted from 0; at least 1×1
+     */
+    public static PixelGrid fitting(Rectangle pixels, Rectangle view) {
+        double cell = Math.min(view.getWidth() / pixels.width, view.getHeight() / pixels.height);
+        cell = clamp(cell >= 2 ? Math.floor(cell) : cell);
+        return new PixelGrid(
+                view.getCenterX() - cell * (pixels.x + (pixels.width - 1) / 2.0),
+                view.getCenterY() - cell * (pixels.y + (pixels.height - 1) / 2.0),
+                cell);
+    }
+
+    public double viewX(double pixelX) {
+        return originX + cell * pixelX;
+    }
+
+    public double viewY(double pixelY) {
+        return originY + cell * pixelY;
+    }
+
+    /** The pixel whose square holds that view point. */
+    public Point pixelAt(double viewX, double viewY) {
+        return new Point(nearest((viewX - originX) / cell), nearest((viewY - originY) / cell));
+    }
+
+    /** Zooms by a factor about a view point, which keeps its place; stops at the cell's range. */
+    public PixelGrid zoomed(double factor, Point2D view) {
+        double next = clamp(cell * factor);
+        double scale = next / cell;
+        return new PixelGrid(
+                view.getX() + (originX - view.getX()) * scale,
+                view.getY() + (originY - view.getY()) * scale,
+                next);
+    }
+
+    public PixelGrid moved(double viewDx, double viewDy) {
+        return new PixelGrid(originX + viewDx, originY + viewDy, cell);
+    }
+
+    private static int nearest(double value) {
+        return (int) Math.floor(value + 0.5);
+    }
+
+    private static double clamp(double cell) {
+        return Math.max(SMALLEST, Math.min(LARGEST, cell));
+    }
+}

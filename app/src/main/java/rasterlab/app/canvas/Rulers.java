@@ -1,0 +1,119 @@
+package rasterlab.app.canvas;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.Rectangle;
+import javax.swing.UIManager;
+
+/** Grid lines between pixels, the axes, and the coordinates along the upper and left margin. */
+public final class Rulers {
+    /** Height of the upper margin in view units. */
+    public static final int TOP = 22;
+
+    /** Width of the left margin in view units. */
+    public static final int LEFT = 44;
+
+    /** Below this many view units per pixel the grid would be grey. */
+    private static final double FINEST_GRID = 5;
+
+    private final PixelGrid grid;
+    private final Dimension view;
+    private final StageColours colours;
+
+    public Rulers(PixelGrid grid, Dimension view, StageColours colours) {
+        this.grid = grid;
+        this.view = view;
+        this.colours = colours;
+    }
+
+    /** What the margins leave of the view. */
+    public static Rectangle inside(Dimension view) {
+        return new Rectangle(
+                LEFT, TOP, Math.max(1, view.width - LEFT), Math.max(1, view.height - TOP));
+    }
+
+    public void paintGrid(Graphics2D g) {
+        g.setColor(colours.ground());
+        g.fillRect(0, 0, view.width, view.height);
+        Point first = grid.pixelAt(LEFT, TOP);
+        Point last = grid.pixelAt(view.width, view.height);
+        if (grid.cell() >= FINEST_GRID) {
+            for (long x = first.x; x <= last.x + 1L; x++)
+                vertical(g, grid.viewX(x - 0.5), colours.grid());
+            for (long y = first.y; y <= last.y + 1L; y++)
+                horizontal(g, grid.viewY(y - 0.5), colours.grid());
+        }
+        vertical(g, grid.viewX(0), colours.axis());
+        horizontal(g, grid.viewY(0), colours.axis());
+    }
+
+    public void paintMargins(Graphics2D g) {
+        g.setColor(colours.margin());
+        g.fillRect(0, 0, view.width, TOP);
+        g.fillRect(0, 0, LEFT, view.height);
+        g.setColor(colours.axis());
+        g.drawLine(LEFT, TOP, view.width, TOP);
+        g.drawLine(LEFT, TOP, LEFT, view.height);
+        g.setFont(UIManager.getFont("Label.font").deriveFont(Font.PLAIN, 11f));
+        g.setColor(colours.ink());
+        paintNumbers(g);
+        g.setColor(colours.margin());
+        g.fillRect(0, 0, LEFT, TOP);
+        g.setColor(colours.ink());
+        g.drawString("y\\x", LEFT - 24, 15);
+    }
+
+    private void paintNumbers(Graphics2D g) {
+        FontMetrics metrics = g.getFontMetrics();
+        Point first = grid.pixelAt(LEFT, TOP);
+        Point last = grid.pixelAt(view.width, view.height);
+        int widest =
+                Math.max(
+                        metrics.stringWidth(Integer.toString(first.x)),
+                        metrics.stringWidth(Integer.toString(last.x)));
+        long stepX = step((widest + 12) / grid.cell());
+        for (long x = Math.floorDiv(first.x, stepX) * stepX; x <= last.x; x += stepX) {
+            String number = Long.toString(x);
+            int at = (int) Math.round(grid.viewX(x) - metrics.stringWidth(number) / 2.0);
+            if (at > LEFT && at + metrics.stringWidth(number) < view.width)
+                g.drawString(number, at, 15);
+        }
+        long stepY = step(22 / grid.cell());
+        for (long y = Math.floorDiv(first.y, stepY) * stepY; y <= last.y; y += stepY) {
+            String number = shortened(y);
+            int at = (int) Math.round(grid.viewY(y) + metrics.getAscent() / 2.0 - 1);
+            if (at > TOP + 8) g.drawString(number, LEFT - 6 - metrics.stringWidth(number), at);
+        }
+    }
+
+    /** A number that fits the left margin: of a long one, the end, which is what changes. */
+    private static String shortened(long number) {
+        String digits = Long.toString(number);
+        return digits.length() <= 5 ? digits : "…" + digits.substring(digits.length() - 4);
+    }
+
+    /** The least of 1, 2, 5, 10, 20, … that is at least {@code pixels}. */
+    private static long step(double pixels) {
+        long step = 1;
+        for (int i = 0; step < pixels; i++) step = step * (i % 3 == 1 ? 5 : 4) / 2;
+        return step;
+    }
+
+    private void vertical(Graphics2D g, double viewX, Color colour) {
+        int x = (int) Math.round(viewX);
+        if (x < LEFT || x > view.width) return;
+        g.setColor(colour);
+        g.drawLine(x, TOP, x, view.height);
+    }
+
+    private void horizontal(Graphics2D g, double viewY, Color colour) {
+        int y = (int) Math.round(viewY);
+        if (y < TOP || y > view.height) return;
+        g.setColor(colour);
+        g.drawLine(LEFT, y, view.width, y);
+    }
+}

@@ -1,0 +1,40 @@
+package rasterlab.app.canvas;
+
+import com.formdev.flatlaf.FlatLaf;
+import java.awt.Color;
+
+/**
+ * The colours of a stage around what the methods draw.
+ *
+ * @param ground behind everything
+ * @param grid lines between pixels
+ * @param axis lines through pixel (0, 0)
+ * @param ink the exact line, handles and read-outs
+ * @param margin behind the rulers
+ * @param focus around what has the keyboard
+ */
+public record StageColours(
+        Color ground, Color grid, Color axis, Color ink, Color margin, Color focus) {
+    public static final StageColours LIGHT =
+            new StageColours(
+                    Color.WHITE,
+                    new Color(0xE3E6EA),
+                    new Color(0x9AA3AD),
+                    new Color(0x1B1F24),
+                    new Color(0xF3F5F7),
+                    new Color(0x0A63C9));
+
+    public static final StageColours DARK =
+            new StageColours(
+                    new Color(0x1B1D20),
+                    new Color(0x33373C),
+                    new Color(0x767E87),
+                    new Color(0xF0F2F4),
+                    new Color(0x25282C),
+                    new Color(0x6CB2FF));
+
+    /** The colours for the theme that is installed. */
+    public static StageColours now() {
+        return FlatLaf.isLafDark() ? DARK : LIGHT;
+    }
+}

@@ -1,0 +1,155 @@
+package rasterlab.app.canvas;
+
+import java.awt.event.ActionEvent;
+import java.util.function.Supplier;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JSlider;
+import javax.swing.KeyStroke;
+import javax.swing.Timer;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.language.Texts;
+
+/** The timeline below the stage: to the start, back, play, step, to the end, position, speed. */
+public final class StepPlayer extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    /** Slowest and fastest speed, in powers of two steps a second: 1 to 64. */
+    private static final int FASTEST = 6;
+
+    private final transient Steps steps;
+    private final transient Texts texts;
+    private final transient Supplier<String> reading;
+    private final JButton toStart;
+    private final JButton back;
+    private final JButton play;
+    private final JButton forward;
+    private final JButton toEnd;
+    private final JSlider position = new JSlider();
+    private final JSlider speed = new JSlider(0, FASTEST, 3);
+    private final JLabel count = new JLabel();
+    private final Timer timer = new Timer(1000, this::advance);
+    private boolean refreshing;
+
+    /**
+     * @param texts of this package
+     * @param reading what stands beside the position, such as "3 / 12"
+     */
+    public StepPlayer(Texts texts, Steps steps, Supplier<String> reading) {
+        super(new MigLayout("insets 0, gap 4", "[][][][][]8[grow,fill]8[]16[]4[]", "[center]"));
+        this.steps = steps;
+        this.texts = texts;
+        this.reading = reading;
+        toStart = button("toStart", PlayerIcon.TO_START, () -> steps.goTo(steps.first()));
+        back = button("back", PlayerIcon.BACK, () -> steps.goTo(steps.step() - 1));
+        play = button("play", PlayerIcon.PLAY, this::togglePlaying);
+        forward = button("forward", PlayerIcon.FORWARD, () -> steps.goTo(steps.step() + 1));
+        toEnd = button("toEnd", PlayerIcon.TO_END, () -> steps.goTo(steps.last()));
+        addPosition();
+        addSpeed();
+        setPace();
+        refresh();
+    }
+
+    /** Shows where the steps stand now. */
+    public void refresh() {
+        refreshing = true;
+        position.setMinimum(steps.first());
+        position.setMaximum(steps.last());
+        position.setValue(steps.step());
+        refreshing = false;
+        boolean any = steps.last() > steps.first();
+        toStart.setEnabled(steps.step() > steps.first());
+        back.setEnabled(steps.step() > steps.first());
+        forward.setEnabled(steps.step() < steps.last());
+        toEnd.setEnabled(steps.step() < steps.last());
+        play.setEnabled(any);
+        position.setEnabled(any);
+        count.setText(reading.get());
+        if (!any) stop();
+    }
+
+    /** Lets the keys that the hints name work while that component has the focus. */
+    public void bindKeys(JComponent stage) {
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("SPACE"), this::togglePlaying);
+        KeyBinding.within(
+                stage, KeyStroke.getKeyStroke("PAGE_UP"), () -> steps.goTo(steps.step() - 1));
+        KeyBinding.within(
+                stage, KeyStroke.getKeyStroke("PAGE_DOWN"), () -> steps.goTo(steps.step() + 1));
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("HOME"), () -> steps.goTo(steps.first()));
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("END"), () -> steps.goTo(steps.last()));
+    }
+
+    /** Plays from where it stands, from the first step when it stands at the last; or stops. */
+    public void togglePlaying() {
+        if (timer.isRunning()) {
+            stop();
+            return;
+        }
+        if (steps.step() == steps.last()) steps.goTo(steps.first());
+        timer.start();
+        showPlaying();
+    }
+
+    public void stop() {
+        timer.stop();
+        showPlaying();
+    }
+
+    private void advance(ActionEvent tick) {
+        if (steps.step() < steps.last()) steps.goTo(steps.step() + 1);
+        else if (steps.turnsRound()) steps.goTo(steps.first());
+        if (steps.step() == steps.last() && !steps.turnsRound()) stop();
+    }
+
+    private void showPlaying() {
+        boolean playing = timer.isRunning();
+        play.setIcon(playing ? PlayerIcon.PAUSE.icon() : PlayerIcon.PLAY.icon());
+        name(play, playing ? "player.pause" : "player.play");
+    }
+
+    private JButton button(String key, PlayerIcon icon, Runnable action) {
+        var button = new JButton(icon.icon());
+        button.setName("player." + key);
+        name(button, "player." + key);
+        button.addActionListener(e -> action.run());
+        add(button);
+        return button;
+    }
+
+    private void name(JComponent component, String key) {
+        component.setToolTipText(texts.text(key));
+        component.getAccessibleContext().setAccessibleName(texts.text(key));
+    }
+
+    private void addPosition() {
+        position.setName("player.position");
+        name(position, "player.position");
+        position.addChangeListener(
+                e -> {
+                    if (!refreshing) steps.goTo(position.getValue());
+                });
+        add(position, "wmin 60");
+        count.setName("player.count");
+        add(count);
+    }
+
+    private void addSpeed() {
+        var label = new JLabel(texts.text("player.speed"));
+        label.setLabelFor(speed);
+        speed.setName("player.speed");
+        name(speed, "player.speed.hint");
+        speed.setSnapToTicks(true);
+        speed.addChangeListener(e -> setPace());
+        add(label);
+        add(speed, "w 90!");
+    }
+
+    private void setPace() {
+        int millis = 1000 >> speed.getValue();
+        timer.setDelay(millis);
+        timer.setInitialDelay(millis);
+    }
+}

@@ -1,0 +1,36 @@
+package rasterlab.app.cli;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.WholeFile;
+import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Report;
+
+/** Writes a report's pictures as PNG: CASE-expected, CASE-actual and CASE-difference. */
+final class CasePictureFiles {
+    private CasePictureFiles() {}
+
+    /**
+     * Makes the folder if there is a picture to write.
+     *
+     * @return the number of files written
+     * @throws Complaint if the folder cannot be written to
+     */
+    static int write(Report report, Path folder) {
+        int files = 0;
+        for (CaseReport judged : report.cases()) {
+            Optional<CasePictures> pictures = judged.pictures();
+            if (pictures.isEmpty()) continue;
+            if (files == 0) WholeFile.requireFolder(folder);
+            String start = judged.name();
+            WholeFile.write(folder.resolve(start + "-expected.png"), pictures.get().expectedPng());
+            WholeFile.write(folder.resolve(start + "-actual.png"), pictures.get().actualPng());
+            WholeFile.write(
+                    folder.resolve(start + "-difference.png"), pictures.get().differencePng());
+            files += 3;
+        }
+        return files;
+    }
+}

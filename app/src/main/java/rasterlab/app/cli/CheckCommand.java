@@ -1,0 +1,90 @@
+package rasterlab.app.cli;
+
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.ExitCode;
+import rasterlab.exercises.Catalogue;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.runner.Judge;
+import rasterlab.exercises.runner.JudgeSettings;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Report;
+
+/** Grades a source on the exercise's open cases, as the server would. */
+@Command(
+        name = "check",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Says what the grading server would say to a solution: public cases only.",
+            "A wrong case is drawn as text: # right, + extra, - missing pixels."
+        },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:every public case is right",
+            "1:a case is not right, or the source was not accepted",
+            "2:no such exercise, or the file cannot be read",
+        },
+        footer = {"", "Example: ./lab check line-bresenham Bresenham.java"})
+final class CheckCommand implements Callable<Integer> {
+    private final Console console;
+
+    @Parameters(index = "0", paramLabel = "EXERCISE", description = "such as line-bresenham")
+    private String exercise;
+
+    @Parameters(index = "1", paramLabel = "FILE", description = "your Java source")
+    private Path file;
+
+    @Option(names = "--lang", paramLabel = "LANGUAGE", description = "en or ru; default: en")
+    private ReportLanguage language = ReportLanguage.EN;
+
+    @Option(
+            names = "--out",
+            paramLabel = "FOLDER",
+            description = "where pictures of wrong cases go; default: check-EXERCISE")
+    private Path folder;
+
+    CheckCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() {
+        Exercise chosen = chosen();
+        String source = SourceFile.read(file);
+        Path pictures = folder == null ? Path.of("check-" + chosen.id()) : folder;
+        Report report = graded(chosen, source);
+        var text = new ReportText(console.out(), language.texts(), file.getFileName().toString());
+        text.print(chosen.title(language.code()), report);
+        if (CasePictureFiles.write(report, pictures) > 0)
+            text.say("pictures", pictures.toAbsolutePath().normalize().toString());
+        return report.verdict() == GradingVerdict.OK ? ExitCode.DONE : ExitCode.FOUND_WRONG;
+    }
+
+    private Exercise chosen() {
+        try {
+            return Catalogue.builtIn().named(exercise);
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput(e.getMessage());
+        }
+    }
+
+    private Report graded(Exercise chosen, String source) {
+        try (Judge judge = Judge.start(JudgeSettings.once())) {
+            console.err().println(judge.isolation().describe());
+            return judge.grade(chosen, source, CaseSelection.open(), this::showProgress);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw Complaint.gaveUp("interrupted");
+        }
+    }
+
+    private void showProgress(CaseReport done) {
+        console.err().println(done.name() + ": " + language.texts().text(done.verdict().code()));
+    }
+}

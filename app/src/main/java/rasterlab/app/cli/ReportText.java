@@ -1,0 +1,90 @@
+package rasterlab.app.cli;
+
+import java.io.PrintStream;
+import java.util.List;
+import java.util.Locale;
+import rasterlab.app.language.Texts;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.Report;
+
+/** A grading report as text for a terminal. */
+final class ReportText {
+    private final PrintStream out;
+    private final Texts texts;
+    private final String fileName;
+
+    /**
+     * @param fileName of the student's source, which starts each diagnostic
+     */
+    ReportText(PrintStream out, Texts texts, String fileName) {
+        this.out = out;
+        this.texts = texts;
+        this.fileName = fileName;
+    }
+
+    void print(String title, Report report) {
+        Points points = report.points();
+        say("exercise", title);
+        say("verdict", texts.text(report.verdict().code()));
+        say(
+                "points",
+                String.format(
+                        Locale.ROOT,
+                        texts.text("points-line"),
+                        points.total(),
+                        points.of(),
+                        points.accuracy(),
+                        points.stability(),
+                        points.speed()));
+        if (report.nanosPerItem() > 0)
+            say("cost", String.format(Locale.ROOT, "%.2f ns", report.nanosPerItem()));
+        say("isolation", report.isolation());
+        report.diagnostics().forEach(this::printDiagnostic);
+        printCases(report.cases());
+    }
+
+    /** Prints one value with its name in the report's language. */
+    void say(String key, String value) {
+        out.println(texts.text(key) + ": " + value);
+    }
+
+    private void printDiagnostic(Diagnostic diagnostic) {
+        String line = diagnostic.line() == 0 ? "" : ":" + diagnostic.line();
+        String column = diagnostic.column() == 0 ? "" : ":" + diagnostic.column();
+        out.println(fileName + line + column + ": " + diagnostic.message());
+    }
+
+    private void printCases(List<CaseReport> cases) {
+        if (cases.isEmpty()) return;
+        out.println();
+        var table =
+                new TextTable(
+                        texts.text("case"),
+                        texts.text("verdict"),
+                        texts.text("points"),
+                        texts.text("message"));
+        for (CaseReport judged : cases) table.add(row(judged));
+        table.lines().forEach(out::println);
+        cases.forEach(this::printPicture);
+    }
+
+    private List<String> row(CaseReport judged) {
+        return List.of(
+                judged.name(),
+                texts.text(judged.verdict().code()),
+                judged.points() + "/" + judged.of(),
+                judged.message());
+    }
+
+    private void printPicture(CaseReport judged) {
+        judged.pictures()
+                .ifPresent(
+                        pictures -> {
+                            out.println();
+                            out.println(judged.name() + " (" + texts.text("legend") + ")");
+                            pictures.text().lines().forEach(row -> out.println("  " + row));
+                        });
+    }
+}

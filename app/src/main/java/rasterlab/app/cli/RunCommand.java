@@ -1,0 +1,128 @@
+package rasterlab.app.cli;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import rasterlab.app.cli.run.Runs;
+import rasterlab.app.cli.run.TopicRun;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.ExitCode;
+
+/** Runs one method on JSON input. */
+@Command(
+        name = "run",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Runs one method on JSON from standard input and prints JSON.",
+            "Topic line: {\"from\":[x,y], \"to\":[x,y], \"window\":[xmin,ymin,xmax,ymax]},",
+            "the window being optional; answers {\"pixels\":[[x,y],...]} in drawing order."
+        },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:answered; with --lines, all input was read",
+            "2:unknown topic or method, or the input is wrong",
+            "3:the method refuses this input",
+            "4:the method crashed, did not end, or has more pixels than one answer may have"
+        },
+        footer = {
+            "",
+            "Example: echo '{\"from\":[0,0],\"to\":[5,2]}' | ./lab run line bresenham --steps"
+        })
+final class RunCommand implements Callable<Integer> {
+    /** The most bytes of one input: 64 MiB. */
+    private static final int LONGEST_INPUT = 64 << 20;
+
+    private final Console console;
+    private final JsonFactory json = new JsonFactory();
+
+    @Parameters(index = "0", paramLabel = "TOPIC", description = "such as line")
+    private String topic;
+
+    @Parameters(index = "1", paramLabel = "METHOD", description = "see `./lab methods TOPIC`")
+    private String method;
+
+    @Option(
+            names = "--steps",
+            description = "adds each step with its decision value, and the value's formula")
+    private boolean steps;
+
+    @Option(
+            names = "--lines",
+            description = {
+                "reads one JSON object per line and answers each with one line, in order;",
+                "a refused line is answered with {\"error\":\"...\"}"
+            })
+    private boolean lines;
+
+    RunCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        TopicRun run = Runs.named(topic);
+        Runs.requireMethod(run, method);
+        try (var generator = generator()) {
+            if (lines) answerLines(run, generator);
+            else answerWhole(run, generator);
+        }
+        return ExitCode.DONE;
+    }
+
+    private JsonGenerator generator() throws IOException {
+        var generator =
+                json.createGenerator(new BufferedOutputStream(console.out(), 1 << 16))
+                        .disable(JsonGenerator.Feature.AUTO_CLOSE_TARGET)
+                        .disable(JsonGenerator.Feature.AUTO_CLOSE_JSON_CONTENT);
+        generator.setRootValueSeparator(null);
+        return generator;
+    }
+
+    private void answerWhole(TopicRun run, JsonGenerator out) throws IOException {
+        byte[] text = console.in().readNBytes(LONGEST_INPUT + 1);
+        if (text.length > LONGEST_INPUT) throw tooLong("the input");
+        writeLine(out, run.answer(method, text, text.length, steps));
+    }
+
+    private void answerLines(TopicRun run, JsonGenerator out) throws IOException {
+        var input = new InputLines(console.in(), LONGEST_INPUT);
+        while (input.next()) {
+            writeLine(out, answered(run, input));
+            if (input.drained()) flush(out);
+            if (console.out().checkError()) return;
+        }
+    }
+
+    private TopicRun.Answer answered(TopicRun run, InputLines input) {
+        try {
+            if (input.tooLong()) throw tooLong("the line");
+            if (input.blank())
+                throw Complaint.badInput("the line is empty; expected a JSON object");
+            return run.answer(method, input.bytes(), input.length(), steps);
+        } catch (Complaint complaint) {
+            String error = Failures.oneLine(complaint.getMessage());
+            return json -> json.writeStringField("error", error);
+        }
+    }
+
+    private static Complaint tooLong(String what) {
+        return Complaint.badInput(what + " is longer than " + LONGEST_INPUT + " bytes");
+    }
+
+    private static void writeLine(JsonGenerator out, TopicRun.Answer answer) throws IOException {
+        out.writeStartObject();
+        answer.write(out);
+        out.writeEndObject();
+        out.writeRaw('\n');
+    }
+
+    private void flush(JsonGenerator out) throws IOException {
+        out.flush();
+        console.out().flush();
+    }
+}

@@ -1,0 +1,107 @@
+package rasterlab.app.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import rasterlab.app.outcome.ExitCode;
+import rasterlab.app.outcome.WholeFile;
+import rasterlab.app.study.StudyFile;
+import rasterlab.app.study.StudyProgress;
+import rasterlab.engine.study.Cost;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyRunner;
+import rasterlab.engine.study.StudySettings;
+import rasterlab.engine.study.Topic;
+
+/** Measures speed against accuracy. */
+@Command(
+        name = "study",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Measures every method of a topic: cost per item against error.",
+            "Prints a table; --out writes a chart (.svg, .png) or the numbers (.csv, .json)."
+        },
+        footer = {"", "Example: ./lab study line --out line.svg --out line.csv"})
+final class StudyCommand implements Callable<Integer> {
+    private final Console console;
+
+    @Parameters(index = "0", paramLabel = "TOPIC", description = "such as line")
+    private String topic;
+
+    @Option(
+            names = "--out",
+            paramLabel = "FILE",
+            description = "file to write: .svg, .png, .csv or .json; may be given several times")
+    private List<Path> files = List.of();
+
+    @Option(names = "--quick", description = "fewer and shorter rounds, for a first look")
+    private boolean quick;
+
+    StudyCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() {
+        Topic<?, ?, ?> chosen = TopicChoice.one(topic);
+        for (Path file : files) {
+            StudyFile.named(file);
+            WholeFile.requireWritable(file);
+        }
+        Study study = measured(chosen);
+        table(study).lines().forEach(console.out()::println);
+        for (Path file : files) {
+            StudyFile.write(study, file);
+            console.err().println("wrote " + file);
+        }
+        return ExitCode.DONE;
+    }
+
+    private Study measured(Topic<?, ?, ?> chosen) {
+        var settings = quick ? StudySettings.quick() : StudySettings.thorough();
+        return StudyRunner.measure(
+                chosen,
+                settings,
+                new StudyProgress(console.err())::show,
+                Thread.currentThread()::isInterrupted);
+    }
+
+    static TextTable table(Study study) {
+        var table =
+                new TextTable(
+                        "method",
+                        "workload",
+                        "size",
+                        "ns/" + study.item(),
+                        "spread",
+                        "error [" + study.errorUnit() + "]",
+                        "wrong",
+                        "verdict");
+        for (Measurement measured : study.measurements()) table.add(row(measured));
+        return table;
+    }
+
+    private static List<String> row(Measurement measured) {
+        Cost cost = measured.cost();
+        Deviation error = measured.error();
+        return List.of(
+                measured.method(),
+                measured.workload(),
+                String.valueOf(measured.size()),
+                number(cost.medianNanos()),
+                number(cost.lowNanos()) + "–" + number(cost.highNanos()),
+                String.valueOf(error.worst()),
+                String.valueOf(error.missing() + error.extra()),
+                measured.kind().code());
+    }
+
+    private static String number(double value) {
+        return String.format(Locale.ROOT, "%.2f", value);
+    }
+}

@@ -1,0 +1,91 @@
+package rasterlab.app.language;
+
+import java.text.MessageFormat;
+import java.util.Locale;
+import java.util.MissingResourceException;
+import java.util.ResourceBundle;
+
+/**
+ * The texts of one package of the app in one language.
+ *
+ * <p>A text with arguments is a {@link MessageFormat} pattern; one without is taken as it stands,
+ * so that an apostrophe needs doubling in patterns only.
+ */
+public final class Texts {
+    private final ResourceBundle bundle;
+    private final Language language;
+
+    private Texts(ResourceBundle bundle, Language language) {
+        this.bundle = bundle;
+        this.language = language;
+    }
+
+    /**
+     * @param feature last word of the package, such as {@code line}
+     * @throws MissingResourceException when that package has no texts
+     */
+    public static Texts of(String feature, Language language) {
+        return of(feature, "messages", language);
+    }
+
+    /**
+     * @param bundle the name of the package's file, such as {@code messages}
+     * @throws MissingResourceException when that package has no such texts
+     */
+    public static Texts of(String feature, String bundle, Language language) {
+        var onlyAsked =
+                ResourceBundle.Control.getNoFallbackControl(
+                        ResourceBundle.Control.FORMAT_PROPERTIES);
+        return new Texts(
+                ResourceBundle.getBundle(
+                        "rasterlab.app." + feature + "." + bundle, language.locale(), onlyAsked),
+                language);
+    }
+
+    public Language language() {
+        return language;
+    }
+
+    public Locale locale() {
+        return language.locale();
+    }
+
+    public boolean has(String key) {
+        return bundle.containsKey(key);
+    }
+
+    /**
+     * @throws MissingResourceException naming the key when there is no such text
+     */
+    public String text(String key, Object... arguments) {
+        String pattern = bundle.getString(key);
+        return arguments.length == 0
+                ? pattern
+                : new MessageFormat(pattern, locale()).format(arguments);
+    }
+
+    /** The text, or {@code otherwise} where there is none, for names that others may add. */
+    public String textOr(String key, String otherwise) {
+        return has(key) ? text(key) : otherwise;
+    }
+
+    /**
+     * The text without the {@code &} that marks its mnemonic.
+     *
+     * @see #mnemonic
+     */
+    public String label(String key) {
+        return text(key).replace("&", "");
+    }
+
+    /** The letter behind {@code &}, as a key code of {@link java.awt.event.KeyEvent}, or 0. */
+    public int mnemonicIndex(String key) {
+        return text(key).indexOf('&');
+    }
+
+    /** The letter to press with Alt, the one behind {@code &}; 0 where there is none. */
+    public char mnemonic(String key) {
+        int mark = mnemonicIndex(key);
+        return mark < 0 ? 0 : Character.toUpperCase(text(key).charAt(mark + 1));
+    }
+}

@@ -1,0 +1,111 @@
+package rasterlab.app.line;
+
+import java.util.List;
+import javax.swing.JLabel;
+import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.MethodChooser;
+import rasterlab.app.canvas.PixelMark;
+import rasterlab.app.language.Texts;
+import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.SteppedLine;
+import rasterlab.engine.study.Method;
+
+/** The line lab's choosers, live numbers and the explanation of the chosen method. */
+final class LineInspector {
+    private final LineLabModel model;
+    private final Texts texts;
+    private final Texts translations;
+    private final Inspector column;
+    private final EndFields a;
+    private final EndFields b;
+    private final MethodChooser method;
+    private final MethodChooser comparison;
+    private final JLabel pixel;
+    private final JLabel decision;
+    private final JLabel decided;
+    private final JLabel missing;
+    private final JLabel extra;
+    private final JLabel worst;
+    private final JLabel other;
+    private final AboutText about;
+
+    LineInspector(LineLabModel model, Texts texts) {
+        this.model = model;
+        this.texts = texts;
+        translations = Texts.of("line", "topic", texts.language());
+        column = new Inspector(texts);
+        List<String> names = model.methods().stream().map(Method::name).toList();
+
+        method = new MethodChooser("method", "", names, model::chooseMethod);
+        comparison = new MethodChooser("comparison", texts.text("none"), names, model::compareWith);
+        column.row("method", method);
+        column.row("comparison", comparison);
+        a = new EndFields(End.A, model, texts);
+        b = new EndFields(End.B, model, texts);
+        column.row("end.a", a);
+        column.row("end.b", b);
+
+        column.heading("heading.step");
+        pixel = column.value("pixel");
+        decision = column.value("decision");
+        decided = column.value("decided");
+
+        column.heading("heading.wrong");
+        missing = column.value("missing");
+        missing.setIcon(PixelMark.MISSING.icon());
+        extra = column.value("extra");
+        extra.setIcon(PixelMark.EXTRA.icon());
+        worst = column.value("worst");
+        other = column.value("other");
+
+        column.heading("heading.about");
+        about = new AboutText("about", texts.language());
+        column.wide(about);
+    }
+
+    Inspector column() {
+        return column;
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        LineLabState state = model.state();
+        var readings = new LineReadings(state, texts);
+        method.show(state.choice().method());
+        comparison.show(state.choice().comparison());
+        a.refresh();
+        b.refresh();
+        pixel.setText(readings.pixel());
+        decision.setText(readings.decision());
+        decided.setText(readings.decided());
+        missing.setText(readings.missing());
+        extra.setText(readings.extra());
+        worst.setText(readings.worst());
+        column.showRow(other, state.other().isPresent());
+        other.setText(readings.other());
+        explain(state);
+    }
+
+    private void explain(LineLabState state) {
+        Method<LineRasterizer> chosen =
+                model.methods().stream()
+                        .filter(each -> each.name().equals(state.choice().method()))
+                        .findFirst()
+                        .orElseThrow();
+        about.show(translations, chosen, decisionFormula(chosen), refusal(state));
+    }
+
+    private String decisionFormula(Method<LineRasterizer> chosen) {
+        return chosen.implementation() instanceof SteppedLine stepped
+                ? translations.textOr("decision." + chosen.name(), stepped.decisionFormula())
+                : "";
+    }
+
+    /** The method's own words when it refused the segment. */
+    private static String refusal(LineLabState state) {
+        return state.drawing().trace().ending() == LineTrace.Ending.REFUSED
+                ? state.drawing().trace().message()
+                : "";
+    }
+}

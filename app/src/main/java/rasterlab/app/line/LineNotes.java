@@ -1,0 +1,30 @@
+package rasterlab.app.line;
+
+import java.util.Optional;
+import rasterlab.app.language.Texts;
+
+/** One sentence over the stage where the picture alone would mislead. */
+final class LineNotes {
+    private LineNotes() {}
+
+    static Optional<String> about(LineLabState state, Texts texts) {
+        LineDrawing drawing = state.drawing();
+        String method = drawing.method();
+        return switch (drawing.trace().ending()) {
+            case ENDED ->
+                    drawing.pixels() == 0
+                            ? Optional.of(texts.text("note.nothing", method))
+                            : Optional.empty();
+            case CUT ->
+                    Optional.of(
+                            texts.text(
+                                    "note.cut",
+                                    state.choice().segment().steps() + 1,
+                                    LineDrawing.LIMIT));
+            case ENDLESS -> Optional.of(texts.text("note.endless", method, LineDrawing.LIMIT));
+            case REFUSED -> Optional.of(texts.text("note.refused", method));
+            case CRASHED ->
+                    Optional.of(texts.text("note.crashed", method, drawing.trace().message()));
+        };
+    }
+}

@@ -1,0 +1,82 @@
+package rasterlab.app.line;
+
+import java.text.NumberFormat;
+import rasterlab.app.language.Texts;
+
+/** The live numbers of a state as the inspector writes them. */
+final class LineReadings {
+    private final LineLabState state;
+    private final Texts texts;
+
+    LineReadings(LineLabState state, Texts texts) {
+        this.state = state;
+        this.texts = texts;
+    }
+
+    String pixel() {
+        return state.step() == 0
+                ? "–"
+                : "(" + drawing().x(state.step()) + ", " + drawing().y(state.step()) + ")";
+    }
+
+    String decision() {
+        var decisions = drawing().trace().decisions();
+        if (state.step() == 0 || decisions.isEmpty()) return "–";
+        double value = decisions.get(state.step() - 1);
+        if (!Double.isFinite(value)) return Double.toString(value);
+        NumberFormat format = NumberFormat.getInstance(texts.locale());
+        format.setMaximumFractionDigits(4);
+        return format.format(value).replace('-', '−');
+    }
+
+    /** Where the next step goes. */
+    String decided() {
+        if (state.step() == 0) return "–";
+        if (state.finished()) return texts.text("decided.end");
+        long dx = (long) drawing().x(state.step() + 1) - drawing().x(state.step());
+        long dy = (long) drawing().y(state.step() + 1) - drawing().y(state.step());
+        if (dx == 0) return "y " + signed(dy);
+        if (dy == 0) return "x " + signed(dx);
+        return "x " + signed(dx) + ", y " + signed(dy);
+    }
+
+    String missing() {
+        if (!state.finished()) return texts.text("missing.later");
+        return texts.text("pixels", LineMarks.of(state).missingCount());
+    }
+
+    String extra() {
+        return texts.text("pixels", LineMarks.of(state).extraCount());
+    }
+
+    String worst() {
+        return worst(drawing());
+    }
+
+    /** The second method's wrong pixels in one line; "" when none is compared. */
+    String other() {
+        return state.other()
+                .map(
+                        other ->
+                                texts.text(
+                                        "other.wrong",
+                                        other.difference().missing().size(),
+                                        other.difference().extra().size()))
+                .orElse("");
+    }
+
+    private String worst(LineDrawing drawing) {
+        if (drawing.pixels() == 0) return "–";
+        NumberFormat format = NumberFormat.getInstance(texts.locale());
+        format.setMaximumFractionDigits(3);
+        return texts.text("worst.pixels", format.format(drawing.deviation().worst()));
+    }
+
+    private LineDrawing drawing() {
+        return state.drawing();
+    }
+
+    private static String signed(long step) {
+        return (step < 0 ? "− " : "+ ") + Math.abs(step);
+    }
+}

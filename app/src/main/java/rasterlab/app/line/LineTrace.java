@@ -1,0 +1,72 @@
+package rasterlab.app.line;
+
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.LineWalk;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.line.SteppedLine;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.LimitReached;
+
+/**
+ * The steps of one method on one segment, in order.
+ *
+ * @param pixels every pixel that was lit, in order
+ * @param decisions the decision variable at each pixel; empty when the method does not show it
+ * @param message what the method said when it refused or crashed; else empty
+ */
+public record LineTrace(
+        PixelRecording pixels, List<Double> decisions, Ending ending, String message) {
+    /** How the drawing came to its end. */
+    public enum Ending {
+        /** The method reached its own end. */
+        ENDED,
+        /** The segment is longer than the lab draws. */
+        CUT,
+        /** The method went on although the segment had ended. */
+        ENDLESS,
+        /** The method said that it cannot draw this segment. */
+        REFUSED,
+        /** The method failed. */
+        CRASHED
+    }
+
+    public LineTrace {
+        decisions = List.copyOf(decisions);
+    }
+
+    /**
+     * @param limit the most pixels to draw
+     */
+    static LineTrace of(LineRasterizer method, Segment segment, int limit) {
+        var pixels = new PixelRecording(limit);
+        var decisions = new ArrayList<Double>();
+        try {
+            if (method instanceof SteppedLine stepped) walk(stepped, segment, pixels, decisions);
+            else draw(method, segment, pixels);
+            return new LineTrace(pixels, decisions, Ending.ENDED, "");
+        } catch (LimitReached e) {
+            boolean longer = segment.steps() >= limit;
+            return new LineTrace(
+                    pixels, decisions, longer ? Ending.CUT : Ending.ENDLESS, e.getMessage());
+        } catch (IllegalArgumentException e) {
+            return new LineTrace(pixels, decisions, Ending.REFUSED, e.getMessage());
+        } catch (RuntimeException e) {
+            return new LineTrace(pixels, decisions, Ending.CRASHED, e.toString());
+        }
+    }
+
+    private static void draw(LineRasterizer method, Segment segment, PixelRecording pixels) {
+        method.draw(segment.x0(), segment.y0(), segment.x1(), segment.y1(), pixels);
+    }
+
+    private static void walk(
+            SteppedLine method, Segment segment, PixelRecording pixels, List<Double> decisions) {
+        LineWalk walk = method.walk(segment.x0(), segment.y0(), segment.x1(), segment.y1());
+        while (walk.advance()) {
+            pixels.plot(walk.x(), walk.y());
+            decisions.add(walk.decision());
+        }
+    }
+}

@@ -1,0 +1,25 @@
+package rasterlab.app.shell;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.util.Optional;
+
+/** Finds a component again after the panels were made anew. */
+final class FocusByName {
+    private FocusByName() {}
+
+    static void request(Container root, String name) {
+        find(root, name).ifPresent(Component::requestFocusInWindow);
+    }
+
+    static Optional<Component> find(Container root, String name) {
+        for (Component child : root.getComponents()) {
+            if (name.equals(child.getName())) return Optional.of(child);
+            if (child instanceof Container inner) {
+                Optional<Component> found = find(inner, name);
+                if (found.isPresent()) return found;
+            }
+        }
+        return Optional.empty();
+    }
+}

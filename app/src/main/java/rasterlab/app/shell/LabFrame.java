@@ -1,0 +1,141 @@
+package rasterlab.app.shell;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Frame;
+import java.awt.GraphicsDevice;
+import java.awt.GraphicsEnvironment;
+import java.awt.KeyboardFocusManager;
+import java.awt.Rectangle;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.function.Consumer;
+import javax.swing.JFrame;
+import javax.swing.WindowConstants;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+/** The window: the labs' tabs, with theme and language switched while it is open. */
+public final class LabFrame extends JFrame {
+    private static final long serialVersionUID = 1L;
+
+    private static final Dimension LEAST = new Dimension(900, 600);
+    private static final Dimension FIRST = new Dimension(1280, 800);
+
+    private final transient LabModels models;
+    private final transient SettingsFile file;
+    private final transient Consumer<Throwable> onFailure;
+    private transient LabSettings settings;
+    private transient LabTabs tabs;
+    private LabContent content;
+    private Rectangle unmaximised;
+
+    /**
+     * A frame that is not shown yet. On the event thread, with the settings' theme installed.
+     *
+     * @param file where the settings are kept when the window closes
+     * @param onFailure told what fails, on any thread
+     */
+    public LabFrame(
+            LabModels models,
+            LabSettings settings,
+            SettingsFile file,
+            Consumer<Throwable> onFailure) {
+        this.models = models;
+        this.settings = settings;
+        this.file = file;
+        this.onFailure = onFailure;
+        setName("lab");
+        setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
+        setMinimumSize(LEAST);
+        setIconImages(WindowIcon.images());
+        addWindowListener(
+                new WindowAdapter() {
+                    @Override
+                    public void windowClosed(WindowEvent e) {
+                        end();
+                    }
+                });
+        fill(settings.tab());
+        place();
+    }
+
+    public Language language() {
+        return settings.language();
+    }
+
+    public LabTheme theme() {
+        return settings.theme();
+    }
+
+    /** Name of the tab that is shown. */
+    public String shownTab() {
+        return content.shown();
+    }
+
+    /** Shows the tab of that name; an unknown name leaves the one that is shown. */
+    public void showTab(String name) {
+        content.show(name);
+    }
+
+    public void speak(Language language) {
+        if (language == settings.language()) return;
+        settings = settings.with(language);
+        refill();
+    }
+
+    public void wear(LabTheme theme) {
+        if (theme == settings.theme()) return;
+        settings = settings.with(theme);
+        theme.installEverywhere();
+        refill();
+    }
+
+    /** Makes the tabs again in the present language and theme; tab and focus stay. */
+    private void refill() {
+        Component focused = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        String focus = focused == null ? null : focused.getName();
+        LabTabs old = tabs;
+        fill(content.shown());
+        old.close();
+        if (focus != null) FocusByName.request(content, focus);
+    }
+
+    private void fill(String tab) {
+        Texts texts = Texts.of("shell", settings.language());
+        setTitle(texts.text("title"));
+        tabs = LabTabs.create(models, settings.language(), onFailure);
+        content = new LabContent(tabs, settings.theme(), this::speak, this::wear);
+        content.show(tab);
+        setContentPane(content);
+        revalidate();
+        repaint();
+    }
+
+    private void place() {
+        Rectangle screen =
+                GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        setSize(Math.min(FIRST.width, screen.width), Math.min(FIRST.height, screen.height));
+        setLocationRelativeTo(null);
+        settings.bounds().filter(LabFrame::onSomeScreen).ifPresent(this::setBounds);
+        unmaximised = getBounds();
+        if (settings.maximised()) setExtendedState(Frame.MAXIMIZED_BOTH);
+    }
+
+    /** Whether enough of the place lies on a screen to take hold of the window. */
+    private static boolean onSomeScreen(Rectangle place) {
+        for (GraphicsDevice device :
+                GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices()) {
+            Rectangle seen = device.getDefaultConfiguration().getBounds().intersection(place);
+            if (seen.width >= 200 && seen.height >= 100) return true;
+        }
+        return false;
+    }
+
+    private void end() {
+        boolean filled = (getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH;
+        file.save(settings.at(content.shown(), filled ? unmaximised : getBounds(), filled));
+        tabs.close();
+        models.close();
+    }
+}

@@ -1,0 +1,29 @@
+package rasterlab.app.shell;
+
+import java.awt.EventQueue;
+import java.util.function.Consumer;
+import rasterlab.app.line.LineLabModel;
+import rasterlab.app.visibility.VisibilityLabModel;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.pipeline.Renderer;
+
+/** The labs' models, which outlive the panels that show them; used on the event thread. */
+public record LabModels(LineLabModel line, VisibilityLabModel visibility) implements AutoCloseable {
+    /**
+     * Every lab as it opens.
+     *
+     * @param onFailure told what background work threw, on any thread
+     */
+    public static LabModels first(Consumer<Throwable> onFailure) {
+        var renderer = new Renderer();
+        return new LabModels(
+                new LineLabModel(new LineTopic()),
+                new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure));
+    }
+
+    /** Ends background work. */
+    @Override
+    public void close() {
+        visibility.close();
+    }
+}

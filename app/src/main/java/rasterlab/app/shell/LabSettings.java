@@ -1,0 +1,40 @@
+package rasterlab.app.shell;
+
+import java.awt.Rectangle;
+import java.util.Optional;
+import rasterlab.app.language.Language;
+
+/**
+ * What the window keeps between runs.
+ *
+ * @param tab name of the tab that was shown
+ * @param bounds where the window was on the screen, in view units; empty before the first run
+ * @param maximised whether it filled the screen
+ */
+public record LabSettings(
+        LabTheme theme,
+        Language language,
+        String tab,
+        Optional<Rectangle> bounds,
+        boolean maximised) {
+    public LabSettings {
+        bounds = bounds.map(Rectangle::new);
+    }
+
+    /** The settings of a first run. */
+    public static LabSettings first(Language language) {
+        return new LabSettings(LabTheme.LIGHT, language, "", Optional.empty(), false);
+    }
+
+    public LabSettings with(LabTheme other) {
+        return new LabSettings(other, language, tab, bounds, maximised);
+    }
+
+    public LabSettings with(Language other) {
+        return new LabSettings(theme, other, tab, bounds, maximised);
+    }
+
+    public LabSettings at(String shownTab, Rectangle place, boolean filled) {
+        return new LabSettings(theme, language, shownTab, Optional.of(place), filled);
+    }
+}

@@ -1,0 +1,73 @@
+package rasterlab.app.shell;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.image.BufferedImage;
+import java.lang.reflect.InvocationTargetException;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JComponent;
+import rasterlab.app.canvas.Settling;
+
+/** Paints components without a window, with or without a display. */
+public final class OffscreenPainter {
+    /** Layouts that depend on their width (wrapped chips and texts) settle within this many. */
+    private static final int LAYOUTS = 4;
+
+    private OffscreenPainter() {}
+
+    /**
+     * Lays the component out at that size, waits for pictures it makes in the background, and
+     * paints it. Not on the event thread.
+     *
+     * @param width view units, at least 1
+     * @param height view units, at least 1
+     */
+    public static BufferedImage paint(JComponent component, int width, int height)
+            throws InterruptedException {
+        var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        onEventThread(() -> layOut(component, width, height));
+        for (Settling settling : settling(component)) settling.settle();
+        onEventThread(
+                () -> {
+                    layOut(component, width, height);
+                    var g = image.createGraphics();
+                    component.paint(g);
+                    g.dispose();
+                });
+        return image;
+    }
+
+    private static void layOut(JComponent component, int width, int height) {
+        component.setSize(width, height);
+        for (int i = 0; i < LAYOUTS; i++) layOut(component);
+    }
+
+    private static void layOut(Container container) {
+        container.invalidate();
+        container.doLayout();
+        for (Component child : container.getComponents())
+            if (child instanceof Container inner) layOut(inner);
+    }
+
+    private static List<Settling> settling(Container container) {
+        var found = new ArrayList<Settling>();
+        if (!container.isVisible()) return found;
+        if (container instanceof Settling settling) found.add(settling);
+        for (Component child : container.getComponents())
+            if (child instanceof Container inner) found.addAll(settling(inner));
+        return found;
+    }
+
+    /** Runs on the event thread and waits; what it throws is thrown here. */
+    static void onEventThread(Runnable work) throws InterruptedException {
+        try {
+            EventQueue.invokeAndWait(work);
+        } catch (InvocationTargetException e) {
+            if (e.getCause() instanceof RuntimeException cause) throw cause;
+            if (e.getCause() instanceof Error cause) throw cause;
+            throw new AssertionError("a Runnable throws no checked exception", e);
+        }
+    }
+}

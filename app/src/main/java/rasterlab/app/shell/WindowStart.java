@@ -1,0 +1,54 @@
+package rasterlab.app.shell;
+
+import java.awt.Component;
+import java.awt.EventQueue;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JOptionPane;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+/** Opens the window as it was left. */
+final class WindowStart {
+    private WindowStart() {}
+
+    static void open() {
+        EventQueue.invokeLater(WindowStart::openOnEventThread);
+    }
+
+    private static void openOnEventThread() {
+        List<String> problems = new ArrayList<>();
+        var file =
+                new SettingsFile(
+                        SettingsFile.usual(System.getenv(), System.getProperties()),
+                        problem -> {
+                            System.err.println("rasterlab: " + problem);
+                            problems.add(problem);
+                        });
+        LabSettings settings = file.load(LabSettings.first(Language.of(Locale.getDefault())));
+        // Saved at once too: whoever cannot write it learns so now, not when the window is gone.
+        file.save(settings);
+        settings.theme().install();
+        var shown = new LabFrame[1];
+        var reports =
+                new FailureReports(
+                        failure -> new ErrorDialog(texts(shown[0])).show(shown[0], failure));
+        Thread.setDefaultUncaughtExceptionHandler(reports);
+        shown[0] = new LabFrame(LabModels.first(reports), settings, file, reports);
+        shown[0].setVisible(true);
+        problems.forEach(problem -> tell(shown[0], texts(shown[0]), problem));
+    }
+
+    private static Texts texts(LabFrame frame) {
+        return Texts.of("shell", frame == null ? Language.ENGLISH : frame.language());
+    }
+
+    private static void tell(Component parent, Texts texts, String problem) {
+        JOptionPane.showMessageDialog(
+                parent,
+                texts.text("settings.problem", problem),
+                texts.text("settings.title"),
+                JOptionPane.WARNING_MESSAGE);
+    }
+}

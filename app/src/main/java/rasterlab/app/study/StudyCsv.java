@@ -1,0 +1,60 @@
+package rasterlab.app.study;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Study;
+
+/** A study as comma-separated values. Source of the quoting: RFC 4180. */
+final class StudyCsv {
+    private static final List<String> HEADS =
+            List.of(
+                    "topic",
+                    "method",
+                    "workload",
+                    "size",
+                    "median_ns",
+                    "low_ns",
+                    "high_ns",
+                    "worst_error",
+                    "error_unit",
+                    "missing",
+                    "extra",
+                    "of",
+                    "verdict",
+                    "detail");
+
+    private StudyCsv() {}
+
+    static String of(Study study) {
+        return Stream.concat(
+                        Stream.of(HEADS),
+                        study.measurements().stream().map(measured -> row(study, measured)))
+                .map(cells -> cells.stream().map(StudyCsv::cell).collect(Collectors.joining(",")))
+                .collect(Collectors.joining("\r\n", "", "\r\n"));
+    }
+
+    private static List<String> row(Study study, Measurement measured) {
+        return List.of(
+                study.topic(),
+                measured.method(),
+                measured.workload(),
+                String.valueOf(measured.size()),
+                String.valueOf(measured.cost().medianNanos()),
+                String.valueOf(measured.cost().lowNanos()),
+                String.valueOf(measured.cost().highNanos()),
+                String.valueOf(measured.error().worst()),
+                study.errorUnit(),
+                String.valueOf(measured.error().missing()),
+                String.valueOf(measured.error().extra()),
+                String.valueOf(measured.error().of()),
+                measured.kind().code(),
+                measured.detail());
+    }
+
+    private static String cell(String value) {
+        if (!value.matches("(?s).*[\",\r\n].*")) return value;
+        return '"' + value.replace("\"", "\"\"") + '"';
+    }
+}

@@ -1,0 +1,76 @@
+package rasterlab.app.study;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.PngFile;
+import rasterlab.app.outcome.WholeFile;
+import rasterlab.engine.study.Study;
+
+/** The forms in which a study is written, chosen by the file's extension. */
+public enum StudyFile {
+    SVG {
+        @Override
+        byte[] content(Study study) {
+            return StudyChart.svg(study);
+        }
+    },
+    PNG {
+        @Override
+        byte[] content(Study study) {
+            return PngFile.bytes(StudyChart.image(study));
+        }
+    },
+    CSV {
+        @Override
+        byte[] content(Study study) {
+            return StudyCsv.of(study).getBytes(StandardCharsets.UTF_8);
+        }
+    },
+    JSON {
+        @Override
+        byte[] content(Study study) {
+            return StudyJson.of(study, Machine.here());
+        }
+    };
+
+    abstract byte[] content(Study study);
+
+    /**
+     * The form that the file's extension names, in capitals or not.
+     *
+     * @throws Complaint listing the extensions, if there is no such form
+     */
+    public static StudyFile named(Path file) {
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        return Arrays.stream(values())
+                .filter(form -> name.endsWith(form.extension()))
+                .findFirst()
+                .orElseThrow(
+                        () ->
+                                Complaint.badInput(
+                                        file
+                                                + ": unknown extension; allowed are "
+                                                + String.join(", ", extensions())));
+    }
+
+    private static List<String> extensions() {
+        return Arrays.stream(values()).map(StudyFile::extension).toList();
+    }
+
+    private String extension() {
+        return "." + name().toLowerCase(Locale.ROOT);
+    }
+
+    /**
+     * Writes the study, whole or not at all.
+     *
+     * @throws Complaint if the extension is unknown or the file cannot be written
+     */
+    public static void write(Study study, Path file) {
+        WholeFile.write(file, named(file).content(study));
+    }
+}

@@ -1,0 +1,40 @@
+package rasterlab.app.visibility;
+
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.transform.SphericalView;
+
+/** Moves of the eye. */
+final class Cameras {
+    /** What one press of an arrow key adds to θ in the vase's coursework, in radians. */
+    static final double THETA_STEP = 0.03 * Math.PI;
+
+    /** What one press of an arrow key adds to φ in the vase's coursework, in radians. */
+    static final double PHI_STEP = 0.05 * Math.PI;
+
+    /** Nearest and farthest eye, as shares of the scene's first ρ. */
+    private static final double NEAREST = 0.45;
+
+    private static final double FARTHEST = 8;
+
+    private Cameras() {}
+
+    static SphericalView turned(SphericalView camera, double dTheta, double dPhi) {
+        return new SphericalView(
+                wrapped(camera.thetaRadians() + dTheta),
+                wrapped(camera.phiRadians() + dPhi),
+                camera.rho());
+    }
+
+    static SphericalView retreated(SphericalView camera, double factor, Scene scene) {
+        double first = scene.defaultCamera().rho();
+        double rho = Math.max(NEAREST * first, Math.min(FARTHEST * first, camera.rho() * factor));
+        return new SphericalView(camera.thetaRadians(), camera.phiRadians(), rho);
+    }
+
+    /** The same angle in [0, 2π). */
+    private static double wrapped(double radians) {
+        double turn = 2 * Math.PI;
+        double rest = radians - turn * Math.floor(radians / turn);
+        return rest < turn ? rest : 0;
+    }
+}

@@ -1,0 +1,65 @@
+package rasterlab.app.visibility;
+
+import java.util.Locale;
+import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.transform.SphericalView;
+
+/**
+ * Views on which visibility methods fail, found by comparing each method with the exact picture
+ * over all angles.
+ */
+enum HazardView {
+    /** The view in which the vase's author shows it. */
+    COURSEWORK("vase", "painter", Math.PI / 9, 4 * Math.PI / 3, 1, false),
+    /** Inner faces show through the vase's opening. */
+    OPENING("vase", "painter", Math.PI / 9, 0.2 * Math.PI, 1, false),
+    /** The coursework's rounded coordinates move edges: its worst view of the vase. */
+    ROUNDED("vase", "painter-textbook", 0, 1.45 * Math.PI, 1, true),
+    /** Three of four corners make a wrong mean: its worst view of the house. */
+    THREE_CORNERS("house", "painter-textbook", 0.95 * Math.PI, 1.15 * Math.PI, 0.5, true),
+    /** The right mean still misorders: a large face beside a small one. */
+    MEAN("house", "painter", 0.45 * Math.PI, 0.85 * Math.PI, 0.5, true),
+    /** Level with the eye, the vase's rings are seen from their edges. */
+    EDGE_ON("vase", "painter", 0, Math.PI / 2, 1, true);
+
+    private final String scene;
+    private final String method;
+    private final double theta;
+    private final double phi;
+    private final double nearness;
+    private final boolean difference;
+
+    /**
+     * @param theta radians
+     * @param phi radians
+     * @param nearness ρ as a share of the scene's first one
+     */
+    HazardView(
+            String scene,
+            String method,
+            double theta,
+            double phi,
+            double nearness,
+            boolean difference) {
+        this.scene = scene;
+        this.method = method;
+        this.theta = theta;
+        this.phi = phi;
+        this.nearness = nearness;
+        this.difference = difference;
+    }
+
+    /** Lower-case name with hyphens, part of keys and component names. */
+    String code() {
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    /** The choice that shows this view; shading and projection stay. */
+    VisibilityChoice shown(VisibilityChoice choice) {
+        double rho = nearness * Scenes.named(scene).defaultCamera().rho();
+        return choice.withScene(scene)
+                .withVisibility(method)
+                .withCamera(new SphericalView(theta, phi, rho))
+                .withDifference(difference);
+    }
+}

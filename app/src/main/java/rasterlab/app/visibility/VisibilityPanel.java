@@ -1,0 +1,84 @@
+package rasterlab.app.visibility;
+
+import java.awt.BorderLayout;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import rasterlab.app.canvas.Actions;
+import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+/** The hidden-surface lab as the window shows it, in one language. */
+public final class VisibilityPanel extends JPanel implements AutoCloseable {
+    private static final long serialVersionUID = 1L;
+
+    private final transient VisibilityLabModel model;
+    private final transient Texts texts;
+    private final VisibilityStage stage;
+    private final transient VisibilityInspector inspector;
+    private final StepPlayer player;
+    private final Actions actions;
+    private final transient Runnable unsubscribe;
+
+    /**
+     * @param onFailure told what a control could not do
+     */
+    public VisibilityPanel(
+            VisibilityLabModel model, Language language, Consumer<Throwable> onFailure) {
+        super(new BorderLayout());
+        this.model = model;
+        setName("visibility");
+        texts = Texts.of("visibility", language);
+        stage = new VisibilityStage(model, texts);
+        inspector = new VisibilityInspector(model, texts);
+        player =
+                new StepPlayer(
+                        Texts.of("canvas", language),
+                        new Turntable(model),
+                        () ->
+                                texts.text(
+                                        "turntable",
+                                        new VisibilityReadings(model.state(), texts).thetaOfPi()));
+        actions = new Actions(Texts.of("canvas", language));
+        actions.add("undo", model::undo);
+        actions.add("reset", model::reset);
+        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
+        actions.add(
+                "copyCommand", () -> Copying.text(VisibilityCommand.of(model.state()), onFailure));
+        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        player.bindKeys(stage);
+        unsubscribe = model.listen(state -> refresh());
+        refresh();
+    }
+
+    /** Stops listening and playing; the model lives on. */
+    @Override
+    public void close() {
+        player.stop();
+        unsubscribe.run();
+    }
+
+    private void refresh() {
+        stage.repaint();
+        inspector.refresh();
+        player.refresh();
+        actions.enable("undo", model.state().undoable());
+    }
+
+    private Chips chips() {
+        var chips = new Chips(texts.text("hazards"));
+        for (HazardView view : HazardView.values())
+            chips.add(
+                    view.code(),
+                    texts.text("hazard." + view.code()),
+                    texts.text("hazard." + view.code() + ".hint"),
+                    () -> model.choose(view::shown));
+        return chips;
+    }
+}

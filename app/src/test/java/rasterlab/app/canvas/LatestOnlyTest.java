@@ -1,0 +1,87 @@
+package rasterlab.app.canvas;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.Semaphore;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(20)
+class LatestOnlyTest {
+    private final BlockingQueue<Integer> begun = new LinkedBlockingQueue<>();
+    private final Semaphore mayEnd = new Semaphore(0);
+    private final List<Integer> answers = new CopyOnWriteArrayList<>();
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final LatestOnly<Integer, Integer> latest =
+            new LatestOnly<>("test", this::work, (q, a) -> answers.add(a), failures::add);
+
+    /** Ends when the test lets it; stops when it is cancelled by then; fails on 13. */
+    private Integer work(Integer question, BooleanSupplier cancelled) {
+        begun.add(question);
+        mayEnd.acquireUninterruptibly();
+        if (question == 13) throw new IllegalStateException("unlucky");
+        if (cancelled.getAsBoolean()) throw new CancellationException();
+        return question;
+    }
+
+    @AfterEach
+    void close() {
+        latest.close();
+        mayEnd.release(100);
+    }
+
+    @Test
+    void dropsEveryWaitingQuestionButTheNewest() throws InterruptedException {
+        latest.ask(1);
+        assertEquals(1, begun.take());
+        for (int question = 2; question <= 50; question++) latest.ask(question);
+        mayEnd.release(100);
+        latest.settle();
+        assertEquals(List.of(50), answers);
+        assertEquals(List.of(50), List.copyOf(begun));
+    }
+
+    @Test
+    void answersAtLeastEverySecondQuestionOfAnEndlessDrag() throws InterruptedException {
+        for (int question = 1; question <= 9; question++) {
+            latest.ask(question);
+            if (question > 1) mayEnd.release();
+            assertEquals(question, begun.take());
+        }
+        mayEnd.release(100);
+        latest.settle();
+        assertTrue(answers.size() >= 4, "answered " + answers);
+        assertEquals(9, answers.get(answers.size() - 1));
+    }
+
+    @Test
+    void cancelledQuestionIsNeverAnswered() throws InterruptedException {
+        latest.ask(1);
+        begun.take();
+        latest.cancel();
+        mayEnd.release();
+        latest.settle();
+        assertEquals(List.of(), answers);
+        assertEquals(List.of(), failures);
+    }
+
+    @Test
+    void failureIsToldAndTheNextQuestionIsAnswered() throws InterruptedException {
+        mayEnd.release(100);
+        latest.ask(13);
+        latest.settle();
+        assertInstanceOf(IllegalStateException.class, failures.get(0));
+        latest.ask(14);
+        latest.settle();
+        assertEquals(List.of(14), answers);
+    }
+}

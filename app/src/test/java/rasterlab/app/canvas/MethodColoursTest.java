@@ -1,0 +1,64 @@
+package rasterlab.app.canvas;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.util.HashSet;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.study.Method;
+
+class MethodColoursTest {
+    static List<String> lineMethods() {
+        return new LineTopic().methods().stream().map(Method::name).toList();
+    }
+
+    static Stream<String> methods() {
+        return Stream.concat(lineMethods().stream(), Renderer.visibilities().stream());
+    }
+
+    @Test
+    void givesNoTwoMethodsOfATopicTheSameColour() {
+        for (List<String> topic : List.of(lineMethods(), Renderer.visibilities()))
+            assertEquals(
+                    topic.size(),
+                    new HashSet<>(topic.stream().map(MethodColours::of).toList()).size(),
+                    topic.toString());
+    }
+
+    @ParameterizedTest(name = "pixels of {0} drown in the stage")
+    @MethodSource("methods")
+    void edgesStandOutFromBothStages(String method) {
+        for (StageColours stage : List.of(StageColours.LIGHT, StageColours.DARK)) {
+            Color edge = MethodColours.edgeOn(stage.ground(), MethodColours.of(method));
+            assertTrue(MethodColours.contrast(edge, stage.ground()) >= 3, method + " " + edge);
+        }
+    }
+
+    @ParameterizedTest(name = "{0} looks like a wrong pixel")
+    @MethodSource("methods")
+    void keepsTheColourOfWrongPixelsFree(String method) {
+        assertNotEquals(PixelMark.COLOUR, MethodColours.of(method));
+    }
+
+    @Test
+    void measuresContrastFromOneToTwentyOne() {
+        assertEquals(21, MethodColours.contrast(Color.BLACK, Color.WHITE), 1e-9);
+        assertEquals(1, MethodColours.contrast(Color.RED, Color.RED), 1e-9);
+    }
+
+    @Test
+    void readsInkOnEveryStage() {
+        for (StageColours stage : List.of(StageColours.LIGHT, StageColours.DARK)) {
+            assertTrue(MethodColours.contrast(stage.ink(), stage.ground()) >= 7);
+            assertTrue(MethodColours.contrast(stage.ink(), stage.margin()) >= 7);
+        }
+    }
+}

@@ -1,0 +1,120 @@
+package rasterlab.app.language;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Properties;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+
+class BundlesTest {
+    private static final Path ROOT = Path.of("src/main/resources/rasterlab/app");
+    private static final Pattern PLACEHOLDER = Pattern.compile("\\{(\\d+)");
+    private static final List<String> PARTS =
+            List.of("formula", "invariant", "cost", "failures", "source");
+
+    /** Every English file that must say the same as its Russian one. */
+    static List<Path> englishFiles() throws IOException {
+        try (Stream<Path> files = Files.walk(ROOT)) {
+            return files.filter(file -> file.getFileName().toString().equals("messages.properties"))
+                    .sorted()
+                    .toList();
+        }
+    }
+
+    @ParameterizedTest(name = "a text is missing in one language: {0}")
+    @MethodSource("englishFiles")
+    void hasTheSameKeysInBothLanguages(Path english) throws IOException {
+        assertEquals(
+                new TreeSet<>(read(english).keySet()),
+                new TreeSet<>(read(russian(english)).keySet()));
+    }
+
+    @ParameterizedTest(name = "a translation drops or invents a placeholder: {0}")
+    @MethodSource("englishFiles")
+    void hasTheSamePlaceholdersInBothLanguages(Path english) throws IOException {
+        Properties translated = read(russian(english));
+        read(english)
+                .forEach(
+                        (key, text) ->
+                                assertEquals(
+                                        placeholders((String) text),
+                                        placeholders(translated.getProperty((String) key)),
+                                        "key " + key));
+    }
+
+    @ParameterizedTest(name = "a text was left in English: {0}")
+    @MethodSource("englishFiles")
+    void isTranslated(Path english) throws IOException {
+        Properties translated = read(russian(english));
+        var same = new ArrayList<String>();
+        read(english)
+                .forEach(
+                        (key, text) -> {
+                            boolean words =
+                                    Pattern.compile("[a-z]{4}").matcher((String) text).find();
+                            if (words && text.equals(translated.getProperty((String) key)))
+                                same.add((String) key);
+                        });
+        same.remove("title");
+        assertEquals(List.of(), same);
+    }
+
+    @Test
+    void explainsEveryLineMethodAndHazardInRussian() {
+        Texts texts = Texts.of("line", "topic", Language.RUSSIAN);
+        Texts labels = Texts.of("line", Language.RUSSIAN);
+        var topic = new LineTopic();
+        for (Method<?> method : topic.methods()) {
+            for (String part : PARTS) mustHave(texts, method.name() + "." + part);
+            mustHave(texts, "decision." + method.name());
+        }
+        for (Hazard<?> hazard : topic.hazards()) {
+            mustHave(texts, "hazard." + hazard.name());
+            mustHave(labels, "hazard." + hazard.name());
+        }
+    }
+
+    @Test
+    void explainsEveryVisibilityMethodInRussian() {
+        Texts texts = Texts.of("visibility", "topic", Language.RUSSIAN);
+        for (Method<?> method : Renderer.visibilityMethods())
+            for (String part : PARTS) mustHave(texts, method.name() + "." + part);
+    }
+
+    private static void mustHave(Texts texts, String key) {
+        assertTrue(texts.has(key), "no Russian text for " + key);
+    }
+
+    private static TreeSet<String> placeholders(String text) {
+        var found = new TreeSet<String>();
+        var matcher = PLACEHOLDER.matcher(text);
+        while (matcher.find()) found.add(matcher.group(1));
+        return found;
+    }
+
+    private static Path russian(Path english) {
+        return english.resolveSibling("messages_ru.properties");
+    }
+
+    private static Properties read(Path file) throws IOException {
+        var properties = new Properties();
+        try (var in = Files.newBufferedReader(file)) {
+            properties.load(in);
+        }
+        return properties;
+    }
+}

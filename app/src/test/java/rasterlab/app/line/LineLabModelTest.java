@@ -1,0 +1,168 @@
+package rasterlab.app.line;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Assertions;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.line.LineWalk;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.line.SteppedLine;
+import rasterlab.engine.study.Method;
+
+class LineLabModelTest {
+    private final LineLabModel model = new LineLabModel(new LineTopic());
+
+    @Test
+    void dragIsOneChangeForUndo() {
+        LineChoice before = model.state().choice();
+        model.beginDrag();
+        for (int x = 18; x < 30; x++) model.moveEnd(End.B, x, 4);
+        model.endDrag();
+        assertEquals(new Segment(2, 3, 29, 4), model.state().choice().segment());
+        model.undo();
+        assertEquals(before, model.state().choice());
+        assertFalse(model.state().undoable());
+    }
+
+    @Test
+    void pressWithoutMovingIsNoChange() {
+        model.beginDrag();
+        model.endDrag();
+        assertFalse(model.state().undoable());
+    }
+
+    @Test
+    void keysMoveAnEndAndStopAtTheLastInt() {
+        model.nudgeEnd(End.A, -10, 1);
+        assertEquals(new Segment(-8, 4, 17, 9), model.state().choice().segment());
+        model.moveEnd(End.A, Integer.MAX_VALUE - 3, Integer.MIN_VALUE);
+        model.nudgeEnd(End.A, 10, -10);
+        assertEquals(Integer.MAX_VALUE, model.state().choice().segment().x0());
+        assertEquals(Integer.MIN_VALUE, model.state().choice().segment().y0());
+    }
+
+    static Stream<Method<?>> methods() {
+        return new LineTopic().methods().stream().map(method -> method);
+    }
+
+    @ParameterizedTest(name = "stepping back differs from replaying the walk: {0}")
+    @MethodSource("methods")
+    void backEqualsReplay(Method<?> method) {
+        model.chooseMethod(method.name());
+        model.show(new Segment(0, 0, 11, 4));
+        model.goTo(model.last());
+        for (int step = model.last(); step >= model.first(); step--) {
+            model.goTo(step);
+            LineWalk walk = ((SteppedLine) method.implementation()).walk(0, 0, 11, 4);
+            for (int i = 0; i < step; i++) assertTrue(walk.advance());
+            LineDrawing drawing = model.state().drawing();
+            assertEquals(walk.x(), drawing.x(step), "column at step " + step);
+            assertEquals(walk.y(), drawing.y(step), "row at step " + step);
+            assertEquals(walk.decision(), drawing.trace().decisions().get(step - 1));
+        }
+    }
+
+    @Test
+    void extraPixelsAreToldAtOnceAndMissingOnesAtTheEnd() {
+        model.chooseMethod("bresenham-textbook");
+        model.show(new Segment(5, 3, 5, 3));
+        model.goTo(1);
+        assertEquals(0, LineMarks.of(model.state()).extraCount());
+        model.goTo(2);
+        assertEquals(1, LineMarks.of(model.state()).extraCount());
+
+        model.chooseMethod("naive-textbook");
+        model.show(new Segment(0, 0, 3, 13));
+        model.goTo(1);
+        assertEquals(0, LineMarks.of(model.state()).missingCount());
+        model.goTo(model.last());
+        assertEquals(10, LineMarks.of(model.state()).missingCount());
+    }
+
+    @Test
+    void exactMethodHasNoWrongPixel() {
+        LineMarks marks = LineMarks.of(model.state());
+        assertEquals(0, marks.extraCount() + marks.missingCount());
+        assertTrue(model.state().drawing().deviation().exact());
+    }
+
+    @ParameterizedTest(name = "a hazard hangs or breaks the lab: {0}")
+    @MethodSource("methods")
+    void showsEveryHazardWithinTheLimit(Method<?> method) {
+        model.chooseMethod(method.name());
+        for (var hazard : model.hazards())
+            Assertions.assertTimeoutPreemptively(
+                    Duration.ofSeconds(20),
+                    () -> {
+                        model.show(hazard.input());
+                        assertTrue(model.last() <= LineDrawing.LIMIT, hazard.name());
+                        LineMarks.of(model.state()).missingCount();
+                    });
+    }
+
+    @Test
+    void saysHowADrawingEnded() {
+        var huge = new Segment(-1_200_000_000, 0, 1_200_000_000, 7);
+        assertEquals(LineTrace.Ending.CUT, ending("bresenham", huge));
+        assertEquals(LineTrace.Ending.REFUSED, ending("dda", huge));
+        assertFalse(model.state().drawing().trace().message().isEmpty());
+        int last = Integer.MAX_VALUE;
+        var atTheEdge = new Segment(last - 7, 5, last, 8);
+        assertEquals(LineTrace.Ending.ENDLESS, ending("bresenham-textbook", atTheEdge));
+        assertEquals(LineTrace.Ending.ENDED, ending("bresenham", atTheEdge));
+    }
+
+    private LineTrace.Ending ending(String method, Segment segment) {
+        model.chooseMethod(method);
+        model.show(segment);
+        return model.state().drawing().trace().ending();
+    }
+
+    @Test
+    void comparisonIsOffUntilAskedForAndRefusesUnknownNames() {
+        assertTrue(model.state().other().isEmpty());
+        model.compareWith("naive");
+        assertEquals("naive", model.state().other().orElseThrow().method());
+        assertThrows(IllegalArgumentException.class, () -> model.compareWith("nobody"));
+        assertEquals("naive", model.state().choice().comparison());
+    }
+
+    @Test
+    void resetCanBeUndone() {
+        model.show(new Segment(0, 0, 5, 5));
+        model.chooseMethod("dda");
+        LineChoice mine = model.state().choice();
+        model.reset();
+        assertEquals("bresenham", model.state().choice().method());
+        model.undo();
+        assertEquals(mine, model.state().choice());
+    }
+
+    @Test
+    void listenerThatLeftHearsNothing() {
+        List<LineLabState> heard = new ArrayList<>();
+        Runnable leave = model.listen(heard::add);
+        model.goTo(3);
+        leave.run();
+        model.goTo(4);
+        assertEquals(1, heard.size());
+        assertEquals(3, heard.get(0).step());
+    }
+
+    @Test
+    void commandRepeatsWhatIsShown() {
+        assertEquals(
+                "echo '{\"from\": [2, 3], \"to\": [17, 9]}' | ./lab run line bresenham",
+                LineCommand.of(model.state().choice()));
+    }
+}

@@ -1,0 +1,78 @@
+package rasterlab.app.shell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.language.Language;
+
+class ClippedTextTest {
+    static Stream<Arguments> sizes() {
+        return Stream.of(Language.values())
+                .flatMap(
+                        language ->
+                                Stream.of(
+                                        Arguments.of(language, 900, 560),
+                                        Arguments.of(language, 1280, 680)));
+    }
+
+    @ParameterizedTest(name = "a label is cut off: {0} in {1}×{2}")
+    @MethodSource("sizes")
+    void everyTextHasTheWidthItNeeds(Language language, int width, int height)
+            throws InterruptedException {
+        var tabs = new AtomicReference<LabTabs>();
+        var models = new AtomicReference<LabModels>();
+        OffscreenPainter.onEventThread(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    models.set(LabModels.first(Throwable::printStackTrace));
+                    models.get().line().compareWith("naive-textbook");
+                    tabs.set(LabTabs.create(models.get(), language, Throwable::printStackTrace));
+                });
+        for (LabTab tab : tabs.get().all()) {
+            OffscreenPainter.paint(tab.panel(), width, height);
+            assertEquals(List.of(), clipped(tab.panel()), tab.name());
+        }
+        OffscreenPainter.onEventThread(
+                () -> {
+                    tabs.get().close();
+                    models.get().close();
+                });
+    }
+
+    private static List<String> clipped(Container container) {
+        var found = new ArrayList<String>();
+        for (Component child : container.getComponents()) {
+            boolean text =
+                    child instanceof JLabel
+                            || child instanceof AbstractButton
+                            || child instanceof JComboBox;
+            if (text && child.isVisible() && cut(child))
+                found.add(
+                        "%s %s: needs %d, has %d"
+                                .formatted(
+                                        child.getClass().getSimpleName(),
+                                        child.getName(),
+                                        child.getPreferredSize().width,
+                                        child.getWidth()));
+            if (child instanceof Container inner && !(child instanceof JComboBox))
+                found.addAll(clipped(inner));
+        }
+        return found;
+    }
+
+    /** A scroll bar's buttons are hidden by having no size; they have no name either. */
+    private static boolean cut(Component child) {
+        return child.getName() != null && child.getWidth() < child.getPreferredSize().width;
+    }
+}

@@ -1,0 +1,88 @@
+package rasterlab.exercises.line;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import rasterlab.engine.line.Segment;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.JsonFields;
+
+/** Reads a case's input: the segment itself, or how to draw segments from a seed. */
+public final class LineCaseReader {
+    private static final int OCTANTS = 8;
+
+    private LineCaseReader() {}
+
+    /**
+     * @param seed draws the segments of a generated case, together with the case's name
+     * @throws rasterlab.exercises.CatalogueException when a field is missing, unknown or out of
+     *     range
+     */
+    public static LineCase read(Case one, long seed) {
+        String place = "case '" + one.name() + "', field ";
+        return one.generated()
+                ? generated(one, place + "'generate'", seed)
+                : given(one, place + "'input'");
+    }
+
+    private static LineCase given(Case one, String place) {
+        JsonFields fields =
+                JsonFields.parse(
+                        place,
+                        one.input(),
+                        "from",
+                        "to",
+                        "alsoSwapped",
+                        "strictTies",
+                        "inOrder",
+                        "firstPixels",
+                        "mayRefuse");
+        int[] from = fields.point("from");
+        int[] to = fields.point("to");
+        Segment segment = new Segment(from[0], from[1], to[0], to[1]);
+        boolean swapped = fields.flag("alsoSwapped", false);
+        LineCase read =
+                new LineCase(
+                        swapped ? List.of(segment, segment.reversed()) : List.of(segment),
+                        fields.flag("strictTies", false),
+                        fields.flag("inOrder", false),
+                        fields.integer(
+                                "firstPixels", 1, LineCase.MOST_PIXELS, LineCase.MOST_PIXELS),
+                        fields.flag("mayRefuse", false));
+        if (!fields.has("firstPixels") && read.cutShort(segment))
+            throw fields.wrong(
+                    "firstPixels",
+                    "is needed: the segment has more than " + LineCase.MOST_PIXELS + " pixels");
+        return read;
+    }
+
+    private static LineCase generated(Case one, String place, long seed) {
+        JsonFields fields =
+                JsonFields.parse(place, one.input(), "octant", "count", "longest", "within");
+        int octant = fields.integer("octant", 1, OCTANTS);
+        int longest = fields.integer("longest", 2, 1000);
+        int within = fields.integer("within", 0, 1_000_000);
+        Random random = new Random(31 * seed + one.name().hashCode());
+        List<Segment> segments = new ArrayList<>();
+        for (int left = fields.integer("count", 1, 50); left > 0; left--)
+            segments.add(inOctant(octant, longest, within, random));
+        return new LineCase(segments, false, false, LineCase.MOST_PIXELS, false);
+    }
+
+    /**
+     * Octant k has directions from (k − 1)·45° to k·45°, counted from the x axis towards the y
+     * axis, which grows down.
+     */
+    private static Segment inOctant(int octant, int longest, int within, Random random) {
+        int x = random.nextInt(2 * within + 1) - within;
+        int y = random.nextInt(2 * within + 1) - within;
+        int along = 2 + random.nextInt(longest - 1);
+        int across = random.nextInt(along + 1);
+        boolean steep = octant == 2 || octant == 3 || octant == 6 || octant == 7;
+        int dx = steep ? across : along;
+        int dy = steep ? along : across;
+        boolean left = octant >= 3 && octant <= 6;
+        boolean up = octant >= 5;
+        return new Segment(x, y, left ? x - dx : x + dx, up ? y - dy : y + dy);
+    }
+}

@@ -1,0 +1,114 @@
+package rasterlab.exercises.line;
+
+import java.util.HashSet;
+import java.util.Set;
+import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelDifference;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
+import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.GradingVerdict;
+
+/** Compares what a method drew with the exact line, as the case and the exercise demand. */
+public final class LineJudge {
+    private static final String REFUSAL = IllegalArgumentException.class.getName();
+
+    private final LineTopic topic = new LineTopic();
+    private final LineCase demand;
+    private final boolean eitherOnTies;
+
+    /**
+     * @param eitherOnTies whether the exercise tolerates either pixel of a tie
+     */
+    public LineJudge(LineCase demand, boolean eitherOnTies) {
+        this.demand = demand;
+        this.eitherOnTies = eitherOnTies && !demand.strictTies();
+    }
+
+    public Finding judge(Segment segment, Answer answer) {
+        if (answer.ending() == Answer.Ending.THREW) return thrown(answer);
+        int limit = demand.cutShort(segment) ? demand.firstPixels() : (int) segment.steps() + 1;
+        PixelRecording actual = answer.pixels();
+        WantedPixels pixels = new WantedPixels(segment);
+        PixelRecording wanted = eitherOnTies ? pixels.nearest(actual, limit) : pixels.exact(limit);
+        if (answer.ending() == Answer.Ending.CUT && !demand.cutShort(segment))
+            return shown(
+                    GradingVerdict.OUTPUT_LIMIT,
+                    "still plotting after "
+                            + actual.size()
+                            + " pixels where "
+                            + wanted.size()
+                            + " are right",
+                    wanted,
+                    actual);
+        String wrong = difference(segment, wanted, actual);
+        if (wrong.isEmpty()) return Finding.OK;
+        return shown(GradingVerdict.WRONG, wrong + knownFault(segment, actual), wanted, actual);
+    }
+
+    private Finding thrown(Answer answer) {
+        if (demand.mayRefuse() && answer.exception().equals(REFUSAL)) return Finding.OK;
+        GradingVerdict verdict =
+                answer.exception().equals(OutOfMemoryError.class.getName())
+                        ? GradingVerdict.MEMORY_LIMIT
+                        : GradingVerdict.RUNTIME_ERROR;
+        return Finding.of(verdict, answer.thrown());
+    }
+
+    private String difference(Segment segment, PixelRecording wanted, PixelRecording actual) {
+        Deviation deviation = topic.compare(segment, wanted, actual);
+        if (!deviation.exact()) return deviation.first();
+        String repeated = firstRepeated(actual);
+        if (!repeated.isEmpty()) return repeated;
+        return demand.inOrder() ? deviation.first() : "";
+    }
+
+    private static String firstRepeated(PixelRecording actual) {
+        Set<Long> seen = new HashSet<>();
+        for (int i = 0; i < actual.size(); i++)
+            if (!seen.add((long) actual.x(i) << 32 | actual.y(i) & 0xFFFF_FFFFL))
+                return "pixel (" + actual.x(i) + ", " + actual.y(i) + ") is plotted twice";
+        return "";
+    }
+
+    /** Names the faulty textbook method that draws the very same; empty where none does. */
+    private String knownFault(Segment segment, PixelRecording actual) {
+        for (Method<LineRasterizer> method : topic.methods())
+            if (method.faulty() && same(actual, drawnBy(method, segment)))
+                return "; " + method.name() + " draws the same";
+        return "";
+    }
+
+    private PixelRecording drawnBy(Method<LineRasterizer> method, Segment segment) {
+        try {
+            return topic.record(method.implementation(), segment, demand.mostPixels(segment));
+        } catch (LimitReached reached) {
+            return (PixelRecording) reached.recorded();
+        }
+    }
+
+    private static boolean same(PixelRecording one, PixelRecording other) {
+        if (one.size() != other.size()) return false;
+        for (int i = 0; i < one.size(); i++)
+            if (one.x(i) != other.x(i) || one.y(i) != other.y(i)) return false;
+        return true;
+    }
+
+    private static Finding shown(
+            GradingVerdict verdict, String message, PixelRecording wanted, PixelRecording actual) {
+        return new Finding(verdict, message, CasePictures.of(PixelDifference.of(wanted, actual)));
+    }
+
+    /** The case's segment as a scene file that the lab opens. */
+    public static String scene(Segment segment) {
+        return String.format(
+                "{\"topic\":\"line\",\"from\":[%d,%d],\"to\":[%d,%d]}",
+                segment.x0(), segment.y0(), segment.x1(), segment.y1());
+    }
+}

@@ -1,0 +1,56 @@
+package rasterlab.exercises.line;
+
+import rasterlab.engine.line.ExactLine;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelSet;
+
+/**
+ * The pixels that an answer is compared with: the exact ones, or on a tie the other candidate where
+ * that is tolerated and the answer lit it instead.
+ */
+final class WantedPixels {
+    private final Segment segment;
+    private final long n;
+    private final long across;
+    private final boolean steep;
+
+    WantedPixels(Segment segment) {
+        this.segment = segment;
+        long dx = Math.abs((long) segment.x1() - segment.x0());
+        long dy = Math.abs((long) segment.y1() - segment.y0());
+        this.steep = dy > dx;
+        this.n = Math.max(dx, dy);
+        this.across = Math.min(dx, dy);
+    }
+
+    /** The first {@code limit} exact pixels. */
+    PixelRecording exact(int limit) {
+        return new ExactLine(segment).record(limit);
+    }
+
+    /** The same, with tied pixels as {@code actual} has them. */
+    PixelRecording nearest(PixelRecording actual, int limit) {
+        PixelRecording exact = exact(limit);
+        PixelSet drawn = PixelSet.of(actual);
+        PixelRecording wanted = new PixelRecording(limit);
+        for (int k = 0; k < exact.size(); k++) {
+            int x = exact.x(k);
+            int y = exact.y(k);
+            boolean other =
+                    isTie(k)
+                            && !drawn.contains(x, y)
+                            && drawn.contains(steep ? x + 1 : x, steep ? y : y + 1);
+            wanted.plot(other && steep ? x + 1 : x, other && !steep ? y + 1 : y);
+        }
+        return wanted;
+    }
+
+    /**
+     * Whether the exact line passes midway between two pixels at step k: k·across/n is a whole
+     * number and a half. k &lt; 2¹⁶ and across ≤ 2³², so a long does not overflow.
+     */
+    private boolean isTie(int k) {
+        return n > 0 && 2 * (k * across % n) == n;
+    }
+}

@@ -1,0 +1,124 @@
+package rasterlab.exercises.runner;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * Linux namespaces by bubblewrap: the child sees a read-only root that holds the JDK, the system
+ * libraries and two jars; no network, no other process, not even its own in /proc, because none is
+ * mounted.
+ */
+final class BubblewrapBox implements Box {
+    private static final String HARNESS = "/box/harness.jar";
+    private static final String CONTRACT = "/box/contract.jar";
+    private static final List<String> LIBRARIES =
+            List.of("/lib64", "/usr/lib64", "/lib", "/usr/lib");
+
+    private final String program;
+    private final boolean canDisableUserNamespaces;
+    private final ChildJars jars;
+    private final Isolation isolation;
+
+    /**
+     * @param program path of bwrap
+     * @param version as bwrap prints it
+     * @param canDisableUserNamespaces whether it knows --disable-userns (0.8 and later)
+     */
+    BubblewrapBox(
+            String program, String version, boolean canDisableUserNamespaces, ChildJars jars) {
+        this.program = program;
+        this.canDisableUserNamespaces = canDisableUserNamespaces;
+        this.jars = jars;
+        this.isolation = Isolation.bubblewrap(version);
+    }
+
+    @Override
+    public Isolation isolation() {
+        return isolation;
+    }
+
+    @Override
+    public List<String> command(ChildKind kind, boolean warm) {
+        List<String> command = new ArrayList<>(Programs.limits());
+        command.add(program);
+        command.addAll(List.of("--unshare-all", "--unshare-user", "--uid", "65534"));
+        command.addAll(List.of("--gid", "65534", "--hostname", "box"));
+        if (canDisableUserNamespaces) command.add("--disable-userns");
+        command.addAll(List.of("--die-with-parent", "--new-session", "--cap-drop", "ALL"));
+        command.add("--clearenv");
+        // without /proc the loader cannot ask where java lies, and would not find its libraries
+        Path bin = Path.of(Programs.java()).getParent();
+        command.addAll(List.of("--setenv", "LD_ORIGIN_PATH", bin.toString()));
+        command.addAll(root());
+        command.addAll(List.of("--chdir", "/", "--", Programs.java()));
+        command.addAll(kind.arguments(HARNESS, CONTRACT, warm));
+        return command;
+    }
+
+    private List<String> root() {
+        List<String> root = new ArrayList<>();
+        libraries().forEach(folder -> bind(root, folder.toString(), folder.toString()));
+        String java = Programs.javaHome().toString();
+        bind(root, java, java);
+        linkedOut().forEach(file -> bind(root, file.toString(), file.toString()));
+        bind(root, jars.harness().toString(), HARNESS);
+        bind(root, jars.contract().toString(), CONTRACT);
+        // a fresh /dev has a writable /dev/shm without a limit, and new folders stay writable
+        root.addAll(List.of("--dev", "/dev", "--size", "65536", "--tmpfs", "/dev/shm"));
+        root.addAll(List.of("--remount-ro", "/dev/shm", "--remount-ro", "/dev"));
+        root.addAll(List.of("--remount-ro", "/"));
+        return root;
+    }
+
+    private static void bind(List<String> root, String from, String to) {
+        root.addAll(List.of("--ro-bind", from, to));
+    }
+
+    /**
+     * The loader's folder, and of /lib and /usr/lib the part for this machine where there is one.
+     */
+    private static List<Path> libraries() {
+        List<Path> folders = new ArrayList<>();
+        for (String name : LIBRARIES) {
+            Path folder = Path.of(name);
+            if (!Files.isDirectory(folder)) continue;
+            List<Path> parts = name.endsWith("64") ? List.of() : machineParts(folder);
+            folders.addAll(parts.isEmpty() ? List.of(folder) : parts);
+        }
+        return folders;
+    }
+
+    private static List<Path> machineParts(Path folder) {
+        try (Stream<Path> entries = Files.list(folder)) {
+            return entries.filter(entry -> entry.getFileName().toString().matches(".+-linux-.+"))
+                    .filter(Files::isDirectory)
+                    .toList();
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot list " + folder, e);
+        }
+    }
+
+    /** Files of the JDK that a distribution keeps elsewhere, such as Debian below /etc. */
+    private static List<Path> linkedOut() {
+        Path home = Programs.javaHome();
+        return Stream.of("lib/jvm.cfg", "conf/security/java.security", "lib/security/cacerts")
+                .map(home::resolve)
+                .filter(Files::exists)
+                .map(BubblewrapBox::real)
+                .filter(file -> !file.startsWith(home))
+                .toList();
+    }
+
+    private static Path real(Path file) {
+        try {
+            return file.toRealPath();
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot follow " + file, e);
+        }
+    }
+}

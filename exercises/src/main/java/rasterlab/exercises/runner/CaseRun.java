@@ -1,0 +1,123 @@
+package rasterlab.exercises.runner;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import rasterlab.engine.line.Segment;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Visibility;
+import rasterlab.exercises.line.LineCase;
+import rasterlab.exercises.line.LineCaseReader;
+import rasterlab.exercises.line.LineJudge;
+import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.GradingVerdict;
+
+/** Tries one loaded method on one case after the other, until it is stopped. */
+final class CaseRun {
+    private final Exercise exercise;
+    private final long seed;
+    private final StudentRun run;
+    private final List<Diagnostic> printed = new ArrayList<>();
+    private Optional<Finding> stopped = Optional.empty();
+
+    CaseRun(Exercise exercise, long seed, StudentRun run) {
+        this.exercise = exercise;
+        this.seed = seed;
+        this.run = run;
+    }
+
+    /** Whether the method was stopped, so that nothing more can be asked of it. */
+    boolean isStopped() {
+        return stopped.isPresent();
+    }
+
+    /** What was printed in open cases. */
+    List<Diagnostic> printed() {
+        return printed;
+    }
+
+    /** Loads the classes; a failure is told with the first case. */
+    Optional<Finding> load(String entry, Map<String, byte[]> classes)
+            throws ChildLost, InterruptedException {
+        try {
+            Answer answer = run.load(entry, classes);
+            return answer.ending() == Answer.Ending.THREW
+                    ? Optional.of(
+                            Finding.of(
+                                    GradingVerdict.RUNTIME_ERROR,
+                                    "creating the object: " + answer.thrown()))
+                    : Optional.empty();
+        } catch (ChildLost lost) {
+            return Optional.of(finding(lost));
+        }
+    }
+
+    /** The case is not tried for a reason that came before it. */
+    CaseReport skip(Case one, Finding reason) {
+        stopped = Optional.of(reason);
+        return report(one, reason, "");
+    }
+
+    /**
+     * @throws ChildLost when the child was killed from outside: no fault of the student's
+     */
+    CaseReport judge(Case one) throws ChildLost, InterruptedException {
+        if (stopped.isPresent())
+            return report(
+                    one, Finding.of(stopped.get().verdict(), "not run: stopped before it"), "");
+        LineCase demand = LineCaseReader.read(one, seed);
+        LineJudge judge = new LineJudge(demand, exercise.tolerance().eitherPixelOnTies());
+        String scene = LineJudge.scene(demand.segments().get(0));
+        for (Segment segment : demand.segments()) {
+            Finding finding = tried(one, segment, demand, judge);
+            if (finding.verdict() != GradingVerdict.OK)
+                return report(one, finding, LineJudge.scene(segment));
+        }
+        return report(one, Finding.OK, scene);
+    }
+
+    private Finding tried(Case one, Segment segment, LineCase demand, LineJudge judge)
+            throws ChildLost, InterruptedException {
+        try {
+            Answer answer = run.draw(segment, demand.mostPixels(segment));
+            if (one.visibility() == Visibility.OPEN && !answer.printed().isBlank())
+                printed.add(
+                        new Diagnostic(0, 0, "printed in " + one.name() + ": " + answer.printed()));
+            Finding finding = judge.judge(segment, answer);
+            if (run.over()) stopped = Optional.of(finding);
+            return finding;
+        } catch (ChildLost lost) {
+            stopped = Optional.of(finding(lost));
+            return stopped.get();
+        }
+    }
+
+    private static Finding finding(ChildLost lost) throws ChildLost {
+        GradingVerdict verdict =
+                switch (lost.reason()) {
+                    case TIME -> GradingVerdict.TIME_LIMIT;
+                    case MEMORY -> GradingVerdict.MEMORY_LIMIT;
+                    case OUTPUT -> GradingVerdict.OUTPUT_LIMIT;
+                    case ENDED, PROTOCOL -> GradingVerdict.NO_RESULT;
+                    case KILLED -> throw lost;
+                };
+        return Finding.of(verdict, lost.getMessage());
+    }
+
+    private static CaseReport report(Case one, Finding finding, String scene) {
+        return new CaseReport(
+                one.name(),
+                one.visibility(),
+                finding.verdict(),
+                finding.verdict() == GradingVerdict.OK ? one.points() : 0,
+                one.points(),
+                finding.message(),
+                finding.pictures(),
+                scene);
+    }
+}

@@ -1,0 +1,161 @@
+package rasterlab.exercises.runner;
+
+import java.io.ByteArrayInputStream;
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.security.SecureRandom;
+import java.time.Duration;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import rasterlab.exercises.runner.child.Frames;
+import rasterlab.exercises.runner.child.Wire;
+
+/**
+ * A started child process, asked one request at a time. Reading and writing happen on threads of
+ * its own, so a child that neither reads nor writes holds nobody up.
+ */
+final class Child implements AutoCloseable {
+    private static final byte[] END = new byte[0];
+    private static final int MOST_STDERR = 4096;
+
+    /** How long a child that closed its pipe may take to end by itself. */
+    private static final Duration GRACE = Duration.ofMillis(500);
+
+    private final Process process;
+    private final ExecutorService threads =
+            Executors.newCachedThreadPool(Daemons.named("rasterlab-child"));
+    private final BlockingQueue<byte[]> frames = new ArrayBlockingQueue<>(4);
+    private final SecureRandom nonces = new SecureRandom();
+    private volatile String complaint = "";
+    private long nonce;
+
+    Child(Process process) {
+        this.process = process;
+        threads.execute(this::readFrames);
+        threads.execute(this::drainStderr);
+    }
+
+    boolean isAlive() {
+        return process.isAlive();
+    }
+
+    ProcessHandle handle() {
+        return process.toHandle();
+    }
+
+    /** What the process wrote to stderr first, for our own faults only. */
+    String complaint() {
+        return complaint;
+    }
+
+    /**
+     * Sends a request and reads its answer.
+     *
+     * @throws ChildLost when there is no usable answer within the limit; the process is dead then
+     */
+    <T> T ask(Request request, Duration limit, Reading<T> reading)
+            throws ChildLost, InterruptedException {
+        nonce = nonces.nextLong();
+        byte[] frame = request.frame(nonce);
+        threads.execute(() -> send(frame));
+        return more(limit, reading);
+    }
+
+    /** Reads a further answer to the last request. */
+    <T> T more(Duration limit, Reading<T> reading) throws ChildLost, InterruptedException {
+        byte[] frame = frames.poll(limit.toNanos(), TimeUnit.NANOSECONDS);
+        if (frame == null) {
+            close();
+            throw new ChildLost(ChildLost.Reason.TIME, "no answer within " + seconds(limit));
+        }
+        if (frame == END) throw ended();
+        try {
+            DataInputStream payload = new DataInputStream(new ByteArrayInputStream(frame));
+            if (payload.readLong() != nonce) throw new IOException("answer to another request");
+            return reading.read(payload.readByte(), payload);
+        } catch (IOException | RuntimeException e) {
+            close();
+            throw new ChildLost(ChildLost.Reason.PROTOCOL, "broke the protocol: " + e.getMessage());
+        }
+    }
+
+    static String seconds(Duration limit) {
+        return limit.toMillis() / 1000.0 + " s";
+    }
+
+    private void send(byte[] frame) {
+        try {
+            Frames.write(process.getOutputStream(), frame);
+        } catch (IOException childHasEnded) {
+            // the reader sees the end of the pipe and tells
+            process.destroyForcibly();
+        }
+    }
+
+    private void readFrames() {
+        try (InputStream in = process.getInputStream()) {
+            while (true) frames.put(Frames.read(in, Wire.MOST_FRAME_BYTES));
+        } catch (IOException endOrRubbish) {
+            offerEnd();
+        } catch (InterruptedException closed) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void offerEnd() {
+        try {
+            frames.put(END);
+        } catch (InterruptedException closed) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void drainStderr() {
+        try (InputStream in = process.getErrorStream()) {
+            complaint = new String(in.readNBytes(MOST_STDERR), StandardCharsets.UTF_8).strip();
+            in.transferTo(java.io.OutputStream.nullOutputStream());
+        } catch (IOException closed) {
+            complaint = complaint.isEmpty() ? closed.toString() : complaint;
+        }
+    }
+
+    private ChildLost ended() {
+        boolean byItself = waitFor(GRACE);
+        close();
+        if (!byItself)
+            return new ChildLost(ChildLost.Reason.PROTOCOL, "closed its output or sent rubbish");
+        int status = process.exitValue();
+        return switch (status) {
+            case Wire.EXIT_MEMORY -> new ChildLost(ChildLost.Reason.MEMORY, "out of memory");
+            case Wire.EXIT_OUTPUT -> new ChildLost(ChildLost.Reason.OUTPUT, "too much output");
+            default ->
+                    new ChildLost(
+                            status > 128 ? ChildLost.Reason.KILLED : ChildLost.Reason.ENDED,
+                            "ended early with status " + status);
+        };
+    }
+
+    private boolean waitFor(Duration limit) {
+        try {
+            process.onExit().copy().orTimeout(limit.toNanos(), TimeUnit.NANOSECONDS).join();
+            return true;
+        } catch (CompletionException late) {
+            return false;
+        }
+    }
+
+    /** Kills the process and all below it; returns when it is gone. */
+    @Override
+    public void close() {
+        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        process.destroyForcibly();
+        waitFor(Duration.ofSeconds(2));
+        threads.shutdownNow();
+    }
+}

@@ -1,0 +1,62 @@
+package rasterlab.exercises.runner;
+
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.exercises.runner.child.CompileMain;
+import rasterlab.exercises.runner.child.RunMain;
+
+/** The two kinds of children and the limits their Java machines get. */
+enum ChildKind {
+    COMPILE(List.of("-Xmx256m", "-Xss4m", "-XX:TieredStopAtLevel=1", "-XX:ActiveProcessorCount=2")),
+    RUN(
+            List.of(
+                    "-Xmx64m",
+                    "-Xss512k",
+                    "-XX:MaxMetaspaceSize=48m",
+                    "-XX:MaxDirectMemorySize=1m",
+                    "-XX:ReservedCodeCacheSize=32m",
+                    "-XX:ActiveProcessorCount=2"));
+
+    /** VM messages must not reach stdout: it carries the protocol. */
+    private static final List<String> COMMON =
+            List.of(
+                    "-Xshare:auto",
+                    "-XX:+UseSerialGC",
+                    "-XX:+DisableAttachMechanism",
+                    "-XX:-UsePerfData",
+                    "-XX:+DisableExplicitGC",
+                    "-XX:+ExitOnOutOfMemoryError",
+                    "-XX:+DisplayVMOutputToStderr",
+                    "-XX:ErrorFile=/dev/null",
+                    "-Xlog:disable",
+                    "-Djava.awt.headless=true");
+
+    private final List<String> limits;
+
+    ChildKind(List<String> limits) {
+        this.limits = limits;
+    }
+
+    /**
+     * The arguments for java.
+     *
+     * @param harness path of the harness jar as the child sees it
+     * @param contract path of the contract jar as the child sees it
+     * @param warm whether the compiler tries itself out before the source comes
+     */
+    List<String> arguments(String harness, String contract, boolean warm) {
+        List<String> arguments = new ArrayList<>(COMMON);
+        arguments.addAll(limits);
+        arguments.add("-cp");
+        if (this == RUN) {
+            arguments.add(harness + java.io.File.pathSeparator + contract);
+            arguments.add(RunMain.class.getName());
+        } else {
+            arguments.add(harness);
+            arguments.add(CompileMain.class.getName());
+            arguments.add(contract);
+            if (warm) arguments.add("warm");
+        }
+        return arguments;
+    }
+}

@@ -1,0 +1,33 @@
+package rasterlab.exercises.runner;
+
+/** A child gave no answer that can be used, and is dead now. */
+final class ChildLost extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    /** Why there is no answer. */
+    enum Reason {
+        /** The wall limit passed. */
+        TIME,
+        /** It ended because its memory did not suffice. */
+        MEMORY,
+        /** It ended because it printed or plotted too much. */
+        OUTPUT,
+        /** A signal from outside ended it. */
+        KILLED,
+        /** It ended for another reason. */
+        ENDED,
+        /** It answered something that the protocol does not know. */
+        PROTOCOL
+    }
+
+    private final Reason reason;
+
+    ChildLost(Reason reason, String message) {
+        super(message);
+        this.reason = reason;
+    }
+
+    Reason reason() {
+        return reason;
+    }
+}

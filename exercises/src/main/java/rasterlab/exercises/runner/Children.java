@@ -1,0 +1,72 @@
+package rasterlab.exercises.runner;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.EnumMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Starts children and keeps some unused ones in reserve. A child serves one submission and is never
+ * taken back.
+ */
+final class Children implements AutoCloseable {
+    private static final Map<ChildKind, Integer> RESERVE =
+            Map.of(ChildKind.COMPILE, 1, ChildKind.RUN, 2);
+
+    private final Box box;
+    private final Launcher launcher;
+    private final boolean spares;
+    private final Map<ChildKind, Deque<Child>> waiting = new EnumMap<>(ChildKind.class);
+    private final Set<Child> started = new HashSet<>();
+    private boolean closed;
+
+    Children(Box box, Launcher launcher, boolean spares) {
+        this.box = box;
+        this.launcher = launcher;
+        this.spares = spares;
+        for (ChildKind kind : ChildKind.values()) waiting.put(kind, new ArrayDeque<>());
+    }
+
+    /** A child that nobody used, to be closed by the caller. */
+    synchronized Child take(ChildKind kind) {
+        Deque<Child> reserve = waiting.get(kind);
+        while (!reserve.isEmpty()) {
+            Child child = reserve.remove();
+            if (child.isAlive()) return child;
+            child.close();
+        }
+        return start(kind, false);
+    }
+
+    /** Starts what is missing in the reserve; does not wait until it is ready. */
+    synchronized void refill() {
+        if (!spares || closed) return;
+        RESERVE.forEach(
+                (kind, wanted) -> {
+                    while (waiting.get(kind).size() < wanted)
+                        waiting.get(kind).add(start(kind, true));
+                });
+    }
+
+    private Child start(ChildKind kind, boolean warm) {
+        if (closed) throw new IllegalStateException("the judge is closed");
+        started.removeIf(child -> !child.isAlive());
+        Child child = new Child(launcher.start(box.command(kind, warm)));
+        started.add(child);
+        return child;
+    }
+
+    /** Kills all children, also those in use: their gradings end with an internal fault. */
+    @Override
+    public void close() {
+        List<Child> running;
+        synchronized (this) {
+            closed = true;
+            running = List.copyOf(started);
+        }
+        running.forEach(Child::close);
+    }
+}

@@ -1,0 +1,76 @@
+package rasterlab.exercises.runner;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import rasterlab.exercises.runner.child.Frames;
+import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.score.Diagnostic;
+
+/**
+ * What the compiling child made of a source.
+ *
+ * @param classes binary name to class file; empty where there are errors
+ * @param errors compiler messages; empty where there are classes
+ */
+record Compilation(Map<String, byte[]> classes, List<Diagnostic> errors) {
+    private static final int MOST_CLASSES = 200;
+    private static final int MOST_ERRORS = 20;
+
+    /**
+     * @throws ChildLost when the child ended by a fault that is not the source's
+     */
+    static Compilation of(String source, Child child, Duration limit)
+            throws ChildLost, InterruptedException {
+        byte[] bytes = source.getBytes(StandardCharsets.UTF_8);
+        Request request = new Request(Wire.COMPILE, out -> Frames.writeBytes(out, bytes));
+        try {
+            return child.ask(request, limit, Compilation::read);
+        } catch (ChildLost lost) {
+            return switch (lost.reason()) {
+                case TIME -> tooComplex("compiling took longer than " + Child.seconds(limit));
+                case MEMORY -> tooComplex("the compiler ran out of memory");
+                default -> throw lost;
+            };
+        }
+    }
+
+    private static Compilation read(int status, DataInputStream in) throws IOException {
+        return switch (status) {
+            case Wire.DONE -> new Compilation(classes(in), List.of());
+            case Wire.COMPILER_ERRORS -> new Compilation(Map.of(), errors(in));
+            case Wire.TOO_COMPLEX -> tooComplex("the compiler gave up");
+            default -> throw new IOException("status " + status + " after a compilation");
+        };
+    }
+
+    private static Map<String, byte[]> classes(DataInputStream in) throws IOException {
+        Map<String, byte[]> classes = new LinkedHashMap<>();
+        for (int left = count(in, MOST_CLASSES); left > 0; left--)
+            classes.put(in.readUTF(), Frames.readBytes(in, Wire.MOST_CLASS_BYTES));
+        return classes;
+    }
+
+    private static List<Diagnostic> errors(DataInputStream in) throws IOException {
+        List<Diagnostic> errors = new ArrayList<>();
+        for (int left = count(in, MOST_ERRORS); left > 0; left--)
+            errors.add(new Diagnostic(in.readInt(), in.readInt(), Wire.cut(in.readUTF())));
+        return errors;
+    }
+
+    private static int count(DataInputStream in, int most) throws IOException {
+        int count = in.readInt();
+        if (count < 0 || count > most)
+            throw new IOException(count + " items, at most " + most + " are allowed");
+        return count;
+    }
+
+    private static Compilation tooComplex(String why) {
+        return new Compilation(Map.of(), List.of(new Diagnostic(0, 0, "too complex: " + why)));
+    }
+}

@@ -1,0 +1,140 @@
+package rasterlab.exercises.runner;
+
+import java.security.SecureRandom;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import rasterlab.contract.LineRasterizer;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.Visibility;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Report;
+import rasterlab.exercises.score.SpeedPoints;
+
+/** One try at one grading, with three children of its own. */
+final class GradingRun {
+    private static final String CONTRACT = LineRasterizer.class.getName().replace('.', '/');
+
+    private final JudgeSettings settings;
+    private final ByteCodeCheck check;
+    private final Exercise exercise;
+    private final String source;
+    private final CaseSelection selection;
+    private final Consumer<CaseReport> progress;
+    private final ReportSheet sheet;
+
+    GradingRun(
+            JudgeSettings settings,
+            ByteCodeCheck check,
+            Exercise exercise,
+            String source,
+            CaseSelection selection,
+            Consumer<CaseReport> progress,
+            ReportSheet sheet) {
+        this.settings = settings;
+        this.check = check;
+        this.exercise = exercise;
+        this.source = source;
+        this.selection = selection;
+        this.progress = progress;
+        this.sheet = sheet;
+    }
+
+    /**
+     * The cases to try: the open ones come first, so that what they print tells no hidden input.
+     */
+    static List<Case> selected(Exercise exercise, CaseSelection selection) {
+        return exercise.cases().stream()
+                .filter(one -> selection.hidden() || one.visibility() == Visibility.OPEN)
+                .sorted(Comparator.comparing(one -> one.visibility() != Visibility.OPEN))
+                .toList();
+    }
+
+    /**
+     * @throws ChildLost when a child was killed from outside or could not work: our fault
+     */
+    Report run(Children children) throws ChildLost, InterruptedException {
+        try (Child compiler = children.take(ChildKind.COMPILE);
+                Child runner = children.take(ChildKind.RUN);
+                Child reference = children.take(ChildKind.RUN)) {
+            Compilation compiled = Compilation.of(source, compiler, settings.compileLimit());
+            if (!compiled.errors().isEmpty())
+                return sheet.rejected(GradingVerdict.COMPILE_ERROR, compiled.errors());
+            ByteCodeCheck.Result checked = check.check(compiled.classes(), CONTRACT, source);
+            if (!checked.refusals().isEmpty())
+                return sheet.rejected(GradingVerdict.REFUSED, checked.refusals());
+            return tried(
+                    compiled,
+                    checked.entry(),
+                    new StudentRun(runner, settings.callLimit(), settings.runLimit()),
+                    new StudentRun(reference, settings.callLimit(), settings.runLimit()));
+        }
+    }
+
+    private Report tried(
+            Compilation compiled, String entry, StudentRun student, StudentRun reference)
+            throws ChildLost, InterruptedException {
+        CaseRun cases = new CaseRun(exercise, selection.seed(), student);
+        Optional<Finding> unloaded = cases.load(entry, compiled.classes());
+        List<CaseReport> reports = new ArrayList<>();
+        for (Case one : selected(exercise, selection)) {
+            boolean first = reports.isEmpty();
+            CaseReport report =
+                    first && unloaded.isPresent()
+                            ? cases.skip(one, unloaded.get())
+                            : cases.judge(one);
+            reports.add(report);
+            progress.accept(report);
+        }
+        SpeedTrial.Outcome speed = SpeedTrial.Outcome.WRONG;
+        CaseReport speedReport = SpeedPoints.none(exercise.points().speed(), tooInaccurate());
+        if (!cases.isStopped() && aboveFloor(reports)) {
+            speed = speed(student, reference);
+            speedReport =
+                    speed.ratio() > 0
+                            ? SpeedPoints.measured(speed.ratio(), exercise.points().speed())
+                            : SpeedPoints.none(
+                                    exercise.points().speed(),
+                                    "not right, or not ready in time, on the long lines of the measurement");
+        }
+        progress.accept(speedReport);
+        return sheet.graded(reports, speedReport, cases.printed(), speed.nanosPerPixel());
+    }
+
+    private static String tooInaccurate() {
+        return String.format(
+                "not measured: %.0f %% of the accuracy points come first",
+                100 * SpeedPoints.ACCURACY_FLOOR);
+    }
+
+    private boolean aboveFloor(List<CaseReport> reports) {
+        List<String> accuracy =
+                exercise.cases().stream()
+                        .filter(one -> one.kind() == Kind.ACCURACY)
+                        .map(Case::name)
+                        .toList();
+        List<CaseReport> counted =
+                reports.stream().filter(one -> accuracy.contains(one.name())).toList();
+        int earned = counted.stream().mapToInt(CaseReport::points).sum();
+        int possible = counted.stream().mapToInt(CaseReport::of).sum();
+        return earned >= SpeedPoints.ACCURACY_FLOOR * possible;
+    }
+
+    /** A method that is stopped while it is timed loses the points for speed only. */
+    private SpeedTrial.Outcome speed(StudentRun student, StudentRun reference)
+            throws ChildLost, InterruptedException {
+        try {
+            return new SpeedTrial(student, reference, new SecureRandom().nextLong()).measure();
+        } catch (ChildLost lost) {
+            if (lost.reason() == ChildLost.Reason.KILLED) throw lost;
+            return SpeedTrial.Outcome.WRONG;
+        }
+    }
+}

@@ -1,0 +1,118 @@
+package rasterlab.exercises.runner;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Report;
+
+/**
+ * Grades sources: compiles and runs each in one-shot child processes, compares and scores here.
+ *
+ * <p>Several threads may grade at once; each grading has children of its own.
+ */
+public final class Judge implements Grading, AutoCloseable {
+    private static final int TRIES = 2;
+
+    private final JudgeSettings settings;
+    private final ChildJars jars;
+    private final Launcher launcher;
+    private final Box box;
+    private final Children children;
+    private final ByteCodeCheck check = new ByteCodeCheck(AllowList.builtIn());
+    private final AtomicBoolean released = new AtomicBoolean();
+    private final Thread atExit;
+
+    private Judge(JudgeSettings settings) {
+        this.settings = settings;
+        this.jars = ChildJars.assemble();
+        this.launcher = new Launcher(jars.folder());
+        this.box = new BoxChoice(launcher, jars).choose(settings.box());
+        this.children = new Children(box, launcher, settings.spares());
+        this.atExit = new Thread(this::release, "rasterlab-judge-exit");
+        Runtime.getRuntime().addShutdownHook(atExit);
+        children.refill();
+    }
+
+    /** Changes with everything of the judge that can change a grade. */
+    public static String version() {
+        return "judge-1 " + AllowList.text();
+    }
+
+    /** Finds the isolation that works here and prepares children. */
+    public static Judge start(JudgeSettings settings) {
+        return new Judge(settings);
+    }
+
+    /** What shuts the student's method in on this machine. */
+    public Isolation isolation() {
+        return box.isolation();
+    }
+
+    @Override
+    public Report grade(
+            Exercise exercise, String source, CaseSelection cases, Consumer<CaseReport> progress)
+            throws InterruptedException {
+        ReportSheet sheet = new ReportSheet(exercise, cases, isolation().name());
+        var fault = SourceText.faultOf(source);
+        if (fault.isPresent())
+            return sheet.rejected(fault.get().verdict(), List.of(fault.get().diagnostic()));
+        Set<String> told = new HashSet<>();
+        GradingRun run =
+                new GradingRun(
+                        settings,
+                        check,
+                        exercise,
+                        source,
+                        cases,
+                        report -> {
+                            if (told.add(report.name())) progress.accept(report);
+                        },
+                        sheet);
+        try {
+            return withRetry(run, sheet);
+        } finally {
+            children.refill();
+        }
+    }
+
+    private Report withRetry(GradingRun run, ReportSheet sheet) throws InterruptedException {
+        String reason = "";
+        for (int left = TRIES; left > 0; left--) {
+            try {
+                return run.run(children);
+            } catch (ChildLost lost) {
+                reason = "the isolated child " + lost.getMessage();
+            }
+        }
+        return sheet.rejected(
+                GradingVerdict.INTERNAL, List.of(new Diagnostic(0, 0, reason + ", twice")));
+    }
+
+    /** Ends all children and removes what was prepared for them. */
+    @Override
+    public void close() {
+        if (!release()) return;
+        try {
+            Runtime.getRuntime().removeShutdownHook(atExit);
+        } catch (IllegalStateException programIsEnding) {
+            // then the hook runs anyway and finds nothing left to do
+            return;
+        }
+    }
+
+    /** False when that was done before. */
+    private boolean release() {
+        if (released.getAndSet(true)) return false;
+        children.close();
+        launcher.close();
+        jars.close();
+        return true;
+    }
+}

@@ -1,0 +1,62 @@
+package rasterlab.exercises.runner;
+
+import java.time.Duration;
+
+/**
+ * How a {@link Judge} runs children.
+ *
+ * @param compileLimit wall time for compiling one source
+ * @param callLimit wall time for one call of the student's method
+ * @param runLimit wall time for all calls of one submission together
+ * @param spares whether started children wait in reserve, which hides their start-up; off for a
+ *     program that grades once and ends
+ * @param box which protection to look for
+ */
+public record JudgeSettings(
+        Duration compileLimit, Duration callLimit, Duration runLimit, boolean spares, Box box) {
+    /** Which protection to look for at start. */
+    public enum Box {
+        /** Bubblewrap where it works, else process limits only. */
+        STRONGEST,
+        /** Process limits only, even where bubblewrap works. */
+        PROCESS_LIMITS_ONLY
+    }
+
+    public JudgeSettings {
+        positive("compileLimit", compileLimit);
+        positive("callLimit", callLimit);
+        positive("runLimit", runLimit);
+    }
+
+    /** For a server: 10 s to compile, 2 s a call, 8 s in all, spares on, strongest box. */
+    public static JudgeSettings defaults() {
+        return new JudgeSettings(
+                Duration.ofSeconds(10),
+                Duration.ofSeconds(2),
+                Duration.ofSeconds(8),
+                true,
+                Box.STRONGEST);
+    }
+
+    /** The same without children in reserve: for a program that grades once and ends. */
+    public static JudgeSettings once() {
+        return defaults().withSpares(false);
+    }
+
+    public JudgeSettings withSpares(boolean wanted) {
+        return new JudgeSettings(compileLimit, callLimit, runLimit, wanted, box);
+    }
+
+    public JudgeSettings withBox(Box wanted) {
+        return new JudgeSettings(compileLimit, callLimit, runLimit, spares, wanted);
+    }
+
+    public JudgeSettings withCallLimit(Duration wanted) {
+        return new JudgeSettings(compileLimit, wanted, runLimit, spares, box);
+    }
+
+    private static void positive(String name, Duration limit) {
+        if (limit.isNegative() || limit.isZero())
+            throw new IllegalArgumentException(name + " must be longer than 0 s, got " + limit);
+    }
+}

@@ -1,0 +1,59 @@
+package rasterlab.exercises.runner;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+
+/**
+ * Starts processes, all from one thread that stays: bubblewrap's --die-with-parent kills the child
+ * when the thread that started it ends.
+ */
+final class Launcher implements AutoCloseable {
+    private final Path folder;
+    private final ExecutorService thread =
+            Executors.newSingleThreadExecutor(Daemons.named("rasterlab-launcher"));
+
+    /**
+     * @param folder where processes start
+     */
+    Launcher(Path folder) {
+        this.folder = folder;
+    }
+
+    /**
+     * Starts a command with an empty environment.
+     *
+     * @throws UncheckedIOException when it cannot be started
+     */
+    Process start(List<String> command) {
+        try {
+            // join, unlike get, is not left by an interrupt: no started process gets lost
+            return CompletableFuture.supplyAsync(() -> spawn(command), thread).join();
+        } catch (CompletionException e) {
+            if (e.getCause() instanceof UncheckedIOException io) throw io;
+            throw e;
+        }
+    }
+
+    private Process spawn(List<String> command) {
+        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
+        String windows = System.getenv("SystemRoot");
+        builder.environment().clear();
+        if (windows != null) builder.environment().put("SystemRoot", windows);
+        try {
+            return builder.start();
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot start " + command.get(0), e);
+        }
+    }
+
+    @Override
+    public void close() {
+        thread.shutdownNow();
+    }
+}

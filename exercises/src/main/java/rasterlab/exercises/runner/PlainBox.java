@@ -1,0 +1,28 @@
+package rasterlab.exercises.runner;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A process of its own and the limits that go with it, on every operating system. */
+final class PlainBox implements Box {
+    private final ChildJars jars;
+    private final Isolation isolation;
+
+    PlainBox(ChildJars jars, String reason) {
+        this.jars = jars;
+        this.isolation = Isolation.processLimits(reason);
+    }
+
+    @Override
+    public Isolation isolation() {
+        return isolation;
+    }
+
+    @Override
+    public List<String> command(ChildKind kind, boolean warm) {
+        List<String> command = new ArrayList<>(Programs.limits());
+        command.add(Programs.java());
+        command.addAll(kind.arguments(jars.harness().toString(), jars.contract().toString(), warm));
+        return command;
+    }
+}

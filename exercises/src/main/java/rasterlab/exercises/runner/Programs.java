@@ -1,0 +1,58 @@
+package rasterlab.exercises.runner;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** Programs of this machine that children are started with. */
+final class Programs {
+    private Programs() {}
+
+    /** The folder of the running JDK without symbolic links. */
+    static Path javaHome() {
+        try {
+            return Path.of(System.getProperty("java.home")).toRealPath();
+        } catch (IOException e) {
+            throw new UncheckedIOException("java.home is no folder", e);
+        }
+    }
+
+    static String java() {
+        boolean windows = File.separatorChar == '\\';
+        return javaHome().resolve("bin").resolve(windows ? "java.exe" : "java").toString();
+    }
+
+    static Optional<String> onPath(String name) {
+        String path = System.getenv("PATH");
+        return Stream.of(path == null ? new String[0] : path.split(File.pathSeparator))
+                .filter(folder -> !folder.isEmpty())
+                .map(folder -> Path.of(folder, name))
+                .filter(Path::isAbsolute)
+                .filter(Files::isExecutable)
+                .map(Path::toString)
+                .findFirst();
+    }
+
+    /**
+     * The beginning of a command that sets what the kernel limits for each process: no core dump,
+     * no file written, few files open, a minute of processor time. Empty where there is no prlimit.
+     */
+    static List<String> limits() {
+        return onPath("prlimit")
+                .map(
+                        program ->
+                                List.of(
+                                        program,
+                                        "--core=0",
+                                        "--fsize=0",
+                                        "--nofile=256",
+                                        "--cpu=60",
+                                        "--"))
+                .orElse(List.of());
+    }
+}

@@ -1,0 +1,14 @@
+package rasterlab.exercises.runner;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+
+/** Reads an answer's payload. */
+@FunctionalInterface
+interface Reading<T> {
+    /**
+     * @param status of {@link rasterlab.exercises.runner.child.Wire}
+     * @throws IOException when the payload is not what the status promises
+     */
+    T read(int status, DataInputStream payload) throws IOException;
+}

@@ -1,0 +1,69 @@
+package rasterlab.exercises.runner;
+
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.Report;
+
+/** Adds up points and puts the report together. */
+final class ReportSheet {
+    private final Exercise exercise;
+    private final int possible;
+    private final String isolation;
+
+    /**
+     * @param isolation name of what shut the method in
+     */
+    ReportSheet(Exercise exercise, CaseSelection selection, String isolation) {
+        this.exercise = exercise;
+        this.possible =
+                exercise.points().speed()
+                        + GradingRun.selected(exercise, selection).stream()
+                                .mapToInt(Case::points)
+                                .sum();
+        this.isolation = isolation;
+    }
+
+    /** Nothing was run. */
+    Report rejected(GradingVerdict verdict, List<Diagnostic> reasons) {
+        return new Report(verdict, new Points(0, 0, 0, possible), List.of(), reasons, isolation, 0);
+    }
+
+    Report graded(
+            List<CaseReport> cases, CaseReport speed, List<Diagnostic> printed, double nanos) {
+        List<CaseReport> all = new ArrayList<>(cases);
+        all.add(speed);
+        GradingVerdict verdict =
+                cases.stream()
+                        .map(CaseReport::verdict)
+                        .filter(one -> one != GradingVerdict.OK)
+                        .findFirst()
+                        .orElse(GradingVerdict.OK);
+        Points points =
+                new Points(
+                        earned(cases, Kind.ACCURACY),
+                        earned(cases, Kind.STABILITY),
+                        speed.points(),
+                        possible);
+        return new Report(verdict, points, all, printed, isolation, nanos);
+    }
+
+    private int earned(List<CaseReport> cases, Kind kind) {
+        List<String> names =
+                exercise.cases().stream()
+                        .filter(one -> one.kind() == kind)
+                        .map(Case::name)
+                        .toList();
+        return cases.stream()
+                .filter(one -> names.contains(one.name()))
+                .mapToInt(CaseReport::points)
+                .sum();
+    }
+}

@@ -1,0 +1,38 @@
+package rasterlab.exercises.runner;
+
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+
+/** Builds one request's payload. */
+final class Request {
+    /** Writes the payload. */
+    @FunctionalInterface
+    interface Payload {
+        void writeTo(DataOutputStream out) throws IOException;
+    }
+
+    private final int operation;
+    private final Payload payload;
+
+    /**
+     * @param operation of {@link rasterlab.exercises.runner.child.Wire}
+     */
+    Request(int operation, Payload payload) {
+        this.operation = operation;
+        this.payload = payload;
+    }
+
+    byte[] frame(long nonce) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (DataOutputStream out = new DataOutputStream(bytes)) {
+            out.writeByte(operation);
+            out.writeLong(nonce);
+            payload.writeTo(out);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return bytes.toByteArray();
+    }
+}

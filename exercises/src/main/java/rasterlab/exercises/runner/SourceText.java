@@ -1,0 +1,83 @@
+package rasterlab.exercises.runner;
+
+import java.nio.CharBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.GradingVerdict;
+
+/** Looks at a source before any process is started. */
+final class SourceText {
+    /** Deeper nesting than any person writes; the compiler recurses over it. */
+    private static final int DEEPEST = 200;
+
+    private SourceText() {}
+
+    /** Why a source is not even compiled. */
+    record Fault(GradingVerdict verdict, Diagnostic diagnostic) {}
+
+    static Optional<Fault> faultOf(String source) {
+        if (source.length() > Wire.MOST_SOURCE_BYTES || utf8Length(source) > Wire.MOST_SOURCE_BYTES)
+            return Optional.of(
+                    new Fault(
+                            GradingVerdict.REFUSED,
+                            new Diagnostic(
+                                    0,
+                                    0,
+                                    "the source is longer than the allowed "
+                                            + Wire.MOST_SOURCE_BYTES
+                                            + " bytes")));
+        if (source.isBlank()) return fault(source, 0, "the source is empty");
+        for (int i = 0; i < source.length(); i++) {
+            String wrong = wrong(source, i);
+            if (!wrong.isEmpty()) return fault(source, i, wrong);
+        }
+        return tooDeep(source);
+    }
+
+    private static long utf8Length(String source) {
+        try {
+            return StandardCharsets.UTF_8.newEncoder().encode(CharBuffer.wrap(source)).limit();
+        } catch (CharacterCodingException loneSurrogate) {
+            return source.length();
+        }
+    }
+
+    private static String wrong(String source, int i) {
+        char c = source.charAt(i);
+        if (c == '\uFEFF') return "a byte order mark: save the file as UTF-8 without it";
+        if (c == 0) return "a NUL character: this is not a text file";
+        if (c >= '\u202A' && c <= '\u202E' || c >= '\u2066' && c <= '\u2069')
+            return String.format("the invisible writing-direction character U+%04X", (int) c);
+        boolean lone =
+                Character.isHighSurrogate(c)
+                        ? i + 1 == source.length()
+                                || !Character.isLowSurrogate(source.charAt(i + 1))
+                        : Character.isLowSurrogate(c)
+                                && (i == 0 || !Character.isHighSurrogate(source.charAt(i - 1)));
+        return lone ? String.format("half a character, U+%04X", (int) c) : "";
+    }
+
+    /** Counts brackets wherever they stand; text and comments with 200 open ones are unlikely. */
+    private static Optional<Fault> tooDeep(String source) {
+        int depth = 0;
+        for (int i = 0; i < source.length(); i++) {
+            char c = source.charAt(i);
+            if (c == '(' || c == '{' || c == '[') depth++;
+            if ((c == ')' || c == '}' || c == ']') && depth > 0) depth--;
+            if (depth > DEEPEST)
+                return fault(source, i, "too complex: more than " + DEEPEST + " open brackets");
+        }
+        return Optional.empty();
+    }
+
+    private static Optional<Fault> fault(String source, int at, String message) {
+        String before = source.substring(0, at);
+        int line = 1 + (int) before.chars().filter(c -> c == '\n').count();
+        int column = at - before.lastIndexOf('\n');
+        return Optional.of(
+                new Fault(GradingVerdict.COMPILE_ERROR, new Diagnostic(line, column, message)));
+    }
+}

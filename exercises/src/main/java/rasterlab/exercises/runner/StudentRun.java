@@ -1,0 +1,159 @@
+package rasterlab.exercises.runner;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.exercises.runner.child.Frames;
+import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.score.Answer;
+
+/** A loaded class in its running child, called from here one input at a time. */
+final class StudentRun {
+    private static final Duration MESSAGE_LIMIT = Duration.ofMillis(500);
+
+    private final Child child;
+    private final Duration callLimit;
+    private final long deadline;
+    private boolean over;
+
+    /**
+     * @param callLimit wall time for one call
+     * @param runLimit wall time for all calls together, from now on
+     */
+    StudentRun(Child child, Duration callLimit, Duration runLimit) {
+        this.child = child;
+        this.callLimit = callLimit;
+        this.deadline = System.nanoTime() + runLimit.toNanos();
+    }
+
+    /** Whether the child has ended although it answered the last call. */
+    boolean over() {
+        return over;
+    }
+
+    /** Hands the classes in and makes an instance; an answer without pixels. */
+    Answer load(String entry, Map<String, byte[]> classes) throws ChildLost, InterruptedException {
+        return call(
+                new Request(
+                        Wire.LOAD,
+                        out -> {
+                            out.writeUTF(entry);
+                            out.writeInt(classes.size());
+                            for (Map.Entry<String, byte[]> one : classes.entrySet()) {
+                                out.writeUTF(one.getKey());
+                                Frames.writeBytes(out, one.getValue());
+                            }
+                        }),
+                (status, in) -> {
+                    if (status == Wire.NOT_LOADABLE)
+                        throw new IOException("cannot make an instance of " + entry);
+                    return returned(new PixelRecording(1), "");
+                });
+    }
+
+    Answer draw(Segment segment, int mostPixels) throws ChildLost, InterruptedException {
+        return call(
+                new Request(
+                        Wire.DRAW_LINE,
+                        out -> {
+                            for (int end : ends(segment)) out.writeInt(end);
+                            out.writeInt(mostPixels);
+                        }),
+                (status, in) -> drawn(status, in, mostPixels));
+    }
+
+    /**
+     * Draws all segments into a sink that sums up; the exception's text where the method threw.
+     *
+     * @param nanos measured by this process
+     */
+    record Timed(long nanos, long count, long sum, String thrown) {}
+
+    Timed time(List<Segment> segments) throws ChildLost, InterruptedException {
+        Request request =
+                new Request(
+                        Wire.TIME_LINES,
+                        out -> {
+                            out.writeInt(segments.size());
+                            for (Segment segment : segments)
+                                for (int end : ends(segment)) out.writeInt(end);
+                        });
+        long start = System.nanoTime();
+        return child.ask(
+                request,
+                remaining(),
+                (status, in) -> {
+                    long nanos = System.nanoTime() - start;
+                    return status == Wire.DONE
+                            ? new Timed(nanos, in.readLong(), in.readLong(), "")
+                            : new Timed(nanos, 0, 0, in.readUTF());
+                });
+    }
+
+    private static int[] ends(Segment segment) {
+        return new int[] {segment.x0(), segment.y0(), segment.x1(), segment.y1()};
+    }
+
+    private Answer call(Request request, Reading<Answer> reading)
+            throws ChildLost, InterruptedException {
+        Answer answer =
+                child.ask(
+                        request,
+                        remaining(),
+                        (status, in) ->
+                                status == Wire.THREW
+                                        ? threw(in.readUTF(), "", "")
+                                        : reading.read(status, in));
+        return answer.ending() == Answer.Ending.THREW ? withMessage(answer) : answer;
+    }
+
+    /** The message comes by itself, since asking for it runs the student's code once more. */
+    private Answer withMessage(Answer threw) throws InterruptedException {
+        try {
+            return child.more(
+                    MESSAGE_LIMIT,
+                    (status, in) ->
+                            threw(
+                                    threw.exception(),
+                                    Wire.cut(in.readUTF()),
+                                    Wire.cut(in.readUTF())));
+        } catch (ChildLost lost) {
+            over = true;
+            return threw;
+        }
+    }
+
+    private Duration remaining() throws ChildLost {
+        Duration left = Duration.ofNanos(deadline - System.nanoTime());
+        if (left.isNegative() || left.isZero())
+            throw new ChildLost(ChildLost.Reason.TIME, "all calls together took too long");
+        return left.compareTo(callLimit) < 0 ? left : callLimit;
+    }
+
+    private static Answer drawn(int status, DataInputStream in, int most) throws IOException {
+        if (status != Wire.DONE && status != Wire.CUT)
+            throw new IOException("status " + status + " after drawing");
+        int size = in.readInt();
+        if (size < 0 || size > most)
+            throw new IOException(size + " pixels, at most " + most + " are allowed");
+        PixelRecording pixels = new PixelRecording(Math.max(1, most));
+        for (int i = 0; i < size; i++) pixels.plot(in.readInt(), in.readInt());
+        String printed = Wire.cut(in.readUTF());
+        return status == Wire.DONE
+                ? returned(pixels, printed)
+                : new Answer(Answer.Ending.CUT, pixels, "", "", printed);
+    }
+
+    private static Answer returned(PixelRecording pixels, String printed) {
+        return new Answer(Answer.Ending.RETURNED, pixels, "", "", printed);
+    }
+
+    private static Answer threw(String exception, String message, String printed) {
+        return new Answer(
+                Answer.Ending.THREW, new PixelRecording(1), Wire.cut(exception), message, printed);
+    }
+}

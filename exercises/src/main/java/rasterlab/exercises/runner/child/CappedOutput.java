@@ -1,0 +1,34 @@
+package rasterlab.exercises.runner.child;
+
+import java.io.ByteArrayOutputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+
+/**
+ * Where a student's System.out goes: the beginning is kept for the report, the rest is counted, and
+ * too much ends the process, because an exception could be caught.
+ */
+final class CappedOutput extends OutputStream {
+    private final ByteArrayOutputStream beginning = new ByteArrayOutputStream();
+    private long written;
+
+    @Override
+    public synchronized void write(int one) {
+        write(new byte[] {(byte) one}, 0, 1);
+    }
+
+    @Override
+    public synchronized void write(byte[] bytes, int from, int length) {
+        written += length;
+        if (written > Wire.MOST_PRINTED_BYTES) Runtime.getRuntime().halt(Wire.EXIT_OUTPUT);
+        int kept = Math.min(length, 4 * Wire.MOST_SHOWN - beginning.size());
+        if (kept > 0) beginning.write(bytes, from, kept);
+    }
+
+    /** What was printed since the last call, cut. */
+    synchronized String take() {
+        String text = Wire.cut(beginning.toString(StandardCharsets.UTF_8));
+        beginning.reset();
+        return text;
+    }
+}

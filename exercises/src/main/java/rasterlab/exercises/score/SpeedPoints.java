@@ -1,0 +1,64 @@
+package rasterlab.exercises.score;
+
+import java.util.List;
+import java.util.Locale;
+import rasterlab.exercises.Visibility;
+
+/** Points for speed, in bands, because a measured time is never the same twice. */
+public final class SpeedPoints {
+    /** The share of the accuracy points below which speed is worth nothing. */
+    public static final double ACCURACY_FLOOR = 0.8;
+
+    /**
+     * A band.
+     *
+     * @param upTo the largest ratio of the student's time to the reference's
+     * @param share of the points
+     */
+    private record Band(double upTo, double share) {}
+
+    private static final List<Band> BANDS =
+            List.of(new Band(1.5, 1), new Band(3, 0.7), new Band(8, 0.4));
+
+    private SpeedPoints() {}
+
+    /**
+     * The line of the report on speed.
+     *
+     * @param ratio the student's time per item divided by the reference's, above 0
+     */
+    public static CaseReport measured(double ratio, int of) {
+        int points =
+                BANDS.stream()
+                        .filter(band -> ratio <= band.upTo())
+                        .findFirst()
+                        .map(band -> (int) Math.round(band.share() * of))
+                        .orElse(0);
+        String message =
+                points == of
+                        ? ""
+                        : String.format(
+                                Locale.ROOT,
+                                "%.1f times the reference's time per item; full points up to %.1f",
+                                ratio,
+                                BANDS.get(0).upTo());
+        return report(points, of, message);
+    }
+
+    /** Where speed was not measured, or is worth nothing. */
+    public static CaseReport none(int of, String reason) {
+        return report(0, of, reason);
+    }
+
+    private static CaseReport report(int points, int of, String message) {
+        return new CaseReport(
+                "speed",
+                Visibility.OPEN,
+                GradingVerdict.OK,
+                points,
+                of,
+                message,
+                java.util.Optional.empty(),
+                "");
+    }
+}

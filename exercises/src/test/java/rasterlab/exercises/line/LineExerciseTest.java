@@ -1,0 +1,246 @@
+package rasterlab.exercises.line;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.contract.LineRasterizer;
+import rasterlab.contract.Pixels;
+import rasterlab.engine.line.BresenhamLine;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
+import rasterlab.exercises.Catalogue;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Finding;
+import rasterlab.exercises.score.GradingVerdict;
+
+/** The exercise proves its own cases: faulty methods fail, right ones do not. */
+class LineExerciseTest {
+    private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
+    private static final long[] SEEDS = {0, 1, 42, -7, Long.MAX_VALUE};
+
+    static Stream<Method<LineRasterizer>> right() {
+        return new LineTopic().methods().stream().filter(method -> !method.faulty());
+    }
+
+    static Stream<Method<LineRasterizer>> faulty() {
+        return new LineTopic().methods().stream().filter(Method::faulty);
+    }
+
+    @ParameterizedTest
+    @MethodSource("right")
+    void aRightMethodFailsNoCase(Method<LineRasterizer> method) {
+        for (long seed : SEEDS)
+            assertEquals(
+                    List.of(),
+                    failed(method.implementation(), EXERCISE.cases(), seed),
+                    () -> method.name() + " with seed " + seed);
+    }
+
+    @ParameterizedTest
+    @MethodSource("faulty")
+    void aFaultyMethodFailsOpenAndHiddenAccuracyCases(Method<LineRasterizer> method) {
+        for (long seed : SEEDS) {
+            List<String> failed = failed(method.implementation(), accuracy(), seed);
+            assertTrue(
+                    failed.stream().anyMatch(name -> name.startsWith("octant-")),
+                    () -> method.name() + " with seed " + seed + " fails only " + failed);
+            assertTrue(failed.contains("single-point-is-skipped"), () -> method.name() + failed);
+        }
+    }
+
+    private static List<Case> accuracy() {
+        return EXERCISE.cases().stream().filter(one -> one.kind() == Kind.ACCURACY).toList();
+    }
+
+    /** Right methods with one mistake each, and the case that is named after it. */
+    static Stream<org.junit.jupiter.params.provider.Arguments> mutants() {
+        BresenhamLine line = new BresenhamLine();
+        return Stream.of(
+                mutant(
+                        "last-pixel-is-dropped",
+                        (x0, y0, x1, y1, out) ->
+                                line.draw(
+                                        x0,
+                                        y0,
+                                        x1,
+                                        y1,
+                                        (x, y) -> {
+                                            if (x != x1 || y != y1) out.plot(x, y);
+                                        })),
+                mutant(
+                        "pixels-come-backwards",
+                        (x0, y0, x1, y1, out) -> line.draw(x1, y1, x0, y0, out)),
+                mutant(
+                        "leftward-draws-nothing",
+                        (x0, y0, x1, y1, out) -> {
+                            if (x0 <= x1) line.draw(x0, y0, x1, y1, out);
+                        }),
+                mutant(
+                        "upward-goes-down",
+                        (x0, y0, x1, y1, out) ->
+                                line.draw(x0, y0, x1, y0 + Math.abs(y1 - y0), out)),
+                mutant(
+                        "single-point-is-skipped",
+                        (x0, y0, x1, y1, out) -> {
+                            if (x0 != x1 || y0 != y1) line.draw(x0, y0, x1, y1, out);
+                        }),
+                mutant(
+                        "vertical-divides-by-zero",
+                        (x0, y0, x1, y1, out) -> {
+                            if (x0 == x1 && y0 != y1) throw new ArithmeticException("/ by zero");
+                            line.draw(x0, y0, x1, y1, out);
+                        }),
+                mutant(
+                        "steep-line-leaves-gaps",
+                        (x0, y0, x1, y1, out) -> line.draw(x0, y0, x1, y1, oncePerColumn(out))),
+                mutant(
+                        "negative-coordinates-round-to-zero",
+                        (x0, y0, x1, y1, out) ->
+                                line.draw(
+                                        2 * x0,
+                                        2 * y0,
+                                        2 * x1,
+                                        2 * y1,
+                                        (x, y) -> {
+                                            if (x % 2 == 0) out.plot(x / 2, (int) (y / 2.0 + 0.5));
+                                        })),
+                mutant(
+                        "swapped-ends-differ-on-ties",
+                        (x0, y0, x1, y1, out) ->
+                                line.draw(-x0, -y0, -x1, -y1, (x, y) -> out.plot(-x, -y))));
+    }
+
+    private static Pixels oncePerColumn(Pixels out) {
+        List<Integer> seen = new ArrayList<>();
+        return (x, y) -> {
+            if (!seen.contains(x)) out.plot(x, y);
+            seen.add(x);
+        };
+    }
+
+    private static org.junit.jupiter.params.provider.Arguments mutant(
+            String name, LineRasterizer method) {
+        return org.junit.jupiter.params.provider.Arguments.argumentSet(name, name, method);
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mutants")
+    void theCaseCatchesTheMistakeItIsNamedAfter(String name, LineRasterizer method) {
+        List<String> failed = failed(method, EXERCISE.cases(), 3);
+        assertTrue(failed.contains(name), failed::toString);
+    }
+
+    @Test
+    void theSeedDrawsTheHiddenSegmentsInTheirOctant() {
+        for (Case one : EXERCISE.cases()) {
+            if (!one.generated()) continue;
+            assertEquals(LineCaseReader.read(one, 5), LineCaseReader.read(one, 5));
+            assertNotEquals(LineCaseReader.read(one, 5), LineCaseReader.read(one, 6));
+            int octant = one.name().startsWith("octant-") ? one.name().charAt(7) - '0' : 8;
+            for (Segment segment : LineCaseReader.read(one, 5).segments())
+                assertInOctant(octant, segment);
+        }
+    }
+
+    private static void assertInOctant(int octant, Segment segment) {
+        double degrees =
+                Math.toDegrees(
+                        Math.atan2(segment.y1() - segment.y0(), segment.x1() - segment.x0()));
+        double turned = degrees < 0 || degrees == 0 && octant == 8 ? degrees + 360 : degrees;
+        assertTrue(
+                turned >= 45 * (octant - 1) && turned <= 45 * octant,
+                () -> segment + " at " + turned + "° is not in octant " + octant);
+    }
+
+    @Test
+    void aRefusalCountsOnlyWhereTheCaseSaysSo() {
+        LineRasterizer refusing =
+                (x0, y0, x1, y1, out) -> {
+                    throw new IllegalArgumentException("no");
+                };
+        List<String> failed = failed(refusing, EXERCISE.cases(), 0);
+        assertEquals(
+                List.of("beyond-2-30-overflows", "last-column-never-ends"),
+                EXERCISE.cases().stream()
+                        .map(Case::name)
+                        .filter(name -> !failed.contains(name))
+                        .toList());
+    }
+
+    private static List<String> failed(LineRasterizer method, List<Case> cases, long seed) {
+        List<String> failed = new ArrayList<>();
+        for (Case one : cases) {
+            LineCase demand = LineCaseReader.read(one, seed);
+            LineJudge judge = new LineJudge(demand, EXERCISE.tolerance().eitherPixelOnTies());
+            if (demand.segments().stream()
+                    .map(segment -> judge.judge(segment, answer(method, segment, demand)))
+                    .map(Finding::verdict)
+                    .anyMatch(verdict -> verdict != GradingVerdict.OK)) failed.add(one.name());
+        }
+        return failed;
+    }
+
+    private static Answer answer(LineRasterizer method, Segment segment, LineCase demand) {
+        try {
+            return new Answer(
+                    Answer.Ending.RETURNED,
+                    new LineTopic().record(method, segment, demand.mostPixels(segment)),
+                    "",
+                    "",
+                    "");
+        } catch (LimitReached reached) {
+            PixelRecording recorded = (PixelRecording) reached.recorded();
+            return new Answer(Answer.Ending.CUT, recorded, "", "", "");
+        } catch (IllegalArgumentException | ArithmeticException e) {
+            return new Answer(
+                    Answer.Ending.THREW,
+                    new PixelRecording(1),
+                    e.getClass().getName(),
+                    e.getMessage(),
+                    "");
+        }
+    }
+
+    @Test
+    void eitherPixelOfATieIsRightUnlessTheCaseIsStrict() {
+        Segment tied = new Segment(0, 0, 2, 1);
+        PixelRecording upper = new PixelRecording(3);
+        IntStream.of(0, 1, 2).forEach(x -> upper.plot(x, (x + 1) / 2));
+        Answer answer = new Answer(Answer.Ending.RETURNED, upper, "", "", "");
+        LineCase loose = new LineCase(List.of(tied), false, false, 100, false);
+        LineCase strict = new LineCase(List.of(tied), true, false, 100, false);
+        assertEquals(Finding.OK, new LineJudge(loose, true).judge(tied, answer));
+        assertEquals(
+                GradingVerdict.WRONG, new LineJudge(loose, false).judge(tied, answer).verdict());
+        Finding finding = new LineJudge(strict, true).judge(tied, answer);
+        assertEquals("#-.\n.+#", finding.pictures().orElseThrow().text());
+    }
+
+    @Test
+    void aPixelPlottedTwiceIsWrong() {
+        Segment segment = new Segment(0, 0, 1, 0);
+        PixelRecording twice = new PixelRecording(3);
+        twice.plot(0, 0);
+        twice.plot(1, 0);
+        twice.plot(1, 0);
+        LineCase demand = new LineCase(List.of(segment), false, false, 100, false);
+        Finding finding =
+                new LineJudge(demand, true)
+                        .judge(segment, new Answer(Answer.Ending.RETURNED, twice, "", "", ""));
+        assertEquals("pixel (1, 0) is plotted twice", finding.message().split(";")[0]);
+    }
+}

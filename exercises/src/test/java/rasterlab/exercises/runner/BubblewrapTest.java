@@ -1,0 +1,78 @@
+package rasterlab.exercises.runner;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+import static rasterlab.exercises.Sources.method;
+
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What a method that got past the byte-code check finds inside bubblewrap. */
+class BubblewrapTest {
+    private static Unscanned unscanned;
+
+    @BeforeAll
+    static void start() {
+        assumeTrue(Programs.onPath("bwrap").isPresent(), "bubblewrap is missing");
+        unscanned = new Unscanned(JudgeSettings.Box.STRONGEST);
+        assertTrue(unscanned.box.isolation().exam(), unscanned.box.isolation()::describe);
+    }
+
+    @AfterAll
+    static void end() {
+        if (unscanned != null) unscanned.close();
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("reaches")
+    void findsNothing(String said, String body) throws Exception {
+        String source =
+                method(
+                        "String found; try { "
+                                + body
+                                + " } catch (Exception e) { found = \"\" + e; }\n"
+                                + "throw new RuntimeException(found);\n");
+        String thrown = unscanned.draw(source).thrown();
+        assertTrue(thrown.matches("(?s)java.lang.RuntimeException: " + said), thrown);
+    }
+
+    static Stream<Arguments> reaches() {
+        String list = "found = java.util.Arrays.toString(new java.io.File(\"%s\").list());";
+        String write =
+                "java.nio.file.Files.writeString(java.nio.file.Path.of(\"%s\"), \"x\"); found = \"written\";";
+        return Stream.of(
+                argumentSet(
+                        "password file",
+                        ".*NoSuchFile.*",
+                        "found = java.nio.file.Files.readString(java.nio.file.Path.of(\"/etc/passwd\"));"),
+                argumentSet("home folders", "null", list.formatted("/home")),
+                argumentSet("other processes", "null", list.formatted("/proc")),
+                argumentSet(
+                        "box holds more than two jars",
+                        "\\[(harness.jar, contract.jar|contract.jar, harness.jar)\\]",
+                        list.formatted("/box")),
+                argumentSet("writes to the root", ".*FileSystem.*", write.formatted("/a")),
+                argumentSet("writes to the box", ".*FileSystem.*", write.formatted("/box/a")),
+                argumentSet("writes to /dev", ".*FileSystem.*", write.formatted("/dev/a")),
+                argumentSet("writes to /dev/shm", ".*FileSystem.*", write.formatted("/dev/shm/a")),
+                argumentSet(
+                        "network",
+                        ".*(unreachable|refused|denied).*",
+                        "new java.net.Socket(\"192.0.2.1\", 80); found = \"connected\";"),
+                argumentSet(
+                        "network card",
+                        "0",
+                        "int up = 0; for (var one : java.util.Collections.list("
+                                + "java.net.NetworkInterface.getNetworkInterfaces()))"
+                                + " if (!one.isLoopback()) up++; found = \"\" + up;"),
+                argumentSet(
+                        "starts a program",
+                        ".*(Cannot run|No such file|spawn).*",
+                        "new ProcessBuilder(\"/bin/ls\").start(); found = \"started\";"));
+    }
+}

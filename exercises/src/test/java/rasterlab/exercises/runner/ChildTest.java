@@ -1,0 +1,147 @@
+package rasterlab.exercises.runner;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+import static rasterlab.exercises.Sources.method;
+
+import java.time.Duration;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.score.Answer;
+
+/** What a method that got past the byte-code check can do to the parent: nothing but lose. */
+class ChildTest {
+    private static Unscanned unscanned;
+
+    @BeforeAll
+    static void start() {
+        unscanned = new Unscanned(JudgeSettings.Box.PROCESS_LIMITS_ONLY);
+    }
+
+    @AfterAll
+    static void end() {
+        unscanned.close();
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("tricks")
+    void isLostWith(ChildLost.Reason reason, String body) {
+        try (Child runner = unscanned.child(ChildKind.RUN)) {
+            ChildLost lost =
+                    assertThrows(
+                            ChildLost.class, () -> unscanned.draw(runner, method(guarded(body))));
+            assertEquals(reason, lost.reason(), lost::getMessage);
+            assertFalse(runner.isAlive(), "the child outlived its loss");
+        }
+    }
+
+    private static String guarded(String body) {
+        return "try { " + body + " } catch (Exception e) { throw new RuntimeException(e); }\n";
+    }
+
+    static Stream<Arguments> tricks() {
+        String out =
+                "java.io.OutputStream raw = new java.io.FileOutputStream(java.io.FileDescriptor.out);";
+        return Stream.of(
+                argumentSet("exits", ChildLost.Reason.ENDED, "System.exit(0);"),
+                argumentSet("halts", ChildLost.Reason.ENDED, "Runtime.getRuntime().halt(0);"),
+                argumentSet(
+                        "shutdown hook loops",
+                        ChildLost.Reason.TIME,
+                        "Runtime.getRuntime().addShutdownHook("
+                                + "new Thread(() -> { while (true); })); System.exit(0);"),
+                argumentSet("sleeps", ChildLost.Reason.TIME, "Thread.sleep(100_000);"),
+                argumentSet(
+                        "closes stdout",
+                        ChildLost.Reason.PROTOCOL,
+                        out + "raw.close(); while (true);"),
+                argumentSet(
+                        "forges a frame without the nonce",
+                        ChildLost.Reason.PROTOCOL,
+                        out
+                                + "raw.write(new byte[] {0, 0, 0, 9, 1, 2, 3, 4, 5, 6, 7, 8, 0});"
+                                + "raw.flush();"),
+                argumentSet(
+                        "announces 2 GB",
+                        ChildLost.Reason.PROTOCOL,
+                        out
+                                + "raw.write(new byte[] {127, -1, -1, -1}); raw.flush(); while (true);"),
+                argumentSet(
+                        "sends half a frame",
+                        ChildLost.Reason.ENDED,
+                        out + "raw.write(new byte[] {0, 0, 0, 9, 1}); System.exit(0);"),
+                argumentSet(
+                        "floods stdout with frames",
+                        ChildLost.Reason.PROTOCOL,
+                        out + "while (true) raw.write(new byte[] {0, 0, 0, 1, 1});"),
+                argumentSet(
+                        "starts a thread that exhausts memory",
+                        ChildLost.Reason.MEMORY,
+                        "new Thread(() -> { var all = new java.util.ArrayList<long[]>();"
+                                + " while (true) all.add(new long[1 << 20]); }).start();"
+                                + " Thread.sleep(10_000);"));
+    }
+
+    @Test
+    void aKilledChildIsToldApartFromOneThatEnded() {
+        try (Child child = unscanned.child(ChildKind.RUN)) {
+            child.handle().destroyForcibly();
+            ChildLost lost =
+                    assertThrows(
+                            ChildLost.class,
+                            () ->
+                                    child.ask(
+                                            new Request(Wire.PING, out -> {}),
+                                            Duration.ofSeconds(5),
+                                            (status, in) -> status));
+            assertEquals(ChildLost.Reason.KILLED, lost.reason(), lost::getMessage);
+        }
+    }
+
+    @Test
+    void aChildThatStopsReadingHoldsNobodyUp() {
+        byte[] big = new byte[3 << 20];
+        try (Child child = unscanned.child(ChildKind.RUN)) {
+            ChildLost lost =
+                    assertThrows(
+                            ChildLost.class,
+                            () -> {
+                                unscanned.draw(child, method("while (true);\n"));
+                                child.ask(
+                                        new Request(Wire.LOAD, out -> out.write(big)),
+                                        Duration.ofSeconds(5),
+                                        (status, in) -> status);
+                            });
+            assertEquals(ChildLost.Reason.TIME, lost.reason(), lost::getMessage);
+        }
+    }
+
+    @Test
+    void theHarnessIsNotOnTheStudentsClassPath() throws Exception {
+        Answer answer =
+                unscanned.draw(
+                        method(
+                                guarded(
+                                        "Class.forName(\"rasterlab.exercises.runner.child.RunMain\");")));
+        assertEquals(
+                "java.lang.RuntimeException: java.lang.ClassNotFoundException:"
+                        + " rasterlab.exercises.runner.child.RunMain",
+                answer.thrown());
+    }
+
+    @Test
+    void theEnvironmentIsEmpty() throws Exception {
+        Answer answer =
+                unscanned.draw(
+                        method("throw new RuntimeException(\"\" + System.getenv(\"PATH\"));\n"));
+        assertEquals("java.lang.RuntimeException: null", answer.thrown());
+    }
+}

@@ -1,0 +1,132 @@
+package rasterlab.exercises.runner;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import rasterlab.exercises.Catalogue;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.Sources;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Report;
+
+/** Children come and go as they should, whoever is killed or interrupted. */
+class GradingLifeTest {
+    private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
+
+    @Test
+    void anInterruptedGradingLeavesNoProcess() throws Exception {
+        ExecutorService threads = Executors.newSingleThreadExecutor();
+        JudgeSettings patient = JudgeSettings.once().withCallLimit(Duration.ofMinutes(5));
+        Set<ProcessHandle> before = children();
+        try (Judge judge = Judge.start(patient)) {
+            CountDownLatch firstCaseDone = new CountDownLatch(1);
+            String endlessLater =
+                    Sources.RIGHT.replace("long dx", "while (x1 == 2 && y1 == 9); long dx");
+            Future<Report> grading =
+                    threads.submit(
+                            () ->
+                                    judge.grade(
+                                            EXERCISE,
+                                            endlessLater,
+                                            CaseSelection.open(),
+                                            one -> firstCaseDone.countDown()));
+            assertTrue(firstCaseDone.await(30, TimeUnit.SECONDS), "first case not judged");
+            threads.shutdownNow();
+            ExecutionException ended =
+                    assertThrows(ExecutionException.class, () -> grading.get(30, TimeUnit.SECONDS));
+            assertEquals(InterruptedException.class, ended.getCause().getClass());
+            assertEquals(before, children(), "processes left");
+        }
+    }
+
+    @Test
+    void aChildKilledFromOutsideIsTriedAgainWithoutTellingACaseTwice() throws Exception {
+        List<String> told = new ArrayList<>();
+        try (Judge judge = Judge.start(JudgeSettings.once())) {
+            Report report =
+                    judge.grade(
+                            EXERCISE,
+                            Sources.RIGHT,
+                            CaseSelection.open(),
+                            one -> {
+                                if (told.isEmpty())
+                                    children().forEach(ProcessHandle::destroyForcibly);
+                                told.add(one.name());
+                            });
+            assertEquals(GradingVerdict.OK, report.verdict(), report.diagnostics()::toString);
+            assertEquals(new HashSet<>(told).size(), told.size(), told::toString);
+        }
+    }
+
+    @Test
+    void aChildKilledAgainIsOurFaultAndNoMark() throws Exception {
+        try (Judge judge = Judge.start(JudgeSettings.once())) {
+            Report report =
+                    judge.grade(
+                            EXERCISE,
+                            Sources.RIGHT,
+                            CaseSelection.open(),
+                            one -> children().forEach(ProcessHandle::destroyForcibly));
+            assertEquals(GradingVerdict.INTERNAL, report.verdict());
+        }
+    }
+
+    @Test
+    void twoGradingsAtOnceDoNotMix() throws Exception {
+        ExecutorService threads = Executors.newFixedThreadPool(2);
+        try (Judge judge = Judge.start(JudgeSettings.defaults())) {
+            List<Callable<Report>> both =
+                    List.of(
+                            () -> grade(judge, Sources.RIGHT),
+                            () -> grade(judge, Sources.NAIVE_TEXTBOOK));
+            List<Future<Report>> done = threads.invokeAll(both);
+            assertEquals(GradingVerdict.OK, done.get(0).get().verdict());
+            assertEquals(GradingVerdict.WRONG, done.get(1).get().verdict());
+        } finally {
+            threads.shutdownNow();
+        }
+    }
+
+    private static Report grade(Judge judge, String source) throws InterruptedException {
+        return judge.grade(EXERCISE, source, CaseSelection.all(7), one -> {});
+    }
+
+    @Test
+    void theSameSeedGivesTheSameReport() throws Exception {
+        try (Judge judge = Judge.start(JudgeSettings.defaults())) {
+            Report first = grade(judge, Sources.BRESENHAM_TEXTBOOK);
+            Report second = grade(judge, Sources.BRESENHAM_TEXTBOOK);
+            assertEquals(
+                    first.cases().stream().map(one -> one.name() + one.message()).toList(),
+                    second.cases().stream().map(one -> one.name() + one.message()).toList());
+        }
+    }
+
+    @Test
+    void aClosedJudgeLeavesNoProcess() {
+        Set<ProcessHandle> before = children();
+        Judge.start(JudgeSettings.defaults()).close();
+        assertEquals(before, children());
+    }
+
+    private static Set<ProcessHandle> children() {
+        Set<ProcessHandle> alive = new HashSet<>();
+        ProcessHandle.current().descendants().filter(ProcessHandle::isAlive).forEach(alive::add);
+        return alive;
+    }
+}

@@ -1,0 +1,296 @@
+package rasterlab.exercises.runner;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+import static rasterlab.exercises.Sources.method;
+
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.Catalogue;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.Sources;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Report;
+
+/** Each source ends in the verdict and the text that a student can act on. */
+class HostileSourcesTest {
+    private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
+    private static Judge judge;
+
+    @BeforeAll
+    static void start() {
+        judge = Judge.start(JudgeSettings.defaults());
+    }
+
+    @AfterAll
+    static void end() {
+        judge.close();
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource({"texts", "forbidden", "classes", "greedy", "throwing"})
+    void isAnsweredWith(String verdict, String said, String source) throws Exception {
+        Report report = judge.grade(EXERCISE, source, CaseSelection.open(), one -> {});
+        assertEquals(verdict, report.verdict().code(), () -> words(report));
+        assertTrue(words(report).contains(said), () -> said + " is not in " + words(report));
+        if (report.verdict() != GradingVerdict.OK)
+            assertTrue(report.points().total() < report.points().of(), () -> words(report));
+    }
+
+    private static String words(Report report) {
+        return report.diagnostics().stream()
+                        .map(HostileSourcesTest::place)
+                        .collect(Collectors.joining("\n"))
+                + report.cases().stream()
+                        .map(CaseReport::message)
+                        .collect(Collectors.joining("\n", "\n", ""));
+    }
+
+    private static String place(Diagnostic one) {
+        return one.line() + ":" + one.column() + " " + one.message();
+    }
+
+    static Stream<Arguments> texts() {
+        return Stream.of(
+                argumentSet("right solution", "ok", "", Sources.RIGHT),
+                argumentSet("naive textbook", "wrong", "naive-textbook", Sources.NAIVE_TEXTBOOK),
+                argumentSet(
+                        "Bresenham textbook",
+                        "wrong",
+                        "bresenham-textbook draws the same",
+                        Sources.BRESENHAM_TEXTBOOK),
+                argumentSet(
+                        "type error in line 5",
+                        "compile_error",
+                        "5:9 incompatible types",
+                        method("int a = \"\";\n")),
+                argumentSet("empty source", "compile_error", "empty", " \n"),
+                argumentSet(
+                        "byte order mark",
+                        "compile_error",
+                        "1:1 a byte order mark",
+                        '\uFEFF' + Sources.RIGHT),
+                argumentSet("NUL", "compile_error", "5:1 a NUL", method("\0")),
+                argumentSet(
+                        "bidi control", "compile_error", "5:4 the invisible", method("// \u202E")),
+                argumentSet("lone surrogate", "compile_error", "5:4 half a", method("// \uD800")),
+                argumentSet(
+                        "20,000 open braces",
+                        "compile_error",
+                        "too complex",
+                        method("{".repeat(20_000))),
+                argumentSet(
+                        "sum of 60,000 terms",
+                        "compile_error",
+                        "too complex",
+                        method("int a = x0" + " + 1".repeat(60_000) + ";\n")),
+                argumentSet(
+                        "10 MB source", "refused", "longer than", method("//".repeat(5_000_000))));
+    }
+
+    static Stream<Arguments> forbidden() {
+        return Stream.of(
+                forbidden("System.exit", "5:0 java.lang.System.exit", "System.exit(0);\n"),
+                forbidden("exit in line 6", "6:0 java.lang.System.exit", "\nSystem.exit(0);\n"),
+                forbidden("halt", "java.lang.Runtime.halt", "Runtime.getRuntime().halt(0);\n"),
+                forbidden(
+                        "exec",
+                        "5:0 java.lang.Runtime.exec",
+                        "try { Runtime.getRuntime().exec(\"ls\"); } catch (Exception e) { }\n"),
+                forbidden("thread", "5:0 java.lang.Thread", "new Thread(() -> { }).start();\n"),
+                forbidden("file", "5:0 java.io.File", "new java.io.File(\"/\").list();\n"),
+                forbidden(
+                        "reflection",
+                        "5:0 java.lang.Object.getClass",
+                        "getClass().getDeclaredFields();\n"),
+                forbidden(
+                        "forName",
+                        "java.lang.Class.forName",
+                        "try { Class.forName(\"A\"); } catch (Exception e) { }\n"),
+                forbidden(
+                        "method handle to exit",
+                        "5:0 java.lang.System.exit",
+                        "java.util.function.IntConsumer c = System::exit; c.accept(0);\n"),
+                forbidden("nanoTime", "java.lang.System.nanoTime", "long t = System.nanoTime();\n"),
+                forbidden(
+                        "parallel stream",
+                        "parallelStream",
+                        "new java.util.ArrayList<Integer>().parallelStream().count();\n"),
+                forbidden(
+                        "stream closes System.out",
+                        "java.io.PrintStream.close",
+                        "System.out.close();\n"),
+                forbidden(
+                        "file descriptor",
+                        "java.io.FileDescriptor",
+                        "Object o = java.io.FileDescriptor.out;\n"),
+                forbidden(
+                        "caught exception of a file",
+                        "java.io.IOException",
+                        "try { if (x0 > 0) throw new java.io.IOException(); }"
+                                + " catch (java.io.IOException e) { }\n"));
+    }
+
+    private static Arguments forbidden(String name, String said, String body) {
+        return argumentSet(name, "refused", said, method(body));
+    }
+
+    static Stream<Arguments> classes() {
+        String rest = Sources.RIGHT.substring(Sources.RIGHT.indexOf("import"));
+        return Stream.of(
+                argumentSet(
+                        "package line", "refused", "1:0 package mine", "package mine;\n" + rest),
+                argumentSet(
+                        "package of the harness",
+                        "refused",
+                        "1:0 package rasterlab.contract",
+                        "package rasterlab.contract;\n"
+                                + rest.replace("import rasterlab.contract.*;", "")),
+                argumentSet(
+                        "package of the JDK",
+                        "compile_error",
+                        "another module: java.base",
+                        "package java.lang;\n" + rest),
+                argumentSet(
+                        "harness class",
+                        "compile_error",
+                        "does not exist",
+                        method("rasterlab.exercises.runner.child.Wire.cut(\"\");\n")),
+                argumentSet("no class", "refused", "no public class implements", "class A { }"),
+                argumentSet(
+                        "two classes",
+                        "refused",
+                        "exactly one may",
+                        Sources.RIGHT + Sources.method("").replaceFirst("import.*\n", "")),
+                argumentSet(
+                        "constructor with a parameter",
+                        "refused",
+                        "needs a public constructor",
+                        Sources.RIGHT.replace(
+                                "public void", "public Bresenham(int a) { }\npublic void")),
+                argumentSet(
+                        "native method",
+                        "refused",
+                        "native",
+                        Sources.RIGHT.replace("public void", "native void a();\npublic void")),
+                argumentSet(
+                        "finalizer",
+                        "refused",
+                        "finalize",
+                        Sources.RIGHT.replace(
+                                "public void", "protected void finalize() { }\npublic void")),
+                argumentSet(
+                        "thread as superclass",
+                        "refused",
+                        "3:0 java.lang.Thread",
+                        Sources.RIGHT.replace("implements", "extends Thread implements")),
+                argumentSet(
+                        "static initialiser loops",
+                        "time_limit",
+                        "no answer within 2.0 s",
+                        Sources.RIGHT.replace(
+                                "public void", "static { while (Math.abs(1) > 0); }\npublic void")),
+                argumentSet(
+                        "lambdas, records, enums and text",
+                        "wrong",
+                        "pixel (1, 0) is missing",
+                        method(
+                                "record P(int x, int y) { } enum E { A, B }\n"
+                                        + "java.util.List<P> all = new java.util.ArrayList<>();\n"
+                                        + "all.add(new P(x0, y0)); String s = E.A + \" \" + all;\n"
+                                        + "switch (E.valueOf(\"B\")) { case A -> out.plot(1, 1);\n"
+                                        + "  case B -> all.forEach(p -> out.plot(p.x, p.y)); }\n")));
+    }
+
+    static Stream<Arguments> greedy() {
+        String hog =
+                "java.util.List<long[]> all = new java.util.ArrayList<>();\n"
+                        + "while (true) { try { all.add(new long[1 << 20]); }"
+                        + " catch (Throwable e) { } }\n";
+        return Stream.of(
+                argumentSet("endless loop", "time_limit", "no answer", method("while (true);\n")),
+                argumentSet(
+                        "endless loop that swallows everything",
+                        "time_limit",
+                        "not run: stopped before it",
+                        method(
+                                "while (true) try { out.plot(1 / (x0 - x0), 0); }"
+                                        + " catch (Throwable e) { }\n")),
+                argumentSet(
+                        "endless plotting",
+                        "output_limit",
+                        "still plotting after 80 pixels where 8 are right",
+                        method("while (true) out.plot(x0, y0);\n")),
+                argumentSet(
+                        "endless plotting that swallows everything",
+                        "output_limit",
+                        "too much output",
+                        method("while (true) try { out.plot(0, 0); } catch (Throwable e) { }\n")),
+                argumentSet("memory hog", "memory_limit", "out of memory", method(hog)),
+                argumentSet(
+                        "largest array",
+                        "memory_limit",
+                        "out of memory",
+                        method("long[] a = new long[Integer.MAX_VALUE];\n")),
+                argumentSet(
+                        "huge print in one line",
+                        "output_limit",
+                        "too much output",
+                        method("while (true) System.out.print(\"xxxxxxxxxxxxxxxxxxxxxxx\");\n")),
+                argumentSet(
+                        "a little print",
+                        "wrong",
+                        "printed in last-pixel-is-dropped: to (7, 3)",
+                        method("System.out.println(\"to (\" + x1 + \", \" + y1 + \")\");\n")));
+    }
+
+    static Stream<Arguments> throwing() {
+        String evil = "throw new RuntimeException() { public String getMessage() { %s } };\n";
+        return Stream.of(
+                argumentSet(
+                        "division by zero",
+                        "runtime_error",
+                        "java.lang.ArithmeticException: / by zero",
+                        method("out.plot(x0 / (y0 - y0), 0);\n")),
+                argumentSet(
+                        "deep recursion",
+                        "runtime_error",
+                        "java.lang.StackOverflowError",
+                        method("draw(x0, y0, x1, y1, out);\n")),
+                argumentSet(
+                        "getMessage loops",
+                        "runtime_error",
+                        "Mine$1",
+                        method(evil.formatted("while (true);"))),
+                argumentSet(
+                        "getMessage of 20 MB",
+                        "runtime_error",
+                        "aaaa…",
+                        method(evil.formatted("return \"a\".repeat(20_000_000);"))),
+                argumentSet(
+                        "getMessage throws",
+                        "runtime_error",
+                        "its getMessage() threw java.lang.IllegalStateException",
+                        method(evil.formatted("throw new IllegalStateException();"))),
+                argumentSet(
+                        "static initialiser throws",
+                        "runtime_error",
+                        "creating the object",
+                        Sources.RIGHT.replace(
+                                "public void", "static int z = 1 / (1 - 1);\npublic void")),
+                argumentSet(
+                        "refuses everything",
+                        "runtime_error",
+                        "java.lang.IllegalArgumentException: no",
+                        method("throw new IllegalArgumentException(\"no\");\n")));
+    }
+}

@@ -1,0 +1,51 @@
+package rasterlab.exercises.runner;
+
+import java.time.Duration;
+import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.Segment;
+import rasterlab.exercises.score.Answer;
+
+/** Runs sources without the byte-code check, to see what the process alone holds. */
+final class Unscanned implements AutoCloseable {
+    static final Segment SEGMENT = new Segment(0, 0, 7, 3);
+    private static final Duration LIMIT = Duration.ofSeconds(2);
+
+    private final ChildJars jars = ChildJars.assemble();
+    private final Launcher launcher = new Launcher(jars.folder());
+    final Box box;
+    private final Children children;
+
+    Unscanned(JudgeSettings.Box wanted) {
+        box = new BoxChoice(launcher, jars).choose(wanted);
+        children = new Children(box, launcher, false);
+    }
+
+    Child child(ChildKind kind) {
+        return children.take(kind);
+    }
+
+    /** Loads the class "Mine" and draws one line with it. */
+    Answer draw(Child runner, String source) throws ChildLost, InterruptedException {
+        StudentRun run = new StudentRun(runner, LIMIT, LIMIT);
+        try (Child compiler = child(ChildKind.COMPILE)) {
+            Compilation compiled = Compilation.of(source, compiler, Duration.ofSeconds(10));
+            if (!compiled.errors().isEmpty())
+                throw new AssertionError(LineRasterizer.class + " " + compiled.errors());
+            run.load("Mine", compiled.classes());
+        }
+        return run.draw(SEGMENT, 100);
+    }
+
+    Answer draw(String source) throws ChildLost, InterruptedException {
+        try (Child runner = child(ChildKind.RUN)) {
+            return draw(runner, source);
+        }
+    }
+
+    @Override
+    public void close() {
+        children.close();
+        launcher.close();
+        jars.close();
+    }
+}

@@ -1,0 +1,90 @@
+package rasterlab.exercises.score;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.exercises.Visibility;
+
+/** What a student is shown and what not. */
+class ReportTest {
+    private static final CasePictures PICTURES =
+            new CasePictures("#", new byte[1], new byte[1], new byte[1]);
+
+    @ParameterizedTest
+    @CsvSource({
+        "OPEN,           false, gap, pixel (1; 1) is missing, true",
+        "VERDICT_ONLY,   false, gap, wrong pixels on a hidden input, false",
+        "VERDICT_ONLY,   true,  gap, wrong pixels on a hidden input, false",
+        "AFTER_DEADLINE, false, gap, wrong pixels on a hidden input, false",
+        "AFTER_DEADLINE, true,  gap, pixel (1; 1) is missing, true",
+        "NEVER,          true,  hidden, wrong pixels on a hidden input, false",
+    })
+    void aHiddenCaseTellsOnlyTheClassOfTheError(
+            Visibility visibility, boolean late, String name, String message, boolean shown) {
+        CaseReport one =
+                new CaseReport(
+                        "gap",
+                        visibility,
+                        GradingVerdict.WRONG,
+                        0,
+                        3,
+                        "pixel (1; 1) is missing",
+                        Optional.of(PICTURES),
+                        "{}");
+        Report report =
+                new Report(
+                        GradingVerdict.WRONG,
+                        new Points(0, 0, 0, 3),
+                        List.of(one),
+                        List.of(),
+                        "",
+                        0);
+        CaseReport cut = report.forStudent(late).cases().get(0);
+        assertEquals(name, cut.name());
+        assertEquals(message, cut.message());
+        assertEquals(shown, cut.pictures().isPresent());
+        assertEquals(shown ? "{}" : "", cut.scene());
+        assertEquals(3, cut.of());
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1.0, 10", "1.5, 10", "1.51, 7", "3.0, 7", "7.9, 4", "8.1, 0"})
+    void speedIsPaidInBandsAndALossHasItsReason(double ratio, int points) {
+        CaseReport speed = SpeedPoints.measured(ratio, 10);
+        assertEquals(points, speed.points());
+        assertEquals(points == 10, speed.message().isEmpty(), speed::message);
+    }
+
+    @Test
+    void picturesTellMissingAndExtraByShape() throws IOException {
+        BufferedImage missing = picture("-");
+        BufferedImage extra = picture("+");
+        assertEquals(15, missing.getWidth());
+        assertNotEquals(missing.getRGB(7, 7), extra.getRGB(7, 7), "ring is open, cross is not");
+        assertNotEquals(missing.getRGB(7, 3), missing.getRGB(7, 7));
+    }
+
+    private static BufferedImage picture(String row) throws IOException {
+        byte[] png = new GridPicture(List.of(row)).difference();
+        return ImageIO.read(new ByteArrayInputStream(png));
+    }
+
+    @Test
+    void expectedAndActualLeaveOutWhatTheOtherHas() {
+        GridPicture both = new GridPicture(List.of("#+-"));
+        assertArrayEquals(new GridPicture(List.of("#.#")).difference(), both.lit("#-"));
+        assertArrayEquals(new GridPicture(List.of("##.")).difference(), both.lit("#+"));
+        assertTrue(both.difference().length > 0);
+    }
+}

@@ -1,0 +1,44 @@
+package rasterlab.grader
+
+import ch.qos.logback.classic.Logger
+import ch.qos.logback.classic.LoggerContext
+import ch.qos.logback.classic.encoder.JsonEncoder
+import ch.qos.logback.classic.spi.ILoggingEvent
+import ch.qos.logback.core.rolling.FixedWindowRollingPolicy
+import ch.qos.logback.core.rolling.RollingFileAppender
+import ch.qos.logback.core.rolling.SizeBasedTriggeringPolicy
+import ch.qos.logback.core.util.FileSize
+import org.slf4j.LoggerFactory
+import java.nio.file.Path
+
+private const val KEPT_FILES = 5
+private const val FILE_BYTES = 10L shl 20
+
+/** Writes the log to [file] from now on, one JSON object a line; warnings go to stderr too (logback.xml). */
+internal fun logTo(file: Path) {
+    val logs = LoggerFactory.getILoggerFactory() as LoggerContext
+    val appender =
+        RollingFileAppender<ILoggingEvent>().apply {
+            context = logs
+            name = "file"
+            this.file = file.toString()
+        }
+    appender.encoder = JsonEncoder().apply { context = logs }.also { it.start() }
+    appender.rollingPolicy =
+        FixedWindowRollingPolicy()
+            .apply {
+                context = logs
+                setParent(appender)
+                fileNamePattern = "$file.%i"
+                minIndex = 1
+                maxIndex = KEPT_FILES
+            }.also { it.start() }
+    appender.triggeringPolicy =
+        SizeBasedTriggeringPolicy<ILoggingEvent>()
+            .apply {
+                context = logs
+                maxFileSize = FileSize(FILE_BYTES)
+            }.also { it.start() }
+    appender.start()
+    logs.getLogger(Logger.ROOT_LOGGER_NAME).addAppender(appender)
+}

@@ -1,0 +1,201 @@
+package rasterlab.grader
+
+import io.ktor.server.cio.CIO
+import io.ktor.server.engine.EmbeddedServer
+import io.ktor.server.engine.connector
+import io.ktor.server.engine.embeddedServer
+import kotlinx.coroutines.runBlocking
+import org.slf4j.LoggerFactory
+import picocli.CommandLine.Command
+import picocli.CommandLine.Option
+import rasterlab.exercises.Catalogue
+import rasterlab.exercises.CatalogueException
+import rasterlab.exercises.runner.Judge
+import rasterlab.exercises.runner.JudgeSettings
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.storage.CannotStart
+import rasterlab.grader.storage.DataFolder
+import rasterlab.grader.storage.Database
+import java.io.IOException
+import java.net.InetAddress
+import java.net.InetSocketAddress
+import java.net.ServerSocket
+import java.net.UnknownHostException
+import java.nio.file.Path
+import java.util.concurrent.Callable
+import kotlin.io.path.isDirectory
+
+@Command(
+    name = "serve",
+    mixinStandardHelpOptions = true,
+    description = ["Takes in students' sources over HTTP and grades them."],
+)
+internal class ServeCommand : Callable<Int> {
+    @Option(
+        names = ["--data"],
+        paramLabel = "DIR",
+        defaultValue = "rasterlab-data",
+        description = [
+            "Folder for the database and the log, made if missing (default: \${DEFAULT-VALUE}).",
+        ],
+    )
+    lateinit var data: Path
+
+    @Option(
+        names = ["--host"],
+        paramLabel = "HOST",
+        defaultValue = "127.0.0.1",
+        description = [
+            "Address to listen on; 0.0.0.0 for all (default: \${DEFAULT-VALUE}).",
+        ],
+    )
+    lateinit var host: String
+
+    @Option(
+        names = ["--port"],
+        paramLabel = "PORT",
+        defaultValue = "8080",
+        description = [
+            "Port to listen on; 0 takes a free one (default: \${DEFAULT-VALUE}).",
+        ],
+    )
+    var port = 8080
+
+    @Option(
+        names = ["--db"],
+        paramLabel = "URL",
+        description = ["Database, sqlite:FILE (default: rasterlab.db in the data folder)."],
+    )
+    var db: String? = null
+
+    @Option(
+        names = ["--exam"],
+        description = ["Refuses to start where sources cannot be isolated by the operating system."],
+    )
+    var exam = false
+
+    @Option(
+        names = ["--exercises"],
+        paramLabel = "DIR",
+        description = ["Folder of more exercises, one sub-folder each."],
+    )
+    var exercises: Path? = null
+
+    @Option(
+        names = ["--workers"],
+        paramLabel = "N",
+        defaultValue = "1",
+        description = [
+            "Submissions graded at the same time, 1 to 64; at most half the cores (default: \${DEFAULT-VALUE}).",
+        ],
+    )
+    var workers = 1
+
+    override fun call(): Int {
+        if (port !in 0..LAST_PORT) throw CannotStart("--port $port: expected 0 to $LAST_PORT")
+        if (workers !in 1..MOST_WORKERS) throw CannotStart("--workers $workers: expected 1 to $MOST_WORKERS")
+        val address = address()
+        val catalogue = catalogue()
+        StopSignal().use { stop -> run(catalogue, address, stop) }
+        return 0
+    }
+
+    private fun run(
+        catalogue: Exercises,
+        address: InetSocketAddress,
+        stop: StopSignal,
+    ) {
+        DataFolder.take(data, db).use { folder ->
+            logTo(folder.logFile)
+            database(folder).use { database ->
+                Judge.start(JudgeSettings.defaults()).use { judge ->
+                    if (exam && !judge.isolation().exam()) throw CannotStart("--exam: ${judge.isolation().describe()}")
+                    LoggerFactory.getLogger(javaClass).info("isolation: {}", judge.isolation().describe())
+                    Server(database, catalogue, judge, ServerSettings(workers)).use { serve(it, address, stop) }
+                }
+            }
+        }
+    }
+
+    private fun address(): InetSocketAddress {
+        val address =
+            try {
+                InetSocketAddress(InetAddress.getByName(host), port)
+            } catch (failure: UnknownHostException) {
+                throw CannotStart("--host $host: no such host")
+            }
+        // The engine reports a port that is taken from another thread, and late; asking first gives a clear line.
+        try {
+            ServerSocket().use { socket ->
+                socket.reuseAddress = true
+                socket.bind(address)
+            }
+        } catch (failure: IOException) {
+            throw CannotStart("cannot listen on $host:$port (${failure.message})")
+        }
+        return address
+    }
+
+    private fun catalogue(): Exercises {
+        try {
+            val more = exercises ?: return Exercises(Catalogue.builtIn().all())
+            if (!more.isDirectory()) throw CannotStart("--exercises $more: no such folder")
+            return Exercises(Catalogue.builtIn().withFolder(more).all())
+        } catch (failure: CatalogueException) {
+            throw CannotStart("--exercises: ${failure.message}")
+        }
+    }
+
+    private fun database(folder: DataFolder): Database =
+        try {
+            Database.open(folder.databaseFile)
+        } catch (failure: RuntimeException) {
+            val reason =
+                failure.message
+                    .orEmpty()
+                    .lineSequence()
+                    .firstOrNull { it.isNotBlank() }
+            throw CannotStart("${folder.databaseFile}: not a database of this server ($reason)")
+        }
+
+    /** Returns when the process is told to stop and no request is accepted any more. */
+    private fun serve(
+        server: Server,
+        address: InetSocketAddress,
+        stop: StopSignal,
+    ) {
+        val engine =
+            embeddedServer(CIO, configure = {
+                connector {
+                    host = address.address.hostAddress
+                    port = address.port
+                }
+                connectionIdleTimeoutSeconds = IDLE_SECONDS
+            }) { server.install(this) }
+        engine.start()
+        server.startGrading()
+        announce(server, engine)
+        stop.await()
+        engine.stop(STOP_MILLIS / 4, STOP_MILLIS)
+    }
+
+    private fun announce(
+        server: Server,
+        engine: EmbeddedServer<*, *>,
+    ) {
+        val port = runBlocking { engine.engine.resolvedConnectors() }.first().port
+        println("listening on http://${if (':' in host) "[$host]" else host}:$port")
+        server.accounts.newInstructorToken()?.let { token ->
+            println("instructor token: $token")
+            System.out.flush()
+            server.accounts.instructorAnnounced()
+        }
+    }
+
+    private companion object {
+        const val LAST_PORT = 65_535
+        const val MOST_WORKERS = 64
+        const val IDLE_SECONDS = 45
+        const val STOP_MILLIS = 2_000L
+    }
+}

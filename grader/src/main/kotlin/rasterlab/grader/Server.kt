@@ -1,0 +1,117 @@
+package rasterlab.grader
+
+import io.ktor.serialization.kotlinx.json.json
+import io.ktor.server.application.Application
+import io.ktor.server.application.ApplicationCallPipeline
+import io.ktor.server.application.install
+import io.ktor.server.auth.Authentication
+import io.ktor.server.auth.authenticate
+import io.ktor.server.plugins.contentnegotiation.ContentNegotiation
+import io.ktor.server.plugins.origin
+import io.ktor.server.plugins.ratelimit.RateLimit
+import io.ktor.server.plugins.ratelimit.RateLimitName
+import io.ktor.server.plugins.ratelimit.rateLimit
+import io.ktor.server.plugins.statuspages.StatusPages
+import io.ktor.server.routing.IgnoreTrailingSlash
+import io.ktor.server.routing.route
+import io.ktor.server.routing.routing
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.withContext
+import kotlinx.serialization.json.Json
+import rasterlab.exercises.Grading
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.byToken
+import rasterlab.grader.course.courses
+import rasterlab.grader.course.joining
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.exercise.exercises
+import rasterlab.grader.problem.showProblems
+import rasterlab.grader.report.Reports
+import rasterlab.grader.report.Results
+import rasterlab.grader.report.results
+import rasterlab.grader.storage.Database
+import rasterlab.grader.submission.Attempts
+import rasterlab.grader.submission.GradingQueue
+import rasterlab.grader.submission.Intake
+import rasterlab.grader.submission.IntakeLimits
+import rasterlab.grader.submission.Leases
+import rasterlab.grader.submission.Live
+import rasterlab.grader.submission.Submissions
+import rasterlab.grader.submission.submissions
+import rasterlab.grader.web.ErrorPage
+import rasterlab.grader.web.monitoring
+import rasterlab.grader.web.pages
+import rasterlab.grader.web.protect
+import java.time.InstantSource
+import kotlin.time.Duration.Companion.minutes
+
+/**
+ * @param workers submissions graded at the same time; on two cores one, so that measured speeds mean something
+ * @param entriesPerMinute joins and sign-ins from one address; a class behind one router joins at once
+ */
+data class ServerSettings(
+    val workers: Int = 1,
+    val intake: IntakeLimits = IntakeLimits(),
+    val entriesPerMinute: Int = 120,
+)
+
+/** The grading server without its socket: what it is made of, and how the parts are joined. */
+class Server(
+    private val database: Database,
+    private val exercises: Exercises,
+    grading: Grading,
+    private val settings: ServerSettings = ServerSettings(),
+    clock: InstantSource = InstantSource.system(),
+) : AutoCloseable {
+    val accounts = Accounts(database, clock)
+    private val courses = Courses(database, clock)
+    private val live = Live()
+    private val submissions = Submissions(database)
+    private val reports = Reports(database)
+    private val results = Results(submissions, reports, live)
+    private val intake = Intake(database, settings.intake, clock)
+    private val leases = Leases(database, reports, clock)
+    private val attempts = Attempts(database, leases, exercises, grading, live)
+    private val queue = GradingQueue(database, submissions, leases, attempts, live, settings.workers)
+
+    /** Begins to grade what waits. */
+    fun startGrading() = queue.start()
+
+    fun install(application: Application) =
+        with(application) {
+            // The database blocks its caller, so no request is handled on the few threads that serve the sockets.
+            intercept(ApplicationCallPipeline.Setup) { withContext(Dispatchers.IO) { proceed() } }
+            install(IgnoreTrailingSlash)
+            install(ContentNegotiation) { json(Json { encodeDefaults = true }) }
+            install(StatusPages) { showProblems(ErrorPage) }
+            install(Authentication) { byToken(accounts) }
+            install(RateLimit) {
+                register(ENTRY) {
+                    rateLimiter(limit = settings.entriesPerMinute, refillPeriod = 1.minutes)
+                    requestKey { it.request.origin.remoteAddress }
+                }
+            }
+            protect()
+            routing {
+                monitoring(database)
+                pages(accounts, courses, exercises, submissions, intake, queue, results, live, ENTRY)
+                route("/api/v1") {
+                    rateLimit(ENTRY) { joining(courses) }
+                    authenticate {
+                        courses(courses)
+                        exercises(exercises)
+                        submissions(exercises, intake, queue, results, live)
+                        results(results)
+                    }
+                }
+            }
+        }
+
+    /** Lets running attempts end or puts them back. */
+    override fun close() = queue.close()
+
+    private companion object {
+        val ENTRY = RateLimitName("entry")
+    }
+}

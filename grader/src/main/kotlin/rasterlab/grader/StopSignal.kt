@@ -1,0 +1,23 @@
+package rasterlab.grader
+
+import java.util.concurrent.CountDownLatch
+
+/** Holds a process that is told to end (SIGTERM, Ctrl-C) until [close], so that its work can be put away first. */
+internal class StopSignal : AutoCloseable {
+    private val asked = CountDownLatch(1)
+    private val finished = CountDownLatch(1)
+
+    init {
+        Runtime.getRuntime().addShutdownHook(
+            Thread {
+                asked.countDown()
+                finished.await()
+            },
+        )
+    }
+
+    /** Returns when the process is told to end. */
+    fun await() = asked.await()
+
+    override fun close() = finished.countDown()
+}

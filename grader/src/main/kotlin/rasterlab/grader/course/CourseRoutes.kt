@@ -1,0 +1,51 @@
+package rasterlab.grader.course
+
+import io.ktor.http.HttpStatusCode.Companion.Created
+import io.ktor.server.response.respond
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.post
+import kotlinx.serialization.Serializable
+import rasterlab.grader.problem.idempotencyKey
+import rasterlab.grader.problem.receiveJson
+
+@Serializable
+private data class CourseRequest(
+    val name: String,
+)
+
+@Serializable
+private data class CourseAnswer(
+    val course: String,
+    val code: String,
+)
+
+@Serializable
+private data class JoinRequest(
+    val course: String,
+    val name: String,
+)
+
+@Serializable
+private data class JoinAnswer(
+    val student: String,
+    val token: String,
+)
+
+/** For instructors, inside `authenticate`. */
+fun Route.courses(courses: Courses) {
+    post("/courses") {
+        val instructor = call.instructor()
+        val request = call.receiveJson(CourseRequest.serializer())
+        val course = courses.create(instructor, Name.of(request.name), call.idempotencyKey())
+        call.respond(Created, CourseAnswer(course.id, course.code))
+    }
+}
+
+/** For anyone, inside a rate limit. A repeatable request needs a key that nobody guesses, because it gets the token again. */
+fun Route.joining(courses: Courses) {
+    post("/join") {
+        val request = call.receiveJson(JoinRequest.serializer())
+        val student = courses.join(request.course, Name.of(request.name), call.idempotencyKey(least = 16))
+        call.respond(Created, JoinAnswer(student.id, student.token))
+    }
+}

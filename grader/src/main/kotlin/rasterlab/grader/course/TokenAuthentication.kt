@@ -1,0 +1,42 @@
+package rasterlab.grader.course
+
+import io.ktor.http.HttpHeaders
+import io.ktor.http.HttpMethod
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.auth.AuthenticationConfig
+import io.ktor.server.auth.AuthenticationContext
+import io.ktor.server.auth.AuthenticationProvider
+import io.ktor.server.request.httpMethod
+import rasterlab.grader.problem.Rejection
+
+const val SESSION_COOKIE = "rasterlab"
+
+/**
+ * Lets in the holder of a bearer token.
+ *
+ * A page's pictures and events cannot send that header, so a session cookie does for reading; never
+ * for changing anything, because a browser sends cookies with requests that other sites start.
+ */
+fun AuthenticationConfig.byToken(accounts: Accounts) = register(TokenAuthentication(accounts, Config()))
+
+private class Config : AuthenticationProvider.Config(null)
+
+private class TokenAuthentication(
+    private val accounts: Accounts,
+    config: Config,
+) : AuthenticationProvider(config) {
+    override suspend fun onAuthenticate(context: AuthenticationContext) {
+        val who = bearer(context.call) ?: session(context.call) ?: throw Rejection.NotSignedIn()
+        context.principal(who)
+    }
+
+    private fun bearer(call: ApplicationCall): Identity? =
+        call.request.headers[HttpHeaders.Authorization]
+            ?.takeIf { it.startsWith("Bearer ", ignoreCase = true) }
+            ?.let { accounts.holder(it.substring("Bearer ".length).trim()) }
+
+    private fun session(call: ApplicationCall): Identity? =
+        call.request.cookies[SESSION_COOKIE]
+            ?.takeIf { call.request.httpMethod == HttpMethod.Get }
+            ?.let(accounts::inSession)
+}

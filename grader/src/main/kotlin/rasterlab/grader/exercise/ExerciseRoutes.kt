@@ -1,0 +1,75 @@
+package rasterlab.grader.exercise
+
+import io.ktor.http.ContentType
+import io.ktor.http.HttpHeaders
+import io.ktor.http.withCharset
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.request.acceptLanguageItems
+import io.ktor.server.response.header
+import io.ktor.server.response.respond
+import io.ktor.server.response.respondText
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import io.ktor.server.util.getOrFail
+import kotlinx.serialization.Serializable
+import rasterlab.exercises.Exercise
+
+@Serializable
+private data class ExerciseView(
+    val id: String,
+    val topic: String,
+    val title: String,
+    val points: PlanView,
+    val deadline: String?,
+    val attemptsLeft: Int?,
+)
+
+@Serializable
+private data class PlanView(
+    val accuracy: Int,
+    val stability: Int,
+    val speed: Int,
+    val total: Int,
+)
+
+/** Inside `authenticate`. Deadline and attempts left are null as long as nobody limits them. */
+fun Route.exercises(exercises: Exercises) {
+    get("/exercises") { call.respond(exercises.all.map { it.view(call.language()) }) }
+    get("/exercises/{id}") { call.respond(exercises.named(call.exerciseId()).view(call.language())) }
+    get("/exercises/{id}/starter") {
+        val exercise = exercises.named(call.exerciseId())
+        call.response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"${exercise.starterFile()}\"")
+        call.respondText(exercise.starter(), ContentType.Text.Plain.withCharset(Charsets.UTF_8))
+    }
+    get("/exercises/{id}/statement") {
+        val exercise = exercises.named(call.exerciseId())
+        call.respondText(
+            exercise.statement(call.language()),
+            ContentType("text", "markdown").withCharset(Charsets.UTF_8),
+        )
+    }
+}
+
+/** The file name that the compiler wants for the starter. */
+fun Exercise.starterFile(): String =
+    (Regex("""\bclass\s+(\w+)""").find(starter())?.groupValues?.get(1) ?: "Starter") + ".java"
+
+private fun ApplicationCall.exerciseId() = parameters.getOrFail("id")
+
+/** What `?lang=` or else the header asks for. */
+private fun ApplicationCall.language() =
+    request.queryParameters["lang"] ?: request
+        .acceptLanguageItems()
+        .firstOrNull()
+        ?.value
+        ?.substringBefore('-') ?: "en"
+
+private fun Exercise.view(language: String) =
+    ExerciseView(
+        id(),
+        topic(),
+        title(language),
+        PlanView(points().accuracy(), points().stability(), points().speed(), points().total()),
+        deadline = null,
+        attemptsLeft = null,
+    )

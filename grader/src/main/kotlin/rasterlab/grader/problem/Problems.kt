@@ -1,0 +1,112 @@
+package rasterlab.grader.problem
+
+import io.ktor.http.ContentType
+import io.ktor.http.HttpHeaders
+import io.ktor.http.HttpStatusCode
+import io.ktor.http.HttpStatusCode.Companion.InternalServerError
+import io.ktor.http.HttpStatusCode.Companion.ServiceUnavailable
+import io.ktor.http.content.TextContent
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.plugins.BadRequestException
+import io.ktor.server.plugins.statuspages.StatusPagesConfig
+import io.ktor.server.request.httpMethod
+import io.ktor.server.request.path
+import io.ktor.server.response.header
+import io.ktor.server.response.respond
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.Json
+import org.jdbi.v3.core.JdbiException
+import org.slf4j.LoggerFactory
+import java.sql.SQLException
+
+/** An error as RFC 9457 lays it out. */
+@Serializable
+data class Problem(
+    val type: String,
+    val title: String,
+    val status: Int,
+    val detail: String,
+)
+
+/** How a failure is shown: as a problem document to programs, as a page to people. */
+fun interface ProblemPage {
+    suspend fun show(
+        call: ApplicationCall,
+        status: HttpStatusCode,
+        code: String,
+        detail: String,
+    )
+}
+
+/**
+ * Turns every failure into an answer without a stack trace.
+ *
+ * @param page for paths outside the API
+ */
+fun StatusPagesConfig.showProblems(page: ProblemPage) {
+    val log = LoggerFactory.getLogger("rasterlab.grader.problem")
+
+    suspend fun show(
+        call: ApplicationCall,
+        status: HttpStatusCode,
+        code: String,
+        detail: String,
+    ) = if (call.isForPrograms()) call.respondProblem(status, code, detail) else page.show(call, status, code, detail)
+    exception<Rejection> { call, rejection ->
+        rejection.retryAfter()?.let { call.response.header(HttpHeaders.RetryAfter, it.toString()) }
+        if (rejection is Rejection.NotSignedIn) {
+            call.response.header(
+                HttpHeaders.WWWAuthenticate,
+                "Bearer realm=\"rasterlab\"",
+            )
+        }
+        show(call, rejection.status(), rejection.code, rejection.message)
+    }
+    exception<BadRequestException> {
+        call,
+        _,
+        ->
+        show(call, HttpStatusCode.BadRequest, "malformed-request", "the request cannot be read")
+    }
+    exception<Throwable> { call, failure ->
+        log.error("{} {} failed", call.request.httpMethod.value, call.request.path(), failure)
+        if (failure is JdbiException || failure is SQLException) {
+            show(
+                call,
+                ServiceUnavailable,
+                "storage",
+                "the storage does not answer; nothing was stored, try again later",
+            )
+        } else {
+            show(call, InternalServerError, "internal", "the server made a mistake; it is in its log")
+        }
+    }
+    for (status in HttpStatusCode.allStatusCodes.filter { it.value >= HttpStatusCode.BadRequest.value }) {
+        status(status) { call, found ->
+            show(call, found, found.description.lowercase().replace(' ', '-'), call.plainDetail(found))
+        }
+    }
+}
+
+suspend fun ApplicationCall.respondProblem(
+    status: HttpStatusCode,
+    code: String,
+    detail: String,
+) {
+    val problem = Problem("urn:rasterlab:problem:$code", status.description, status.value, detail)
+    respond(TextContent(Json.encodeToString(problem), ContentType.Application.ProblemJson, status))
+}
+
+private fun ApplicationCall.isForPrograms() =
+    request.path().let { path ->
+        path.startsWith("/api/") ||
+            path in setOf("/openapi.json", "/healthz", "/readyz", "/metrics")
+    }
+
+private fun ApplicationCall.plainDetail(status: HttpStatusCode) =
+    when (status) {
+        HttpStatusCode.NotFound -> "nothing is at ${request.path()}"
+        HttpStatusCode.MethodNotAllowed -> "${request.httpMethod.value} is not for ${request.path()}"
+        HttpStatusCode.TooManyRequests -> "too many requests from this address; see Retry-After"
+        else -> status.description
+    }

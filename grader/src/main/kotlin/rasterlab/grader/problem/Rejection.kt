@@ -1,0 +1,121 @@
+package rasterlab.grader.problem
+
+import io.ktor.http.HttpStatusCode
+import io.ktor.http.HttpStatusCode.Companion.BadRequest
+import io.ktor.http.HttpStatusCode.Companion.Forbidden
+import io.ktor.http.HttpStatusCode.Companion.NotFound
+import io.ktor.http.HttpStatusCode.Companion.PayloadTooLarge
+import io.ktor.http.HttpStatusCode.Companion.RequestTimeout
+import io.ktor.http.HttpStatusCode.Companion.ServiceUnavailable
+import io.ktor.http.HttpStatusCode.Companion.TooManyRequests
+import io.ktor.http.HttpStatusCode.Companion.Unauthorized
+import io.ktor.http.HttpStatusCode.Companion.UnprocessableEntity
+import io.ktor.http.HttpStatusCode.Companion.UnsupportedMediaType
+
+/**
+ * Why the server does not do what it was asked.
+ *
+ * @param message for whoever asked, in English
+ * @param code names the kind of failure to programs and to the page texts
+ */
+sealed class Rejection(
+    override val message: String,
+    val code: String,
+) : Exception(message) {
+    class NotSignedIn :
+        Rejection("needs the header 'Authorization: Bearer TOKEN' with a token of this server", "not-signed-in")
+
+    class WrongRole(
+        needed: String,
+    ) : Rejection("only for the role '$needed'", "wrong-role")
+
+    class ForeignOrigin : Rejection("the form was not sent from a page of this server", "foreign-origin")
+
+    class UnknownExercise(
+        id: String,
+    ) : Rejection("no exercise called '$id'", "unknown-exercise")
+
+    /** Also for a submission of somebody else, so that its id tells nothing. */
+    class UnknownSubmission(
+        id: String,
+    ) : Rejection("no submission '$id' of yours", "unknown-submission")
+
+    class UnknownPicture(
+        case: String,
+        picture: String,
+    ) : Rejection("no picture '$picture' of a case '$case'", "unknown-picture")
+
+    class UnknownCourse(
+        code: String,
+    ) : Rejection("no course with the code '$code'", "unknown-course")
+
+    class Malformed(
+        detail: String,
+    ) : Rejection(detail, "malformed-request")
+
+    class BadName(
+        what: String,
+        limit: Int,
+    ) : Rejection("'$what' must have 1 to $limit visible characters and no control characters", "bad-name")
+
+    class BadKey(
+        least: Int,
+        most: Int,
+    ) : Rejection("Idempotency-Key must have $least to $most printable ASCII characters here", "bad-idempotency-key")
+
+    class KeyReused : Rejection("this Idempotency-Key was used for a different request", "idempotency-key-reused")
+
+    class EmptySource : Rejection("the source is empty", "empty-source")
+
+    class NotUtf8 : Rejection("the source is not UTF-8 text", "not-utf-8")
+
+    class TooLarge(
+        limit: Int,
+    ) : Rejection("the body may have at most $limit bytes", "too-large")
+
+    class WrongMediaType(
+        found: String,
+        expected: String,
+    ) : Rejection("Content-Type is '$found', expected $expected", "wrong-media-type")
+
+    class TooSlow(
+        seconds: Long,
+    ) : Rejection("the body did not arrive within $seconds s", "too-slow")
+
+    class TooManyQueued(
+        limit: Int,
+        val retryAfterSeconds: Int,
+    ) : Rejection("you already have $limit submissions waiting; wait for one to be graded", "too-many-queued")
+
+    class TooFast(
+        limit: Int,
+        val retryAfterSeconds: Int,
+    ) : Rejection("at most $limit submissions a minute", "too-fast")
+
+    class NoRoom : Rejection("the server's disk is full; nothing was stored, try again later", "no-room")
+}
+
+fun Rejection.status(): HttpStatusCode =
+    when (this) {
+        is Rejection.NotSignedIn -> Unauthorized
+        is Rejection.WrongRole, is Rejection.ForeignOrigin -> Forbidden
+        is Rejection.UnknownExercise, is Rejection.UnknownSubmission -> NotFound
+        is Rejection.UnknownPicture, is Rejection.UnknownCourse -> NotFound
+        is Rejection.Malformed -> BadRequest
+        is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
+        is Rejection.EmptySource, is Rejection.NotUtf8 -> UnprocessableEntity
+        is Rejection.TooLarge -> PayloadTooLarge
+        is Rejection.WrongMediaType -> UnsupportedMediaType
+        is Rejection.TooSlow -> RequestTimeout
+        is Rejection.TooManyQueued, is Rejection.TooFast -> TooManyRequests
+        is Rejection.NoRoom -> ServiceUnavailable
+    }
+
+/** Seconds after which the same request may succeed, or null. */
+fun Rejection.retryAfter(): Int? =
+    when (this) {
+        is Rejection.TooManyQueued -> retryAfterSeconds
+        is Rejection.TooFast -> retryAfterSeconds
+        is Rejection.NoRoom -> 60
+        else -> null
+    }

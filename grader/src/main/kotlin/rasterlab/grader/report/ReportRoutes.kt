@@ -1,0 +1,71 @@
+package rasterlab.grader.report
+
+import io.ktor.http.ContentType
+import io.ktor.http.HttpHeaders
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.header
+import io.ktor.server.response.respond
+import io.ktor.server.response.respondBytes
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import io.ktor.server.util.getOrFail
+import rasterlab.grader.course.Identity
+import rasterlab.grader.course.identity
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.submission.Live
+import rasterlab.grader.submission.Submissions
+import kotlin.jvm.optionals.getOrNull
+
+/** What there is to know about one submission. */
+class Results(
+    private val submissions: Submissions,
+    private val reports: Reports,
+    private val live: Live,
+) {
+    fun view(
+        who: Identity,
+        id: String,
+    ): SubmissionView =
+        submissions.seenBy(who, id).view(who, submissions.position(id), live.casesOf(id), reports.of(id))
+
+    /** @param picture "expected.png", "actual.png" or "difference.png" */
+    fun picture(
+        who: Identity,
+        id: String,
+        case: String,
+        picture: String,
+    ): ByteArray {
+        submissions.seenBy(who, id)
+        val cases =
+            reports
+                .of(id)
+                ?.report
+                ?.seenBy(who)
+                ?.cases() ?: live.casesOf(id).map { it.seenBy(who) }
+        val pictures = cases.firstOrNull { it.name() == case && it.pictures().isPresent }?.pictures()?.getOrNull()
+        return when (picture) {
+            "expected.png" -> pictures?.expectedPng()
+            "actual.png" -> pictures?.actualPng()
+            "difference.png" -> pictures?.differencePng()
+            else -> null
+        } ?: throw Rejection.UnknownPicture(case, picture)
+    }
+}
+
+/** Inside `authenticate`: for the owner and for instructors. */
+fun Route.results(results: Results) {
+    get("/submissions/{id}") { call.respond(results.view(call.identity(), call.submissionId())) }
+    get("/submissions/{id}/cases/{case}/{picture}") {
+        val picture =
+            results.picture(
+                call.identity(),
+                call.submissionId(),
+                call.parameters.getOrFail("case"),
+                call.parameters.getOrFail("picture"),
+            )
+        call.response.header(HttpHeaders.CacheControl, "private, max-age=3600")
+        call.respondBytes(picture, ContentType.Image.PNG)
+    }
+}
+
+fun ApplicationCall.submissionId(): String = parameters.getOrFail("id")

@@ -1,0 +1,185 @@
+package rasterlab.grader.report
+
+import org.jdbi.v3.core.Handle
+import rasterlab.exercises.Visibility
+import rasterlab.exercises.score.CasePictures
+import rasterlab.exercises.score.CaseReport
+import rasterlab.exercises.score.Diagnostic
+import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.Report
+import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.text
+import java.time.Instant
+import java.util.Optional
+import kotlin.jvm.optionals.getOrNull
+
+/** A report as it was recorded. */
+data class Recorded(
+    val report: Report,
+    val gradedAt: Instant,
+)
+
+/** Keeps reports, one for each submission and revision of its exercise. */
+class Reports(
+    private val database: Database,
+) {
+    /** The latest report of a submission, with nothing hidden, or null. */
+    fun of(submission: String): Recorded? =
+        database.read { handle ->
+            handle
+                .createQuery("SELECT * FROM results WHERE submission_id = :id ORDER BY graded_at DESC LIMIT 1")
+                .bind("id", submission)
+                .map { row, _ ->
+                    val revision = row.getString("revision")
+                    val points =
+                        Points(
+                            row.getInt("accuracy"),
+                            row.getInt("stability"),
+                            row.getInt("speed"),
+                            row.getInt("points_of"),
+                        )
+                    Recorded(
+                        Report(
+                            GradingVerdict.valueOf(row.getString("verdict").uppercase()),
+                            points,
+                            cases(handle, submission, revision),
+                            diagnostics(handle, submission, revision),
+                            row.getString("isolation"),
+                            row.getDouble("nanos_per_item"),
+                        ),
+                        Instant.parse(row.getString("graded_at")),
+                    )
+                }.findOne()
+                .getOrNull()
+        }
+
+    /** Writes a report in the transaction of [handle]. */
+    fun insert(
+        handle: Handle,
+        submission: String,
+        revision: String,
+        report: Report,
+        gradedAt: Instant,
+    ) {
+        handle
+            .createUpdate(
+                """INSERT INTO results (submission_id, revision, verdict, accuracy, stability, speed, points_of,
+                       isolation, nanos_per_item, graded_at)
+                   VALUES (:id, :revision, :verdict, :accuracy, :stability, :speed, :of, :isolation, :nanos, :now)""",
+            ).bind("id", submission)
+            .bind("revision", revision)
+            .bind("verdict", report.verdict().code())
+            .bind("accuracy", report.points().accuracy())
+            .bind("stability", report.points().stability())
+            .bind("speed", report.points().speed())
+            .bind("of", report.points().of())
+            .bind("isolation", report.isolation())
+            .bind("nanos", report.nanosPerItem())
+            .bind("now", gradedAt.text())
+            .execute()
+        report.cases().forEachIndexed { position, case -> insert(handle, submission, revision, position, case) }
+        report.diagnostics().forEachIndexed {
+            position,
+            diagnostic,
+            ->
+            insert(handle, submission, revision, position, diagnostic)
+        }
+    }
+
+    private fun insert(
+        handle: Handle,
+        submission: String,
+        revision: String,
+        position: Int,
+        case: CaseReport,
+    ) {
+        val pictures = case.pictures().getOrNull()
+        handle
+            .createUpdate(
+                """INSERT INTO case_results (submission_id, revision, position, name, visibility, verdict, points, points_of,
+                       message, scene, picture_text, expected_png, actual_png, difference_png)
+                   VALUES (:id, :revision, :position, :name, :visibility, :verdict, :points, :of,
+                       :message, :scene, :text, :expected, :actual, :difference)""",
+            ).bind("id", submission)
+            .bind("revision", revision)
+            .bind("position", position)
+            .bind("name", case.name())
+            .bind("visibility", case.visibility().name)
+            .bind("verdict", case.verdict().name)
+            .bind("points", case.points())
+            .bind("of", case.of())
+            .bind("message", case.message())
+            .bind("scene", case.scene())
+            .bind("text", pictures?.text())
+            .bind("expected", pictures?.expectedPng())
+            .bind("actual", pictures?.actualPng())
+            .bind("difference", pictures?.differencePng())
+            .execute()
+    }
+
+    private fun insert(
+        handle: Handle,
+        submission: String,
+        revision: String,
+        position: Int,
+        diagnostic: Diagnostic,
+    ) {
+        handle
+            .createUpdate(
+                """INSERT INTO diagnostics (submission_id, revision, position, line, column_number, message)
+                   VALUES (:id, :revision, :position, :line, :column, :message)""",
+            ).bind("id", submission)
+            .bind("revision", revision)
+            .bind("position", position)
+            .bind("line", diagnostic.line())
+            .bind("column", diagnostic.column())
+            .bind("message", diagnostic.message())
+            .execute()
+    }
+
+    private fun cases(
+        handle: Handle,
+        submission: String,
+        revision: String,
+    ): List<CaseReport> =
+        handle
+            .createQuery(
+                "SELECT * FROM case_results WHERE submission_id = :id AND revision = :revision ORDER BY position",
+            ).bind("id", submission)
+            .bind("revision", revision)
+            .map { row, _ ->
+                val pictures =
+                    row.getString("picture_text")?.let {
+                        CasePictures(
+                            it,
+                            row.getBytes("expected_png"),
+                            row.getBytes("actual_png"),
+                            row.getBytes("difference_png"),
+                        )
+                    }
+                CaseReport(
+                    row.getString("name"),
+                    Visibility.valueOf(row.getString("visibility")),
+                    GradingVerdict.valueOf(row.getString("verdict")),
+                    row.getInt("points"),
+                    row.getInt("points_of"),
+                    row.getString("message"),
+                    Optional.ofNullable(pictures),
+                    row.getString("scene"),
+                )
+            }.list()
+
+    private fun diagnostics(
+        handle: Handle,
+        submission: String,
+        revision: String,
+    ): List<Diagnostic> =
+        handle
+            .createQuery(
+                "SELECT * FROM diagnostics WHERE submission_id = :id AND revision = :revision ORDER BY position",
+            ).bind("id", submission)
+            .bind("revision", revision)
+            .map { row, _ -> Diagnostic(row.getInt("line"), row.getInt("column_number"), row.getString("message")) }
+            .list()
+}

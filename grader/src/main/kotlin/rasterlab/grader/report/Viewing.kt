@@ -1,0 +1,106 @@
+package rasterlab.grader.report
+
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonElement
+import rasterlab.exercises.score.CaseReport
+import rasterlab.exercises.score.Report
+import rasterlab.grader.course.Identity
+import rasterlab.grader.storage.text
+import rasterlab.grader.submission.State
+import rasterlab.grader.submission.Submission
+import kotlin.jvm.optionals.getOrNull
+
+@Serializable
+data class SubmissionView(
+    val id: String,
+    val exercise: String,
+    val attempt: Int,
+    val state: String,
+    val position: Int,
+    val verdict: String?,
+    val points: PointsView?,
+    val cases: List<CaseView>,
+    val diagnostics: List<DiagnosticView>,
+    val isolation: String?,
+    val receivedAt: String,
+    val gradedAt: String?,
+)
+
+@Serializable
+data class PointsView(
+    val accuracy: Int,
+    val stability: Int,
+    val speed: Int,
+    val total: Int,
+    val of: Int,
+)
+
+@Serializable
+data class CaseView(
+    val name: String,
+    val visibility: String,
+    val verdict: String,
+    val points: Int,
+    val of: Int,
+    val message: String,
+    val pictures: PicturesView?,
+    val scene: JsonElement?,
+)
+
+/** Addresses of the pictures, and the difference as rows of characters. */
+@Serializable
+data class PicturesView(
+    val expected: String,
+    val actual: String,
+    val difference: String,
+    val text: String,
+)
+
+@Serializable
+data class DiagnosticView(
+    val line: Int,
+    val column: Int,
+    val message: String,
+)
+
+/** What is left of a report for these eyes. Deadlines cannot be set yet, so none has passed. */
+fun Report.seenBy(who: Identity): Report = if (who is Identity.Student) forStudent(false) else this
+
+fun CaseReport.seenBy(who: Identity): CaseReport = if (who is Identity.Student) forStudent(false) else this
+
+/** @param recorded with nothing hidden; null as long as there is no result */
+fun Submission.view(
+    who: Identity,
+    position: Int,
+    running: List<CaseReport>,
+    recorded: Recorded?,
+): SubmissionView {
+    // Row and result are read one after the other, so a result may be there that the row does not know of yet.
+    val report = recorded?.report?.seenBy(who)
+    val cases = report?.cases() ?: running.map { it.seenBy(who) }
+    return SubmissionView(
+        id,
+        exercise,
+        attempt,
+        (if (report == null) state else State.DONE).code,
+        if (report == null) position else 0,
+        report?.verdict()?.code(),
+        report?.points()?.let { PointsView(it.accuracy(), it.stability(), it.speed(), it.total(), it.of()) },
+        cases.map { it.view(id) },
+        report?.diagnostics().orEmpty().map { DiagnosticView(it.line(), it.column(), it.message()) },
+        report?.isolation(),
+        receivedAt.text(),
+        recorded?.gradedAt?.text(),
+    )
+}
+
+fun CaseReport.view(submission: String): CaseView {
+    val folder = "/api/v1/submissions/$submission/cases/${name()}"
+    val pictures =
+        pictures().getOrNull()?.let {
+            PicturesView("$folder/expected.png", "$folder/actual.png", "$folder/difference.png", it.text())
+        }
+    val scene = scene().takeIf { it.isNotEmpty() }?.let(Json::parseToJsonElement)
+    return CaseView(name(), visibility().code(), verdict().code(), points(), of(), message(), pictures, scene)
+}

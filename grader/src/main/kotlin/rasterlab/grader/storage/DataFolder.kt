@@ -1,0 +1,98 @@
+package rasterlab.grader.storage
+
+import java.io.IOException
+import java.nio.channels.FileChannel
+import java.nio.channels.OverlappingFileLockException
+import java.nio.file.Files
+import java.nio.file.Path
+import java.nio.file.StandardOpenOption.CREATE
+import java.nio.file.StandardOpenOption.WRITE
+import java.nio.file.attribute.PosixFilePermissions
+import kotlin.io.path.absolute
+import kotlin.io.path.isDirectory
+import kotlin.io.path.setPosixFilePermissions
+
+/** The server cannot start; the message is one line for the person who started it. */
+class CannotStart(
+    override val message: String,
+) : Exception(message)
+
+/** A folder, and the database in it or elsewhere, that one server has to itself until it closes them. */
+class DataFolder private constructor(
+    val databaseFile: Path,
+    val logFile: Path,
+    private val locks: List<FileChannel>,
+) : AutoCloseable {
+    /** Lets go of the locks; the system does so too when the process dies. */
+    override fun close() = locks.forEach(FileChannel::close)
+
+    companion object {
+        /**
+         * @param folder made if missing
+         * @param url of the database, or null for the one in the folder
+         * @throws CannotStart if the folder cannot be used or another server uses it
+         */
+        fun take(
+            folder: Path,
+            url: String?,
+        ): DataFolder {
+            val data = folder.absolute().normalize()
+            val file = if (url == null) data.resolve("rasterlab.db") else fileOf(url)
+            make(data)
+            val locks = listOf(data.resolve("server.lock"), file.resolveSibling("${file.fileName}.lock")).map(::lock)
+            return DataFolder(file, data.resolve("server.log"), locks)
+        }
+
+        private fun fileOf(url: String): Path {
+            val name = url.removePrefix("jdbc:").takeIf { it.startsWith("sqlite:") }?.removePrefix("sqlite:")
+            if (name == null) throw CannotStart("--db $url: only sqlite:FILE is served so far; PostgreSQL comes later")
+            if (name.isEmpty() || '?' in name ||
+                ':' in name
+            ) {
+                throw CannotStart("--db $url: expected sqlite:FILE with a plain file name")
+            }
+            val file = Path.of(name).absolute().normalize()
+            if (file.isDirectory()) throw CannotStart("--db $url: is a folder, expected a file")
+            if (!file.parent.isDirectory()) throw CannotStart("--db $url: there is no folder ${file.parent}")
+            return file
+        }
+
+        private fun make(folder: Path) {
+            if (Files.exists(folder) &&
+                !folder.isDirectory()
+            ) {
+                throw CannotStart("--data $folder: is a file, expected a folder")
+            }
+            try {
+                if (Files.exists(folder)) return
+                Files.createDirectories(folder)
+                if ("posix" in
+                    folder.fileSystem.supportedFileAttributeViews()
+                ) {
+                    folder.setPosixFilePermissions(OWNER_ONLY)
+                }
+            } catch (failure: IOException) {
+                throw CannotStart(
+                    "--data $folder: cannot be made (${failure.javaClass.simpleName} at ${failure.message})",
+                )
+            }
+        }
+
+        private val OWNER_ONLY = PosixFilePermissions.fromString("rwx------")
+
+        private fun lock(file: Path): FileChannel {
+            try {
+                val channel = FileChannel.open(file, CREATE, WRITE)
+                if (channel.tryLock() != null) return channel
+                channel.close()
+            } catch (failure: OverlappingFileLockException) {
+                throw CannotStart("${file.parent}: another server is using it")
+            } catch (failure: IOException) {
+                throw CannotStart(
+                    "${file.parent}: cannot be written (${failure.javaClass.simpleName} at ${failure.message})",
+                )
+            }
+            throw CannotStart("${file.parent}: another server is using it")
+        }
+    }
+}

@@ -1,0 +1,88 @@
+package rasterlab.grader.storage
+
+import com.zaxxer.hikari.HikariConfig
+import com.zaxxer.hikari.HikariDataSource
+import org.flywaydb.core.Flyway
+import org.jdbi.v3.core.Handle
+import org.jdbi.v3.core.Jdbi
+import org.sqlite.SQLiteConfig
+import org.sqlite.SQLiteDataSource
+import java.nio.file.Files
+import java.nio.file.Path
+import javax.sql.DataSource
+
+/**
+ * One SQLite file: any number of readers, and one writer at a time.
+ *
+ * Every write is an IMMEDIATE transaction on the one writing connection and is on the disk when
+ * [write] returns (`synchronous=FULL`; see https://www.sqlite.org/pragma.html#pragma_synchronous).
+ */
+class Database private constructor(
+    private val file: Path,
+    private val writer: HikariDataSource,
+    private val reader: HikariDataSource,
+) : AutoCloseable {
+    private val writes = Jdbi.create(writer)
+    private val reads = Jdbi.create(reader)
+
+    /** For the scheduler, which commits each of its statements by itself. */
+    val scheduling: DataSource get() = writer
+
+    fun <T> read(work: (Handle) -> T): T = reads.withHandle<T, Exception> { work(it) }
+
+    /** Commits when [work] returns, rolls back when it throws. */
+    fun <T> write(work: (Handle) -> T): T = writes.inTransaction<T, Exception> { work(it) }
+
+    /** Whether the disk can still take a submission and its result. */
+    fun hasRoom(): Boolean = Files.getFileStore(file).usableSpace >= LEAST_FREE_BYTES
+
+    override fun close() {
+        reader.close()
+        writer.close()
+    }
+
+    companion object {
+        private const val LEAST_FREE_BYTES = 64L shl 20
+        private const val READERS = 4
+        private const val BUSY_MILLIS = 5_000
+
+        /** Opens the file, creating or migrating its tables. */
+        fun open(file: Path): Database {
+            migrate(file)
+            return Database(file, pool(file, writing = true), pool(file, writing = false))
+        }
+
+        private fun migrate(file: Path) {
+            Flyway
+                .configure()
+                .dataSource(source(file))
+                .locations("classpath:rasterlab/grader/storage")
+                .load()
+                .migrate()
+        }
+
+        private fun pool(
+            file: Path,
+            writing: Boolean,
+        ) = HikariDataSource(
+            HikariConfig().apply {
+                poolName = if (writing) "writer" else "readers"
+                dataSource = source(file)
+                maximumPoolSize = if (writing) 1 else READERS
+                connectionTimeout = 2L * BUSY_MILLIS
+                if (!writing) connectionInitSql = "PRAGMA query_only = ON"
+            },
+        )
+
+        private fun source(file: Path) =
+            SQLiteDataSource(
+                SQLiteConfig().apply {
+                    setJournalMode(SQLiteConfig.JournalMode.WAL)
+                    setSynchronous(SQLiteConfig.SynchronousMode.FULL)
+                    setTransactionMode(SQLiteConfig.TransactionMode.IMMEDIATE)
+                    setBusyTimeout(BUSY_MILLIS)
+                    enforceForeignKeys(true)
+                },
+            ).apply { url = "jdbc:sqlite:$file" }
+    }
+}

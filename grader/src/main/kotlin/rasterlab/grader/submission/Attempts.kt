@@ -1,0 +1,121 @@
+package rasterlab.grader.submission
+
+import org.slf4j.LoggerFactory
+import rasterlab.exercises.Exercise
+import rasterlab.exercises.Grading
+import rasterlab.exercises.Grading.CaseSelection
+import rasterlab.exercises.score.Diagnostic
+import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.Report
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.storage.Database
+import java.util.concurrent.ConcurrentHashMap
+
+/** Whether the queue is done with a submission. */
+enum class Outcome {
+    SETTLED,
+    TRY_AGAIN,
+}
+
+/** Grades one submission at a time per thread, and sees that each gets one result. */
+class Attempts(
+    private val database: Database,
+    private val leases: Leases,
+    private val exercises: Exercises,
+    private val grading: Grading,
+    private val live: Live,
+) {
+    private val log = LoggerFactory.getLogger(javaClass)
+    private val held = ConcurrentHashMap.newKeySet<Lease>()
+
+    /**
+     * Grades the submission unless it is graded already. A mistake of ours is tried again; the last
+     * one stands as an `internal` result that a person has to look at.
+     *
+     * @throws InterruptedException when the server stops; the submission is back in the queue then
+     */
+    fun attempt(id: String): Outcome {
+        if (!database.hasRoom()) return Outcome.TRY_AGAIN
+        val lease = leases.claim(id) ?: return Outcome.SETTLED
+        live.announce()
+        held += lease
+        try {
+            return settle(lease, lease.submission)
+        } catch (stop: InterruptedException) {
+            leases.giveUp(lease, counts = false)
+            throw stop
+        } finally {
+            held -= lease
+            live.ended(id)
+        }
+    }
+
+    /** Keeps the leases of the attempts that run here. */
+    fun renew() = held.forEach(leases::renew)
+
+    private fun settle(
+        lease: Lease,
+        submission: Submission,
+    ): Outcome {
+        val exercise = exercises.find(submission.exercise)
+        val report =
+            when {
+                exercise == null -> {
+                    ourFault(
+                        "the exercise '${submission.exercise}' is not on this server any more",
+                        of = 0,
+                    )
+                }
+
+                submission.tries > TRIES -> {
+                    ourFault(
+                        "grading ended without a result $TRIES times",
+                        exercise.points().total(),
+                    )
+                }
+
+                else -> {
+                    grade(exercise, submission)
+                }
+            }
+        if (report.verdict() == GradingVerdict.INTERNAL && submission.tries < TRIES) {
+            leases.giveUp(lease, counts = true)
+            return Outcome.TRY_AGAIN
+        }
+        val written = leases.finish(lease, exercise?.revision() ?: submission.revision, report)
+        if (written) {
+            log.info("submission {} graded {} on try {}", submission.id, report.verdict().code(), submission.tries)
+        } else {
+            log.warn("submission {} was given to another worker; this result is dropped", submission.id)
+        }
+        return Outcome.SETTLED
+    }
+
+    // Anything that the grading throws is our fault, whatever its type: the student's faults are verdicts.
+    private fun grade(
+        exercise: Exercise,
+        submission: Submission,
+    ): Report =
+        try {
+            grading.grade(
+                exercise,
+                submission.source,
+                CaseSelection.all(submission.seed),
+            ) { live.judged(submission.id, it) }
+        } catch (stop: InterruptedException) {
+            throw stop
+        } catch (failure: Exception) {
+            log.error("grading submission {} failed on try {}", submission.id, submission.tries, failure)
+            ourFault("the grader failed", exercise.points().total())
+        }
+
+    private fun ourFault(
+        message: String,
+        of: Int,
+    ) = Report(GradingVerdict.INTERNAL, Points(0, 0, 0, of), emptyList(), listOf(Diagnostic(0, 0, message)), "", 0.0)
+
+    companion object {
+        const val TRIES = 3
+    }
+}

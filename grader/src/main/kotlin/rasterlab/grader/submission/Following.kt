@@ -1,0 +1,57 @@
+package rasterlab.grader.submission
+
+import io.ktor.server.sse.ServerSSESession
+import io.ktor.sse.ServerSentEvent
+import kotlinx.coroutines.flow.first
+import kotlinx.coroutines.withTimeoutOrNull
+import kotlinx.serialization.Serializable
+import kotlinx.serialization.json.Json
+import rasterlab.grader.report.SubmissionView
+
+@Serializable
+private data class PositionEvent(
+    val position: Int,
+    val state: String,
+)
+
+private const val QUIET_MILLIS = 15_000L
+
+/**
+ * Tells a submission's way: `position` whenever it changes, `case` for each judged case (the event's
+ * id is its place from 0), `done` with the whole submission. One who connects again hears it all again.
+ */
+suspend fun ServerSSESession.follow(
+    live: Live,
+    look: () -> SubmissionView,
+) {
+    var place: PositionEvent? = null
+    var told = 0
+    onEachChange(live) {
+        val now = look()
+        val newPlace = PositionEvent(now.position, now.state)
+        if (newPlace != place && now.verdict == null) send(Json.encodeToString(newPlace), event = "position")
+        place = newPlace
+        if (now.cases.size < told) told = 0
+        now.cases.drop(told).forEachIndexed { index, case ->
+            send(Json.encodeToString(case), event = "case", id = (told + index).toString())
+        }
+        told = now.cases.size
+        if (now.verdict != null) send(Json.encodeToString(now), event = "done")
+        now.verdict == null
+    }
+}
+
+/** Calls [tell] now and after each change, until it returns false; keeps a quiet connection alive. */
+suspend fun ServerSSESession.onEachChange(
+    live: Live,
+    tell: suspend () -> Boolean,
+) {
+    while (true) {
+        // Read before looking: what changes while we look makes us look again.
+        val seen = live.changes.value
+        if (!tell()) return
+        while (withTimeoutOrNull(QUIET_MILLIS) { live.changes.first { it != seen } } == null) {
+            send(ServerSentEvent(comments = "nothing new"))
+        }
+    }
+}

@@ -1,0 +1,100 @@
+package rasterlab.grader.submission
+
+import org.jdbi.v3.core.Handle
+import rasterlab.exercises.Exercise
+import rasterlab.grader.course.Identity
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.storage.Database
+import rasterlab.grader.storage.Repeatable
+import rasterlab.grader.storage.Secrets
+import rasterlab.grader.storage.text
+import java.time.Duration
+import java.time.InstantSource
+
+/**
+ * How much one student may hand in.
+ *
+ * @param waiting submissions not graded yet, so that nobody fills the queue for the others
+ * @param perMinute submissions received within a minute
+ */
+data class IntakeLimits(
+    val waiting: Int = 5,
+    val perMinute: Int = 20,
+)
+
+/** A submission that is stored. */
+data class Accepted(
+    val id: String,
+    val state: State,
+    val position: Int,
+)
+
+/** Stores submissions: when [accept] returns, the submission is on the disk. */
+class Intake(
+    private val database: Database,
+    private val limits: IntakeLimits,
+    private val clock: InstantSource,
+) {
+    /** @param key what the student calls this request, so that repeating it gives the same submission */
+    fun accept(
+        student: Identity.Student,
+        exercise: Exercise,
+        source: String,
+        key: String?,
+    ): Accepted {
+        if (!database.hasRoom()) throw Rejection.NoRoom()
+        val request = Repeatable("submissions ${student.id}", key, "${exercise.id()}\n$source")
+        return database.write { handle ->
+            val id =
+                request.made(handle)
+                    ?: insert(handle, student, exercise, source).also { request.remember(handle, it, clock.instant()) }
+            val state = checkNotNull(Submissions.find(handle, id)) { "submission $id was just stored" }.state
+            Accepted(id, state, Submissions.position(handle, id))
+        }
+    }
+
+    private fun insert(
+        handle: Handle,
+        student: Identity.Student,
+        exercise: Exercise,
+        source: String,
+    ): String {
+        checkLimits(handle, student)
+        val id = Secrets.newId()
+        handle
+            .createUpdate(
+                """INSERT INTO submissions (id, student_id, exercise, revision, attempt, source, seed, received_at, state)
+                   SELECT :id, :student, :exercise, :revision, coalesce(max(attempt), 0) + 1, :source, :seed, :now, 'queued'
+                   FROM submissions WHERE student_id = :student AND exercise = :exercise""",
+            ).bind("id", id)
+            .bind("student", student.id)
+            .bind("exercise", exercise.id())
+            .bind("revision", exercise.revision())
+            .bind("source", source)
+            .bind("seed", Secrets.newSeed())
+            .bind("now", clock.instant().text())
+            .execute()
+        return id
+    }
+
+    private fun checkLimits(
+        handle: Handle,
+        student: Identity.Student,
+    ) {
+        val waiting = count(handle, student, "state <> 'done'")
+        if (waiting >= limits.waiting) throw Rejection.TooManyQueued(limits.waiting, retryAfterSeconds = 5)
+        val minuteAgo = (clock.instant() - Duration.ofMinutes(1)).text()
+        val lately = count(handle, student, "received_at > '$minuteAgo'")
+        if (lately >= limits.perMinute) throw Rejection.TooFast(limits.perMinute, retryAfterSeconds = 60)
+    }
+
+    private fun count(
+        handle: Handle,
+        student: Identity.Student,
+        condition: String,
+    ) = handle
+        .createQuery("SELECT count(*) FROM submissions WHERE student_id = :student AND $condition")
+        .bind("student", student.id)
+        .mapTo(Int::class.javaObjectType)
+        .one()
+}

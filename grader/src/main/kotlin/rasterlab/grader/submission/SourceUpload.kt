@@ -1,0 +1,83 @@
+package rasterlab.grader.submission
+
+import io.ktor.http.ContentType
+import io.ktor.http.HttpHeaders
+import io.ktor.http.content.PartData
+import io.ktor.http.content.forEachPart
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.request.contentLength
+import io.ktor.server.request.contentType
+import io.ktor.server.request.receiveMultipart
+import io.ktor.utils.io.readRemaining
+import kotlinx.io.IOException
+import kotlinx.io.readByteArray
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.receiveAtMost
+import java.nio.ByteBuffer
+import java.nio.charset.CharacterCodingException
+
+const val LONGEST_SOURCE_BYTES = 128 * 1024
+private const val FORM_EXTRA_BYTES = 16 * 1024
+private val JAVA_SOURCE = ContentType("text", "x-java-source")
+
+/** The source in the body: alone, or the multipart field `source`. */
+suspend fun ApplicationCall.receiveSource(): String {
+    val type = request.contentType()
+    val bytes =
+        when {
+            type.match(JAVA_SOURCE) -> receiveAtMost(LONGEST_SOURCE_BYTES)
+
+            type.match(ContentType.MultiPart.FormData) -> receiveFields()["source"]?.firstOrNull() ?: ByteArray(0)
+
+            else -> throw Rejection.WrongMediaType(
+                request.headers[HttpHeaders.ContentType].orEmpty(),
+                "text/x-java-source or multipart/form-data with a field 'source'",
+            )
+        }
+    return sourceOf(bytes)
+}
+
+/** Bytes of a source as text. */
+fun sourceOf(bytes: ByteArray): String {
+    if (bytes.size > LONGEST_SOURCE_BYTES) throw Rejection.TooLarge(LONGEST_SOURCE_BYTES)
+    val text =
+        try {
+            Charsets.UTF_8
+                .newDecoder()
+                .decode(ByteBuffer.wrap(bytes))
+                .toString()
+                .removePrefix("\uFEFF")
+        } catch (failure: CharacterCodingException) {
+            throw Rejection.NotUtf8()
+        }
+    if (text.isBlank()) throw Rejection.EmptySource()
+    return text
+}
+
+/** The fields of a form, each with the bytes of its values in order. */
+suspend fun ApplicationCall.receiveFields(): Map<String, List<ByteArray>> {
+    val limit = 2 * LONGEST_SOURCE_BYTES + FORM_EXTRA_BYTES
+    if ((request.contentLength() ?: 0) > limit) receiveAtMost(limit)
+    val fields = mutableMapOf<String, MutableList<ByteArray>>()
+    var left = limit
+    try {
+        receiveMultipart(formFieldLimit = limit.toLong()).forEachPart { part ->
+            val bytes = part.bytes(left)
+            left -= bytes.size
+            if (left < 0) throw Rejection.TooLarge(limit)
+            fields.getOrPut(part.name.orEmpty()) { mutableListOf() } += bytes
+            part.release()
+        }
+    } catch (failure: IOException) {
+        throw Rejection.Malformed("the form cannot be read")
+    }
+    return fields
+}
+
+/** At most one byte more than [limit]. */
+private suspend fun PartData.bytes(limit: Int) =
+    when (this) {
+        is PartData.FormItem -> value.toByteArray()
+        is PartData.FileItem -> provider().readRemaining(limit + 1L).readByteArray()
+        else -> ByteArray(0)
+    }

@@ -1,0 +1,38 @@
+package rasterlab.grader.submission
+
+import java.time.Instant
+
+enum class State {
+    QUEUED,
+    RUNNING,
+    DONE,
+    ;
+
+    /** Lower-case, as stored and in the HTTP API. */
+    val code get() = name.lowercase()
+
+    companion object {
+        fun of(code: String) = entries.single { it.code == code }
+    }
+}
+
+/**
+ * A source that a student handed in; its row decides what happens to it, everything else only reminds.
+ *
+ * @param revision of the exercise when it was received
+ * @param attempt from 1, counted per student and exercise
+ * @param seed draws the hidden cases, so that grading again gives the same result
+ * @param tries how often grading was begun
+ */
+data class Submission(
+    val id: String,
+    val student: String,
+    val exercise: String,
+    val revision: String,
+    val attempt: Int,
+    val source: String,
+    val seed: Long,
+    val receivedAt: Instant,
+    val state: State,
+    val tries: Int,
+)

@@ -1,0 +1,129 @@
+package rasterlab.grader.submission
+
+import org.jdbi.v3.core.Handle
+import rasterlab.grader.course.Identity
+import rasterlab.grader.problem.Rejection
+import rasterlab.grader.storage.Database
+import java.sql.ResultSet
+import java.time.Instant
+import kotlin.jvm.optionals.getOrNull
+
+/** One line of a list of submissions. */
+data class Listed(
+    val submission: Submission,
+    val student: String,
+    val verdict: String?,
+    val points: Int?,
+    val of: Int?,
+)
+
+/** Reads submissions. */
+class Submissions(
+    private val database: Database,
+) {
+    fun find(id: String): Submission? = database.read { find(it, id) }
+
+    /** @throws Rejection.UnknownSubmission for one that does not exist or is not for these eyes */
+    fun seenBy(
+        who: Identity,
+        id: String,
+    ): Submission {
+        val found = find(id)
+        if (found == null || (who is Identity.Student && found.student != who.id)) throw Rejection.UnknownSubmission(id)
+        return found
+    }
+
+    /** 1 for the next one to be graded; 0 when it is not waiting. */
+    fun position(id: String): Int = database.read { position(it, id) }
+
+    fun waiting(): List<String> =
+        database.read {
+            it
+                .createQuery(
+                    "SELECT id FROM submissions WHERE state = 'queued' ORDER BY sequence",
+                ).mapTo(String::class.java)
+                .list()
+        }
+
+    fun ofStudent(
+        student: String,
+        exercise: String,
+    ): List<Listed> =
+        list(
+            "WHERE s.student_id = :student AND s.exercise = :exercise",
+            mapOf(
+                "student" to student,
+                "exercise" to exercise,
+            ),
+        )
+
+    fun latest(): List<Listed> = list("", emptyMap())
+
+    private fun list(
+        condition: String,
+        bindings: Map<String, Any>,
+    ) = database.read { handle ->
+        handle
+            .createQuery(
+                """SELECT s.*, students.name AS student_name, r.verdict, r.accuracy + r.stability + r.speed AS total, r.points_of
+                   FROM submissions s
+                   JOIN students ON students.id = s.student_id
+                   LEFT JOIN results r ON r.submission_id = s.id AND r.graded_at =
+                       (SELECT max(graded_at) FROM results WHERE submission_id = s.id)
+                   $condition ORDER BY s.sequence DESC LIMIT $LISTED""",
+            ).bindMap(bindings)
+            .map { row, _ ->
+                val verdict = row.getString("verdict")
+                val graded = verdict != null
+                Listed(
+                    submission(row),
+                    row.getString("student_name"),
+                    verdict,
+                    if (graded) row.getInt("total") else null,
+                    if (graded) row.getInt("points_of") else null,
+                )
+            }.list()
+    }
+
+    companion object {
+        private const val LISTED = 100
+
+        internal fun find(
+            handle: Handle,
+            id: String,
+        ): Submission? =
+            handle
+                .createQuery("SELECT * FROM submissions WHERE id = :id")
+                .bind("id", id)
+                .map { row, _ -> submission(row) }
+                .findOne()
+                .getOrNull()
+
+        internal fun position(
+            handle: Handle,
+            id: String,
+        ): Int =
+            handle
+                .createQuery(
+                    """SELECT count(*) FROM submissions mine JOIN submissions other
+                       ON other.state = 'queued' AND other.sequence <= mine.sequence
+                       WHERE mine.id = :id AND mine.state = 'queued'""",
+                ).bind("id", id)
+                .mapTo(Int::class.javaObjectType)
+                .one()
+
+        private fun submission(row: ResultSet) =
+            Submission(
+                id = row.getString("id"),
+                student = row.getString("student_id"),
+                exercise = row.getString("exercise"),
+                revision = row.getString("revision"),
+                attempt = row.getInt("attempt"),
+                source = row.getString("source"),
+                seed = row.getLong("seed"),
+                receivedAt = Instant.parse(row.getString("received_at")),
+                state = State.of(row.getString("state")),
+                tries = row.getInt("tries"),
+            )
+    }
+}

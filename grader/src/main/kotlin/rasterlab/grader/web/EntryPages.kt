@@ -1,0 +1,119 @@
+package rasterlab.grader.web
+
+import io.ktor.http.HttpStatusCode
+import io.ktor.http.Parameters
+import io.ktor.http.parseUrlEncodedParameters
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.respondRedirect
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import io.ktor.server.routing.post
+import kotlinx.html.FlowContent
+import kotlinx.html.FormMethod
+import kotlinx.html.InputType
+import kotlinx.html.a
+import kotlinx.html.button
+import kotlinx.html.code
+import kotlinx.html.div
+import kotlinx.html.form
+import kotlinx.html.h2
+import kotlinx.html.p
+import kotlinx.html.role
+import kotlinx.html.section
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Identity
+import rasterlab.grader.course.Name
+import rasterlab.grader.problem.receiveAtMost
+
+private const val FORM_BYTES = 16 * 1024
+
+fun Route.welcome(accounts: Accounts) {
+    get("/") {
+        when (call.visitor(accounts)) {
+            is Identity.Student -> call.respondRedirect("/exercises")
+            is Identity.Instructor -> call.respondRedirect("/instructor")
+            null -> call.respondWelcome(problem = null)
+        }
+    }
+    post("/sign-out") {
+        call.requireOwnForm()
+        call.signOut(accounts)
+        call.respondRedirect("/")
+    }
+}
+
+/** Joining and signing in, inside a rate limit. */
+fun Route.entering(
+    accounts: Accounts,
+    courses: Courses,
+) {
+    post("/join") {
+        call.requireOwnForm()
+        val form = call.receiveForm()
+        val student = courses.join(form["course"].orEmpty(), Name.of(form["name"].orEmpty()), key = null)
+        accounts.holder(student.token)?.let { call.signIn(accounts, it) }
+        call.respondJoined(student.token)
+    }
+    post("/sign-in") {
+        call.requireOwnForm()
+        val who = accounts.holder(call.receiveForm()["token"].orEmpty().trim())
+        if (who == null) {
+            call.respondWelcome(problem = "bad-token")
+        } else {
+            call.signIn(accounts, who)
+            call.respondRedirect("/")
+        }
+    }
+}
+
+/** The fields of a small form. */
+suspend fun ApplicationCall.receiveForm(): Parameters =
+    receiveAtMost(FORM_BYTES).decodeToString().parseUrlEncodedParameters()
+
+private suspend fun ApplicationCall.respondWelcome(problem: String?) {
+    val texts = texts()
+    val status = if (problem == null) HttpStatusCode.OK else HttpStatusCode.Unauthorized
+    respondPage(texts, who = null, texts.say("entry.title"), status) {
+        problem?.let {
+            p("problem") {
+                role = "alert"
+                +texts.problem(it, it)
+            }
+        }
+        div("columns") {
+            entry(texts, "join", "/join") {
+                field(texts.say("entry.code"), "course")
+                field(texts.say("entry.name"), "name", filling = "name")
+            }
+            entry(texts, "in", "/sign-in") {
+                field(texts.say("entry.token"), "token", InputType.password, filling = "current-password")
+            }
+        }
+    }
+}
+
+private fun FlowContent.entry(
+    texts: Texts,
+    kind: String,
+    action: String,
+    fields: FlowContent.() -> Unit,
+) = section("card") {
+    h2 { +texts.say("entry.$kind") }
+    p { +texts.say("entry.$kind.about") }
+    form(action, method = FormMethod.post) {
+        fields()
+        button { +texts.say("entry.$kind.do") }
+    }
+}
+
+private suspend fun ApplicationCall.respondJoined(token: String) {
+    val texts = texts()
+    respondPage(texts, who = null, texts.say("joined.title")) {
+        section("card") {
+            p { +texts.say("joined.keep") }
+            p { code("token") { +token } }
+            p { a("/exercises", classes = "button") { +texts.say("joined.go") } }
+        }
+    }
+}

@@ -1,0 +1,142 @@
+package rasterlab.grader.web
+
+import io.ktor.http.ContentType
+import io.ktor.http.HttpHeaders
+import io.ktor.http.withCharset
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.header
+import io.ktor.server.response.respondRedirect
+import io.ktor.server.response.respondText
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import io.ktor.server.routing.post
+import io.ktor.server.util.getOrFail
+import kotlinx.html.FlowContent
+import kotlinx.html.FormEncType
+import kotlinx.html.FormMethod
+import kotlinx.html.InputType
+import kotlinx.html.a
+import kotlinx.html.article
+import kotlinx.html.button
+import kotlinx.html.div
+import kotlinx.html.form
+import kotlinx.html.h2
+import kotlinx.html.input
+import kotlinx.html.label
+import kotlinx.html.p
+import kotlinx.html.section
+import kotlinx.html.span
+import kotlinx.html.textArea
+import kotlinx.html.unsafe
+import rasterlab.exercises.Exercise
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Identity
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.exercise.starterFile
+import rasterlab.grader.submission.GradingQueue
+import rasterlab.grader.submission.Intake
+import rasterlab.grader.submission.Submissions
+import rasterlab.grader.submission.receiveFields
+import rasterlab.grader.submission.sourceOf
+
+/** What there is to do, and where to hand it in. */
+fun Route.exercisePages(
+    accounts: Accounts,
+    exercises: Exercises,
+    submissions: Submissions,
+    intake: Intake,
+    queue: GradingQueue,
+) {
+    get("/exercises") { call.respondExercises(call.someone(accounts), exercises) }
+    get("/exercises/{id}") {
+        call.respondExercise(call.someone(accounts), exercises.named(call.parameters.getOrFail("id")), submissions)
+    }
+    get("/exercises/{id}/starter") {
+        call.someone(accounts)
+        val exercise = exercises.named(call.parameters.getOrFail("id"))
+        call.response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"${exercise.starterFile()}\"")
+        call.respondText(exercise.starter(), ContentType.Text.Plain.withCharset(Charsets.UTF_8))
+    }
+    post("/exercises/{id}") {
+        call.requireOwnForm()
+        val student = call.studentHere(accounts)
+        val exercise = exercises.named(call.parameters.getOrFail("id"))
+        val source = call.receiveFields()["source"].orEmpty().firstOrNull { it.isNotEmpty() } ?: ByteArray(0)
+        val accepted = intake.accept(student, exercise, sourceOf(source), key = null)
+        queue.ring(accepted.id)
+        call.respondRedirect("/submissions/${accepted.id}")
+    }
+}
+
+private suspend fun ApplicationCall.respondExercises(
+    who: Identity,
+    exercises: Exercises,
+) {
+    val texts = texts()
+    respondPage(texts, who, texts.say("exercises.title")) {
+        if (exercises.all.isEmpty()) p { +texts.say("exercises.none") }
+        div("columns") {
+            exercises.all.forEach { exercise ->
+                a("/exercises/${exercise.id()}", classes = "card exercise") {
+                    span("title") { +exercise.title(texts.language) }
+                    span { +texts.say("exercises.points", exercise.points().total()) }
+                }
+            }
+        }
+    }
+}
+
+private suspend fun ApplicationCall.respondExercise(
+    who: Identity,
+    exercise: Exercise,
+    submissions: Submissions,
+) {
+    val texts = texts()
+    val mine = if (who is Identity.Student) submissions.ofStudent(who.id, exercise.id()) else null
+    respondPage(texts, who, exercise.title(texts.language)) {
+        val plan = exercise.points()
+        p("plan") {
+            +texts.say("exercises.points", plan.total())
+            +" — "
+            +texts.say("exercise.plan", plan.accuracy(), plan.stability(), plan.speed())
+        }
+        div("columns wide") {
+            article("card statement") { unsafe { +markdownAsHtml(exercise.statement(texts.language)) } }
+            section {
+                div("card") {
+                    p {
+                        a(
+                            "/exercises/${exercise.id()}/starter",
+                        ) { +"${texts.say("exercise.starter")} (${exercise.starterFile()})" }
+                    }
+                    if (mine != null) handIn(texts, exercise)
+                }
+                if (mine != null) {
+                    h2 { +texts.say("exercise.mine") }
+                    if (mine.isEmpty()) p { +texts.say("exercise.mine.none") } else attemptTable(texts, mine)
+                }
+            }
+        }
+    }
+}
+
+private fun FlowContent.handIn(
+    texts: Texts,
+    exercise: Exercise,
+) {
+    h2 { +texts.say("exercise.submit") }
+    form("/exercises/${exercise.id()}", encType = FormEncType.multipartFormData, method = FormMethod.post) {
+        label {
+            span { +texts.say("exercise.file") }
+            input(InputType.file, name = "source") { accept = ".java,text/x-java-source" }
+        }
+        label {
+            span { +texts.say("exercise.paste") }
+            textArea(rows = "10") {
+                name = "source"
+                attributes["spellcheck"] = "false"
+            }
+        }
+        button { +texts.say("exercise.submit.do") }
+    }
+}

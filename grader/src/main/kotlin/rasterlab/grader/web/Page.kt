@@ -1,0 +1,103 @@
+package rasterlab.grader.web
+
+import io.ktor.http.HttpHeaders
+import io.ktor.http.HttpStatusCode
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.html.respondHtml
+import io.ktor.server.request.path
+import io.ktor.server.response.header
+import kotlinx.html.FlowContent
+import kotlinx.html.InputType
+import kotlinx.html.MAIN
+import kotlinx.html.a
+import kotlinx.html.body
+import kotlinx.html.button
+import kotlinx.html.footer
+import kotlinx.html.form
+import kotlinx.html.h1
+import kotlinx.html.head
+import kotlinx.html.header
+import kotlinx.html.html
+import kotlinx.html.id
+import kotlinx.html.input
+import kotlinx.html.label
+import kotlinx.html.lang
+import kotlinx.html.link
+import kotlinx.html.main
+import kotlinx.html.meta
+import kotlinx.html.nav
+import kotlinx.html.p
+import kotlinx.html.script
+import kotlinx.html.span
+import kotlinx.html.title
+import rasterlab.grader.course.Identity
+
+/** Answers with a page: heading, navigation for this role, and [content]. */
+suspend fun ApplicationCall.respondPage(
+    texts: Texts,
+    who: Identity?,
+    heading: String,
+    status: HttpStatusCode = HttpStatusCode.OK,
+    content: MAIN.() -> Unit,
+) {
+    val path = request.path()
+    response.header(HttpHeaders.CacheControl, "no-store")
+    respondHtml(status) {
+        lang = texts.language
+        head {
+            meta(charset = "utf-8")
+            meta(name = "viewport", content = "width=device-width, initial-scale=1")
+            meta(name = "color-scheme", content = "light dark")
+            title("$heading — ${texts.say("app")}")
+            link(rel = "icon", href = "/assets/icon.svg", type = "image/svg+xml")
+            link(rel = "stylesheet", href = "/assets/rasterlab.css")
+            script(src = "/assets/follow.js") { defer = true }
+        }
+        body {
+            a("#content", classes = "skip") { +texts.say("skip") }
+            header { navigation(texts, who, path) }
+            main {
+                id = "content"
+                h1 { +heading }
+                content()
+            }
+            footer { p { +texts.say("app.about") } }
+        }
+    }
+}
+
+private fun FlowContent.navigation(
+    texts: Texts,
+    who: Identity?,
+    path: String,
+) = nav {
+    a("/", classes = "brand") { +texts.say("app") }
+    if (who != null) a("/exercises") { +texts.say("nav.exercises") }
+    if (who is Identity.Instructor) a("/instructor") { +texts.say("nav.instructor") }
+    span("spread") {}
+    if (who is Identity.Student) span("who") { +who.name }
+    LANGUAGES.filter { it != texts.language }.forEach { other ->
+        a("$path?lang=$other") {
+            attributes["hreflang"] = other
+            attributes["aria-label"] = "${texts.say("nav.language")}: $other"
+            +other.uppercase()
+        }
+    }
+    if (who != null) {
+        form("/sign-out", method = kotlinx.html.FormMethod.post) { button(classes = "plain") { +texts.say("nav.out") } }
+    }
+}
+
+/** A labelled text field that must be filled in. */
+fun FlowContent.field(
+    label: String,
+    field: String,
+    type: InputType = InputType.text,
+    filling: String = "off",
+) = label {
+    span { +label }
+    input(type, name = field) {
+        required = true
+        attributes["autocomplete"] = filling
+    }
+}

@@ -1,0 +1,34 @@
+package rasterlab.grader.web
+
+import io.ktor.server.http.content.staticResources
+import io.ktor.server.plugins.ratelimit.RateLimitName
+import io.ktor.server.plugins.ratelimit.rateLimit
+import io.ktor.server.routing.Route
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Courses
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.report.Results
+import rasterlab.grader.submission.GradingQueue
+import rasterlab.grader.submission.Intake
+import rasterlab.grader.submission.Live
+import rasterlab.grader.submission.Submissions
+
+/** The pages for people, and the files that they use. */
+fun Route.pages(
+    accounts: Accounts,
+    courses: Courses,
+    exercises: Exercises,
+    submissions: Submissions,
+    intake: Intake,
+    queue: GradingQueue,
+    results: Results,
+    live: Live,
+    entry: RateLimitName,
+) {
+    staticResources("/assets", "rasterlab.grader.web.assets")
+    welcome(accounts)
+    rateLimit(entry) { entering(accounts, courses) }
+    exercisePages(accounts, exercises, submissions, intake, queue)
+    resultPages(accounts, exercises, submissions, results)
+    instructorPages(accounts, courses, exercises, submissions, live)
+}

@@ -1,0 +1,76 @@
+package rasterlab.grader.web
+
+import io.ktor.http.ContentType
+import io.ktor.http.withCharset
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.respondText
+import io.ktor.server.routing.Route
+import io.ktor.server.routing.get
+import kotlinx.html.details
+import kotlinx.html.div
+import kotlinx.html.id
+import kotlinx.html.p
+import kotlinx.html.stream.createHTML
+import kotlinx.html.summary
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Identity
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.report.Results
+import rasterlab.grader.report.submissionId
+import rasterlab.grader.submission.Submission
+import rasterlab.grader.submission.Submissions
+
+/** One submission; the page asks for its inner part again whenever the server says that something is new. */
+fun Route.resultPages(
+    accounts: Accounts,
+    exercises: Exercises,
+    submissions: Submissions,
+    results: Results,
+) {
+    get("/submissions/{id}") {
+        val who = call.someone(accounts)
+        val submission = submissions.seenBy(who, call.submissionId())
+        val title = exercises.find(submission.exercise)?.title(call.texts().language) ?: submission.exercise
+        call.respondResult(who, submission, title, results)
+    }
+    get("/submissions/{id}/fragment") {
+        val who = call.someone(accounts)
+        val submission = submissions.seenBy(who, call.submissionId())
+        val texts = call.texts()
+        call.respondFragment(
+            createHTML(prettyPrint = false).div {
+                result(texts, results.view(who, submission.id), submission.source)
+            },
+        )
+    }
+}
+
+/** The inner part of a page. */
+suspend fun ApplicationCall.respondFragment(html: String) =
+    respondText(html, ContentType.Text.Html.withCharset(Charsets.UTF_8))
+
+private suspend fun ApplicationCall.respondResult(
+    who: Identity,
+    submission: Submission,
+    title: String,
+    results: Results,
+) {
+    val texts = texts()
+    val view = results.view(who, submission.id)
+    respondPage(texts, who, "$title — ${texts.say("result.title", submission.attempt)}") {
+        p("plan") { +texts.say("result.received", submission.receivedAt.forPeople()) }
+        div {
+            id = "live"
+            attributes["aria-live"] = "polite"
+            if (view.verdict == null) {
+                attributes["data-events"] = "/api/v1/submissions/${submission.id}/events"
+                attributes["data-fragment"] = "/submissions/${submission.id}/fragment"
+            }
+            result(texts, view, submission.source)
+        }
+        details {
+            summary { +texts.say("result.source") }
+            sourceLines(submission.source)
+        }
+    }
+}

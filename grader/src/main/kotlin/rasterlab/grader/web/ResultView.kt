@@ -1,0 +1,159 @@
+package rasterlab.grader.web
+
+import kotlinx.html.DIV
+import kotlinx.html.FlowContent
+import kotlinx.html.a
+import kotlinx.html.article
+import kotlinx.html.code
+import kotlinx.html.details
+import kotlinx.html.div
+import kotlinx.html.figcaption
+import kotlinx.html.figure
+import kotlinx.html.h2
+import kotlinx.html.h3
+import kotlinx.html.img
+import kotlinx.html.li
+import kotlinx.html.ol
+import kotlinx.html.p
+import kotlinx.html.pre
+import kotlinx.html.section
+import kotlinx.html.span
+import kotlinx.html.strong
+import kotlinx.html.summary
+import kotlinx.html.ul
+import rasterlab.exercises.Visibility
+import rasterlab.grader.report.CaseView
+import rasterlab.grader.report.DiagnosticView
+import rasterlab.grader.report.PicturesView
+import rasterlab.grader.report.PointsView
+import rasterlab.grader.report.SubmissionView
+
+/** Everything that is known of a submission by now. */
+fun DIV.result(
+    texts: Texts,
+    view: SubmissionView,
+    source: String,
+) {
+    div("verdict card") {
+        status(texts, view.verdict, view.state)
+        progress(texts, view)
+        view.points?.let { points(texts, it) }
+        if (view.verdict == "internal") p { +texts.say("result.internal") }
+    }
+    if (view.diagnostics.isNotEmpty()) diagnostics(texts, view.diagnostics, source.lines())
+    if (view.cases.isNotEmpty()) {
+        h2 { +texts.say("result.cases") }
+        if (view.cases.any { it.pictures != null }) p("legend") { +texts.say("result.legend") }
+        view.cases.forEach { case(texts, it) }
+    }
+    view.isolation?.takeIf { it.isNotEmpty() }?.let { isolation ->
+        p("isolation") {
+            +texts.say("result.isolation", isolation)
+            if (isolation == WEAK_ISOLATION) +" ${texts.say("result.weak")}"
+        }
+    }
+}
+
+private const val WEAK_ISOLATION = "process limits only"
+
+private fun FlowContent.progress(
+    texts: Texts,
+    view: SubmissionView,
+) {
+    if (view.verdict != null) return
+    p {
+        if (view.state ==
+            "queued"
+        ) {
+            +texts.say("result.position", view.position)
+        } else {
+            +texts.say("result.running", view.cases.size)
+        }
+        +" "
+        a("/submissions/${view.id}") { +texts.say("result.reload") }
+    }
+}
+
+private fun FlowContent.points(
+    texts: Texts,
+    points: PointsView,
+) {
+    p("total") { +texts.say("result.points", points.total, points.of) }
+    val kinds = listOf("accuracy" to points.accuracy, "stability" to points.stability, "speed" to points.speed)
+    ul("points") {
+        kinds.forEach { (kind, earned) ->
+            li {
+                +"${texts.say("result.$kind")} "
+                strong { +"$earned" }
+            }
+        }
+    }
+}
+
+private fun FlowContent.diagnostics(
+    texts: Texts,
+    diagnostics: List<DiagnosticView>,
+    lines: List<String>,
+) = section {
+    h2 { +texts.say("result.diagnostics") }
+    ul("diagnostics") {
+        diagnostics.forEach { diagnostic ->
+            li {
+                if (diagnostic.line > 0) span("place") { +place(texts, diagnostic) }
+                span("message") { +diagnostic.message }
+                lines.getOrNull(diagnostic.line - 1)?.takeIf { it.isNotBlank() }?.let { line ->
+                    pre { code { +line.trimEnd() } }
+                }
+            }
+        }
+    }
+}
+
+private fun place(
+    texts: Texts,
+    diagnostic: DiagnosticView,
+) = if (diagnostic.column > 0) {
+    texts.say("result.line.column", diagnostic.line, diagnostic.column)
+} else {
+    texts.say("result.line", diagnostic.line)
+}
+
+private fun FlowContent.case(
+    texts: Texts,
+    case: CaseView,
+) = article("case card") {
+    div("row") {
+        status(texts, case.verdict, "")
+        h3 { +case.name }
+        if (case.visibility != Visibility.OPEN.code()) span("hidden-case") { +texts.say("result.hidden") }
+        span("earned") { +texts.say("result.case.points", case.points, case.of) }
+    }
+    if (case.message.isNotEmpty()) p { +case.message }
+    case.pictures?.let { pictures(texts, case.name, it) }
+}
+
+private fun FlowContent.pictures(
+    texts: Texts,
+    case: String,
+    pictures: PicturesView,
+) {
+    div("pictures") {
+        listOf(
+            "expected" to pictures.expected,
+            "actual" to pictures.actual,
+            "difference" to pictures.difference,
+        ).forEach { (kind, address) ->
+            figure {
+                a(address) { img(src = address, alt = "$case: ${texts.say("result.$kind")}") }
+                figcaption { +texts.say("result.$kind") }
+            }
+        }
+    }
+    details {
+        summary { +texts.say("result.astext") }
+        pre("picture-text") { +pictures.text }
+    }
+}
+
+/** A source with its lines numbered. */
+fun FlowContent.sourceLines(source: String) = ol("source") { source.lines().forEach { line -> li { code { +line } } } }

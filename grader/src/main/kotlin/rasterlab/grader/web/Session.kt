@@ -1,0 +1,81 @@
+package rasterlab.grader.web
+
+import io.ktor.http.Cookie
+import io.ktor.http.HttpHeaders
+import io.ktor.server.application.Application
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.application.ApplicationCallPipeline
+import io.ktor.server.application.call
+import io.ktor.server.plugins.origin
+import io.ktor.server.response.header
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Identity
+import rasterlab.grader.course.SESSION_COOKIE
+import rasterlab.grader.problem.Rejection
+
+/** Adds what browsers need to know to run nothing but our own files and to tell nobody where they were. */
+fun Application.protect() =
+    intercept(ApplicationCallPipeline.Plugins) {
+        call.response.header("Content-Security-Policy", CONTENT_POLICY)
+        call.response.header("X-Content-Type-Options", "nosniff")
+        call.response.header("Referrer-Policy", "same-origin")
+        call.response.header("Cross-Origin-Opener-Policy", "same-origin")
+        call.rememberLanguage()
+    }
+
+private const val CONTENT_POLICY =
+    "default-src 'self'; object-src 'none'; base-uri 'none'; form-action 'self'; frame-ancestors 'none'"
+
+/** Signs this browser in. Over plain HTTP, as in a classroom, a Secure cookie would never come back. */
+fun ApplicationCall.signIn(
+    accounts: Accounts,
+    who: Identity,
+) {
+    val secure = request.origin.scheme == "https"
+    response.cookies.append(cookie(SESSION_COOKIE, accounts.open(who), Accounts.SESSION_LENGTH.seconds.toInt(), secure))
+}
+
+fun ApplicationCall.signOut(accounts: Accounts) {
+    request.cookies[SESSION_COOKIE]?.let(accounts::close)
+    response.cookies.append(cookie(SESSION_COOKIE, "", 0, secure = false))
+}
+
+/** Who signed in with this browser, or null. */
+fun ApplicationCall.visitor(accounts: Accounts): Identity? = request.cookies[SESSION_COOKIE]?.let(accounts::inSession)
+
+fun ApplicationCall.studentHere(accounts: Accounts): Identity.Student =
+    someone(accounts) as? Identity.Student ?: throw Rejection.WrongRole("student")
+
+fun ApplicationCall.instructorHere(accounts: Accounts): Identity.Instructor =
+    someone(accounts) as? Identity.Instructor ?: throw Rejection.WrongRole("instructor")
+
+fun ApplicationCall.someone(accounts: Accounts): Identity = visitor(accounts) ?: throw Rejection.NotSignedIn()
+
+/** Lets a form through only if the browser says that one of our own pages sent it. */
+fun ApplicationCall.requireOwnForm() {
+    val host = request.headers[HttpHeaders.Host]
+    val sender = request.headers[HttpHeaders.Origin]
+    if (host == null || sender?.substringAfter("://") != host) throw Rejection.ForeignOrigin()
+}
+
+private fun ApplicationCall.rememberLanguage() {
+    val asked = request.queryParameters["lang"] ?: return
+    if (asked in LANGUAGES) response.cookies.append(cookie(LANGUAGE_COOKIE, asked, YEAR_SECONDS, secure = false))
+}
+
+private fun cookie(
+    name: String,
+    value: String,
+    seconds: Int,
+    secure: Boolean,
+) = Cookie(
+    name,
+    value,
+    maxAge = seconds,
+    path = "/",
+    secure = secure,
+    httpOnly = true,
+    extensions = mapOf("SameSite" to "Strict"),
+)
+
+private const val YEAR_SECONDS = 365 * 24 * 3600

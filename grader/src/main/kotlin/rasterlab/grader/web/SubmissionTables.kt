@@ -1,0 +1,119 @@
+package rasterlab.grader.web
+
+import kotlinx.html.FlowContent
+import kotlinx.html.FlowOrPhrasingContent
+import kotlinx.html.ThScope
+import kotlinx.html.a
+import kotlinx.html.div
+import kotlinx.html.span
+import kotlinx.html.table
+import kotlinx.html.tbody
+import kotlinx.html.td
+import kotlinx.html.th
+import kotlinx.html.thead
+import kotlinx.html.tr
+import rasterlab.grader.submission.Listed
+import java.time.Instant
+import java.time.ZoneOffset
+import java.time.format.DateTimeFormatter
+
+private val MINUTE = DateTimeFormatter.ofPattern("uuuu-MM-dd HH:mm").withZone(ZoneOffset.UTC)
+
+fun Instant.forPeople(): String = MINUTE.format(this)
+
+/** One student's attempts at one exercise. */
+fun FlowContent.attemptTable(
+    texts: Texts,
+    rows: List<Listed>,
+) = listing(texts, rows, listOf("attempt" to ::attemptLink))
+
+/** Everybody's submissions. */
+fun FlowContent.classTable(
+    texts: Texts,
+    rows: List<Listed>,
+    title: (String) -> String,
+) = listing(
+    texts,
+    rows,
+    listOf(
+        "student" to { _, row -> row.student },
+        "exercise" to { _, row -> title(row.submission.exercise) },
+        "attempt" to ::attemptLink,
+    ),
+)
+
+private fun attemptLink(
+    texts: Texts,
+    row: Listed,
+) = texts.say("result.title", row.submission.attempt)
+
+private fun FlowContent.listing(
+    texts: Texts,
+    rows: List<Listed>,
+    first: List<Pair<String, (Texts, Listed) -> String>>,
+) = div("scroll") {
+    table {
+        thead {
+            tr {
+                (first.map { it.first } + listOf("verdict", "points", "received")).forEach { column ->
+                    th(
+                        scope = ThScope.col,
+                        classes =
+                            if (column ==
+                                "points"
+                            ) {
+                                "number"
+                            } else {
+                                null
+                            },
+                    ) { +texts.say("table.$column") }
+                }
+            }
+        }
+        tbody {
+            rows.forEach { row ->
+                tr {
+                    first.forEachIndexed { index, (_, text) ->
+                        td {
+                            if (index ==
+                                0
+                            ) {
+                                a("/submissions/${row.submission.id}") { +text(texts, row) }
+                            } else {
+                                +text(texts, row)
+                            }
+                        }
+                    }
+                    td { status(texts, row.verdict, row.submission.state.code) }
+                    td("number") { +(row.points?.let { "$it / ${row.of}" } ?: "–") }
+                    td { +row.submission.receivedAt.forPeople() }
+                }
+            }
+        }
+    }
+}
+
+/** A verdict, or the state as long as there is none: told by sign, colour and word. */
+fun FlowOrPhrasingContent.status(
+    texts: Texts,
+    verdict: String?,
+    state: String,
+) {
+    val kind = verdict ?: state
+    span("status $kind") {
+        span("sign") {
+            attributes["aria-hidden"] = "true"
+            +sign(kind)
+        }
+        +(if (verdict == null) texts.say("state.$state") else texts.verdict(verdict))
+    }
+}
+
+private fun sign(kind: String) =
+    when (kind) {
+        "ok" -> "✓"
+        "wrong" -> "✕"
+        "queued", "running" -> "…"
+        "internal" -> "?"
+        else -> "!"
+    }

@@ -1,0 +1,48 @@
+package rasterlab.grader.web
+
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.request.acceptLanguageItems
+import java.text.MessageFormat
+import java.util.Locale
+import java.util.ResourceBundle
+
+const val LANGUAGE_COOKIE = "lang"
+val LANGUAGES = listOf("en", "ru")
+
+/** The words of the pages in one language. */
+class Texts private constructor(
+    val language: String,
+) {
+    private val locale = Locale.forLanguageTag(language)
+    private val bundle =
+        ResourceBundle.getBundle(
+            "rasterlab.grader.web.texts",
+            locale,
+            ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_DEFAULT),
+        )
+
+    /** @param values for the places {0}, {1}, … of the text */
+    fun say(
+        key: String,
+        vararg values: Any,
+    ): String = MessageFormat(bundle.getString(key), locale).format(values)
+
+    fun verdict(code: String): String = say("verdict.$code")
+
+    /** The failure in this language, or as it says itself where there is no such text. */
+    fun problem(
+        code: String,
+        detail: String,
+    ): String = if (bundle.containsKey("problem.$code")) say("problem.$code") else detail
+
+    companion object {
+        fun of(language: String) = Texts(language.takeIf { it in LANGUAGES } ?: LANGUAGES.first())
+    }
+}
+
+/** In the language that `?lang=`, the cookie or the browser asks for, the first that is spoken here. */
+fun ApplicationCall.texts(): Texts {
+    val asked = listOfNotNull(request.queryParameters["lang"], request.cookies[LANGUAGE_COOKIE])
+    val accepted = request.acceptLanguageItems().map { it.value.substringBefore('-') }
+    return Texts.of((asked + accepted).firstOrNull { it in LANGUAGES }.orEmpty())
+}

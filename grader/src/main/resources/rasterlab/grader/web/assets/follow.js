@@ -1,0 +1,43 @@
+// Keeps the part of the page that is marked `data-events` up to date: whenever the server reports
+// something new, the part is fetched again as HTML that the server has escaped.
+"use strict";
+
+const live = document.querySelector("[data-events]");
+
+if (live) {
+  let fetching = false;
+  let again = false;
+
+  const refresh = async () => {
+    if (fetching) {
+      again = true;
+      return;
+    }
+    fetching = true;
+    try {
+      do {
+        again = false;
+        const answer = await fetch(live.dataset.fragment, { credentials: "same-origin" });
+        if (answer.ok) replace(await answer.text());
+      } while (again);
+    } finally {
+      fetching = false;
+    }
+  };
+
+  const replace = (html) => {
+    const open = [...live.querySelectorAll("details")].map((part) => part.open);
+    const fresh = new DOMParser().parseFromString(html, "text/html").body.firstElementChild;
+    fresh.querySelectorAll("details").forEach((part, i) => { part.open = open[i] === true; });
+    live.replaceChildren(...fresh.childNodes);
+  };
+
+  const events = new EventSource(live.dataset.events);
+  events.addEventListener("position", refresh);
+  events.addEventListener("case", refresh);
+  events.addEventListener("changed", refresh);
+  events.addEventListener("done", () => {
+    events.close();
+    refresh();
+  });
+}

@@ -1,0 +1,192 @@
+package rasterlab.grader
+
+import io.ktor.client.HttpClient
+import io.ktor.client.request.HttpRequestBuilder
+import io.ktor.client.request.get
+import io.ktor.client.request.header
+import io.ktor.client.request.post
+import io.ktor.client.request.setBody
+import io.ktor.client.statement.HttpResponse
+import io.ktor.client.statement.bodyAsText
+import io.ktor.http.HttpHeaders
+import io.ktor.server.testing.ApplicationTestBuilder
+import io.ktor.server.testing.testApplication
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
+import org.junit.jupiter.api.Assertions.assertEquals
+import rasterlab.exercises.Exercise
+import rasterlab.exercises.Grading
+import rasterlab.exercises.Visibility
+import rasterlab.exercises.score.CasePictures
+import rasterlab.exercises.score.CaseReport
+import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.Report
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.storage.Database
+import java.nio.file.Path
+import java.util.Optional
+
+/** A server on a real SQLite file in [folder], graded by [grading]. */
+class Classroom(
+    val folder: Path,
+    private val grading: Grading =
+        Grading {
+            _,
+            _,
+            _,
+            progress,
+            ->
+            wrongReport().also { it.cases().forEach(progress::accept) }
+        },
+    private val settings: ServerSettings = ServerSettings(),
+    private val exercise: Exercise = EXERCISE,
+) {
+    val file: Path = folder.resolve("test.db")
+
+    /** @param grades whether submissions are graded; otherwise they wait */
+    fun open(
+        grades: Boolean = true,
+        test: suspend Visit.() -> Unit,
+    ) = Database.open(file).use { database ->
+        Server(database, Exercises(listOf(exercise)), grading, settings).use { server ->
+            val token = server.accounts.newInstructorToken() ?: "an earlier visit got it"
+            server.accounts.instructorAnnounced()
+            if (grades) server.startGrading()
+            testApplication {
+                application { server.install(this) }
+                Visit(this, database, token).test()
+            }
+        }
+    }
+
+    companion object {
+        val EXERCISE =
+            Exercise(
+                "draw-dot",
+                "line",
+                mapOf("en" to "Draw a dot", "ru" to "Нарисуйте точку"),
+                mapOf("en" to "Light **one** pixel. <script>alert(1)</script>", "ru" to "Зажгите **один** пиксель."),
+                "public class Dot {}\n",
+                "r1",
+                Exercise.Tolerance(true),
+                Exercise.PointPlan(6, 3, 1),
+                emptyList(),
+            )
+
+        fun wrongReport() = report(GradingVerdict.WRONG, Points(4, 0, 0, 10))
+
+        fun report(
+            verdict: GradingVerdict,
+            points: Points,
+        ) = Report(
+            verdict,
+            points,
+            listOf(case("open-case", Visibility.OPEN, verdict), case("hidden-case", Visibility.VERDICT_ONLY, verdict)),
+            emptyList(),
+            "process limits only",
+            12.5,
+        )
+
+        fun case(
+            name: String,
+            visibility: Visibility,
+            verdict: GradingVerdict,
+        ) = CaseReport(
+            name,
+            visibility,
+            verdict,
+            2,
+            5,
+            "secret of $name <img src=x onerror=alert(1)>",
+            Optional.of(CasePictures("#+-.", byteArrayOf(1), byteArrayOf(2), byteArrayOf(3))),
+            """{"from":[0,0],"to":[3,1]}""",
+        )
+    }
+}
+
+/** What the people of a test do. */
+class Visit(
+    val application: ApplicationTestBuilder,
+    val database: Database,
+    val instructor: String,
+) {
+    val client: HttpClient by lazy { application.createClient { followRedirects = false } }
+
+    suspend fun newCourse(): String =
+        client
+            .post("/api/v1/courses") {
+                bearer(instructor)
+                json("""{"name":"Graphics"}""")
+            }.json()
+            .text("code")
+
+    suspend fun newStudent(course: String? = null): String {
+        val code = course ?: newCourse()
+        return client.post("/api/v1/join") { json("""{"course":"$code","name":"Ada"}""") }.json().text("token")
+    }
+
+    suspend fun submit(
+        token: String,
+        source: String = "class Dot {}",
+        key: String? = null,
+    ): HttpResponse =
+        client.post("/api/v1/exercises/draw-dot/submissions") {
+            bearer(token)
+            header(HttpHeaders.ContentType, "text/x-java-source")
+            key?.let { header("Idempotency-Key", it) }
+            setBody(source)
+        }
+
+    suspend fun look(
+        token: String,
+        path: String,
+    ): HttpResponse = client.get(path) { bearer(token) }
+
+    /** The events of a submission until its result is in. */
+    suspend fun eventsToTheEnd(
+        token: String,
+        id: String,
+    ): List<Pair<String, JsonObject>> =
+        look(token, "/api/v1/submissions/$id/events").bodyAsText().trim().split(Regex("(\r?\n){2}")).map { block ->
+            val lines = block.lines()
+            val data = lines.single { it.startsWith("data:") }.removePrefix("data:").trim()
+            lines.single { it.startsWith("event:") }.removePrefix("event:").trim() to
+                Json.parseToJsonElement(data).jsonObject
+        }
+}
+
+fun HttpRequestBuilder.bearer(token: String) = header(HttpHeaders.Authorization, "Bearer $token")
+
+fun HttpRequestBuilder.json(body: String) {
+    header(HttpHeaders.ContentType, "application/json")
+    setBody(body)
+}
+
+suspend fun HttpResponse.json(): JsonObject = Json.parseToJsonElement(bodyAsText()).jsonObject
+
+fun JsonObject.text(key: String): String = getValue(key).jsonPrimitive.content
+
+fun JsonObject.list(key: String): JsonArray = getValue(key).jsonArray
+
+fun JsonElement.field(key: String): String = jsonObject.text(key)
+
+/** The answer is a whole problem document of this status. */
+suspend fun HttpResponse.assertProblem(
+    status: Int,
+    type: String,
+) {
+    val body = bodyAsText()
+    assertEquals(status, this.status.value, body)
+    assertEquals("application/problem+json", headers[HttpHeaders.ContentType])
+    val problem = Json.parseToJsonElement(body).jsonObject
+    assertEquals(setOf("type", "title", "status", "detail"), problem.keys)
+    assertEquals("urn:rasterlab:problem:$type", problem.text("type"), body)
+    assertEquals(status.toString(), problem.text("status"))
+    check(problem.text("detail").isNotBlank() && "Exception" !in body && "\tat " !in body) { "not for people: $body" }
+}

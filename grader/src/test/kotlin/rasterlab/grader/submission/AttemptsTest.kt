@@ -1,0 +1,202 @@
+package rasterlab.grader.submission
+
+import org.junit.jupiter.api.AfterEach
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.BeforeEach
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.Grading
+import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Points
+import rasterlab.grader.Classroom
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Identity
+import rasterlab.grader.course.Name
+import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.report.Reports
+import rasterlab.grader.storage.Database
+import java.nio.file.Path
+import java.time.Duration
+import java.time.Instant
+import java.time.InstantSource
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.TimeUnit.SECONDS
+
+class AttemptsTest {
+    @TempDir
+    lateinit var folder: Path
+    private lateinit var database: Database
+    private lateinit var reports: Reports
+    private lateinit var leases: Leases
+    private lateinit var submissions: Submissions
+    private var now = Instant.parse("2026-03-29T00:59:59Z")
+    private val clock = InstantSource { now }
+    private val right = Classroom.report(GradingVerdict.OK, Points(6, 3, 1, 10))
+    private val ours = Classroom.report(GradingVerdict.INTERNAL, Points(0, 0, 0, 10))
+
+    @BeforeEach
+    fun open() {
+        database = Database.open(folder.resolve("test.db"))
+        reports = Reports(database)
+        leases = Leases(database, reports, clock)
+        submissions = Submissions(database)
+    }
+
+    @AfterEach
+    fun close() = database.close()
+
+    @Test
+    fun gradesEachSubmissionOnce() {
+        var calls = 0
+        val attempts = attempts { _, _, _, _ -> right.also { calls++ } }
+        val id = submission()
+        repeat(3) { assertEquals(Outcome.SETTLED, attempts.attempt(id)) }
+        assertEquals(1, calls)
+        assertEquals(GradingVerdict.OK, reports.of(id)?.report?.verdict())
+    }
+
+    @Test
+    fun gradesWithTheStoredSeed() {
+        val seeds = mutableListOf<Grading.CaseSelection>()
+        val attempts = attempts { _, _, cases, _ -> (if (seeds.size < 1) ours else right).also { seeds += cases } }
+        val id = submission()
+        attempts.attempt(id)
+        attempts.attempt(id)
+        val seed = checkNotNull(submissions.find(id)).seed
+        assertEquals(List(2) { Grading.CaseSelection.all(seed) }, seeds)
+    }
+
+    @Test
+    fun writesNothingOnceItsLeaseIsWithAnotherWorker() {
+        val id = submission()
+        val late = checkNotNull(leases.claim(id))
+        now += Leases.LENGTH + Duration.ofMillis(1)
+        leases.releaseExpired()
+        val other = checkNotNull(leases.claim(id))
+        assertFalse(leases.finish(late, "r1", ours), "the late worker wrote its result")
+        assertEquals(null, reports.of(id))
+        assertTrue(leases.finish(other, "r1", right))
+        assertFalse(leases.finish(late, "r1", ours), "the late worker wrote a second result")
+        assertEquals(GradingVerdict.OK, reports.of(id)?.report?.verdict())
+    }
+
+    @Test
+    fun keepsALeaseThatIsRenewed() {
+        val lease = checkNotNull(leases.claim(submission()))
+        now += Leases.LENGTH - Duration.ofMillis(1)
+        leases.renew(lease)
+        now += Duration.ofSeconds(2)
+        leases.releaseExpired()
+        assertTrue(leases.finish(lease, "r1", right), "the lease was taken away")
+    }
+
+    @Test
+    fun triesOurFaultThreeTimesThenKeepsItForAPerson() {
+        var calls = 0
+        val attempts =
+            attempts { _, _, _, _ ->
+                if (calls++ ==
+                    0
+                ) {
+                    ours
+                } else {
+                    throw IllegalStateException("the box is broken")
+                }
+            }
+        val id = submission()
+        assertEquals(listOf(Outcome.TRY_AGAIN, Outcome.TRY_AGAIN, Outcome.SETTLED), List(3) { attempts.attempt(id) })
+        assertEquals(3, calls)
+        assertEquals(GradingVerdict.INTERNAL, reports.of(id)?.report?.verdict())
+        assertEquals(Outcome.SETTLED, attempts.attempt(id))
+        assertEquals(3, calls, "tried again although a person has it")
+    }
+
+    @Test
+    fun doesNotRunAgainWhatKilledTheServerThreeTimes() {
+        val id = submission()
+        repeat(Attempts.TRIES) {
+            checkNotNull(leases.claim(id))
+            leases.releaseAll()
+        }
+        var calls = 0
+        assertEquals(Outcome.SETTLED, attempts { _, _, _, _ -> right.also { calls++ } }.attempt(id))
+        assertEquals(0, calls)
+        assertEquals(GradingVerdict.INTERNAL, reports.of(id)?.report?.verdict())
+    }
+
+    @Test
+    fun putsASubmissionBackWhenTheServerStops() {
+        val id = submission()
+        assertThrows(InterruptedException::class.java) {
+            attempts {
+                _,
+                _,
+                _,
+                _,
+                ->
+                throw InterruptedException()
+            }.attempt(id)
+        }
+        val found = checkNotNull(submissions.find(id))
+        assertEquals(State.QUEUED to 0, found.state to found.tries)
+    }
+
+    @Test
+    fun gradesAfterARestartWhatAnEarlierProcessLeft() {
+        val left = submission()
+        val waiting = submission()
+        leases.claim(left)
+        val graded = CountDownLatch(2)
+        val live = Live()
+        val attempts =
+            Attempts(database, leases, Exercises(listOf(Classroom.EXERCISE)), { _, _, _, _ ->
+                right.also {
+                    graded.countDown()
+                }
+            }, live)
+        GradingQueue(database, submissions, leases, attempts, live, workers = 1).use { queue ->
+            queue.start()
+            assertTrue(graded.await(30, SECONDS), "after 30 s ${graded.count} of 2 are not graded")
+        }
+        assertEquals(listOf(State.DONE, State.DONE), listOf(left, waiting).map { submissions.find(it)?.state })
+    }
+
+    @Test
+    fun forgetsNothingOfAReport() {
+        val id = submission()
+        leases.finish(checkNotNull(leases.claim(id)), "r1", Classroom.wrongReport())
+        val found = checkNotNull(reports.of(id)).report
+        val expected = Classroom.wrongReport()
+        assertEquals(expected.points(), found.points())
+        assertEquals(expected.isolation() to expected.nanosPerItem(), found.isolation() to found.nanosPerItem())
+        assertEquals(expected.cases().map { it.name() to it.scene() }, found.cases().map { it.name() to it.scene() })
+        assertEquals(
+            "#+-.",
+            found
+                .cases()
+                .first()
+                .pictures()
+                .get()
+                .text(),
+        )
+    }
+
+    private fun attempts(grading: Grading) =
+        Attempts(database, leases, Exercises(listOf(Classroom.EXERCISE)), grading, Live())
+
+    private fun submission(): String {
+        val courses = Courses(database, clock)
+        val course = courses.create(Identity.Instructor("i"), Name.of("Graphics"), key = null)
+        val token = courses.join(course.code, Name.of("Ada"), key = null).token
+        val student = Accounts(database, clock).holder(token) as Identity.Student
+        return Intake(
+            database,
+            IntakeLimits(),
+            clock,
+        ).accept(student, Classroom.EXERCISE, "class Dot {}", key = null).id
+    }
+}

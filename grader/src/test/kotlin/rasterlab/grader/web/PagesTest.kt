@@ -1,0 +1,190 @@
+package rasterlab.grader.web
+
+import io.ktor.client.request.forms.FormPart
+import io.ktor.client.request.forms.MultiPartFormDataContent
+import io.ktor.client.request.forms.formData
+import io.ktor.client.request.get
+import io.ktor.client.request.header
+import io.ktor.client.request.post
+import io.ktor.client.request.setBody
+import io.ktor.client.statement.HttpResponse
+import io.ktor.client.statement.bodyAsText
+import io.ktor.http.HttpHeaders
+import io.ktor.http.encodeURLParameter
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import rasterlab.grader.Classroom
+import rasterlab.grader.Visit
+import java.nio.file.Path
+import java.util.Properties
+
+class PagesTest {
+    @TempDir
+    lateinit var folder: Path
+
+    @Test
+    fun showsWhatPeopleWroteAsText() =
+        Classroom(folder).open {
+            val code = newCourse()
+            val joined = form("/join", "course" to code, "name" to "<b>Ada</b> & \"co\"")
+            val cookie = session(joined)
+            val exercise = page("/exercises/draw-dot", cookie)
+            assertTrue("&lt;b&gt;Ada&lt;/b&gt;" in exercise && "<b>Ada" !in exercise, "the name is markup in $exercise")
+            assertTrue(
+                "<strong>one</strong>" in exercise && "<script>alert" !in exercise,
+                "the statement is markup in $exercise",
+            )
+            val id =
+                checkNotNull(
+                    handIn(cookie, "class Dot { /* </li><script>alert(2)</script> */ }").headers[HttpHeaders.Location],
+                )
+            eventsToTheEnd(token(joined), idOf(id))
+            val result = page(id, cookie)
+            assertFalse("<script>alert" in result || "<img src=x" in result, "the result has foreign markup: $result")
+            assertTrue("secret of open-case &lt;img" in result, result)
+            assertFalse("secret of hidden-case" in result, "a hidden case is told")
+        }
+
+    @Test
+    fun refusesFormsOfOtherSites() =
+        Classroom(folder).open(grades = false) {
+            val code = newCourse()
+            val foreign = form("/join", "course" to code, "name" to "Ada", origin = "http://elsewhere.example")
+            assertEquals(403, foreign.status.value)
+            assertEquals(403, form("/join", "course" to code, "name" to "Ada", origin = null).status.value)
+            val cookie = session(form("/sign-in", "token" to instructor))
+            val stolen =
+                client.post("/api/v1/courses") {
+                    header(HttpHeaders.Cookie, cookie)
+                    header(HttpHeaders.ContentType, "application/json")
+                    setBody("""{"name":"x"}""")
+                }
+            assertEquals(401, stolen.status.value, "a cookie must not be enough to change anything through the API")
+        }
+
+    @Test
+    fun runsNothingButItsOwnFiles() =
+        Classroom(folder).open(grades = false) {
+            val answer = client.get("/")
+            assertTrue("default-src 'self'" in answer.headers["Content-Security-Policy"].orEmpty())
+            assertEquals("nosniff", answer.headers["X-Content-Type-Options"])
+            val body = answer.bodyAsText()
+            assertFalse(Regex("<script(?![^>]*src=)|<style|style=|\\son\\w+=").containsMatchIn(body), body)
+            for (file in listOf(
+                "rasterlab.css",
+                "follow.js",
+                "icon.svg",
+            )) {
+                assertEquals(200, client.get("/assets/$file").status.value, file)
+            }
+        }
+
+    @Test
+    fun keepsTheSessionFromScriptsAndOtherSites() =
+        Classroom(folder).open(grades = false) {
+            val set = form("/sign-in", "token" to instructor).headers[HttpHeaders.SetCookie].orEmpty()
+            assertTrue("HttpOnly" in set && "SameSite=Strict" in set, set)
+            assertFalse(instructor in set, "the token itself is in the cookie")
+            val cookie = set.substringBefore(';')
+            form("/sign-out", cookie = cookie)
+            assertEquals(401, get("/instructor", cookie).status.value, "the session outlives signing out")
+        }
+
+    @Test
+    fun letsEachRoleSeeItsOwnPages() =
+        Classroom(folder).open(grades = false) {
+            val student = session(form("/sign-in", "token" to newStudent()))
+            for (path in listOf("/instructor", "/instructor/latest", "/instructor/events")) {
+                assertEquals(403, get(path, student).status.value, path)
+                assertEquals(401, client.get(path).status.value, path)
+            }
+        }
+
+    @Test
+    fun showsTheInstructorWhatIsHandedIn() =
+        Classroom(folder).open(grades = false) {
+            val cookie = session(form("/sign-in", "token" to instructor))
+            form("/instructor/courses", "name" to "Graphics <1>", cookie = cookie)
+            submit(newStudent())
+            val desk = page("/instructor", cookie)
+            assertTrue("Graphics &lt;1&gt;" in desk && "Ada" in desk && "waiting" in desk, desk)
+        }
+
+    @Test
+    fun speaksTheLanguageOfTheReader() =
+        Classroom(folder).open(grades = false) {
+            val russian = client.get("/") { header(HttpHeaders.AcceptLanguage, "ru-RU,ru;q=0.9,en;q=0.5") }.bodyAsText()
+            assertTrue("Добро пожаловать" in russian && "lang=\"ru\"" in russian, russian)
+            val chosen = client.get("/?lang=ru")
+            assertTrue("Добро пожаловать" in chosen.bodyAsText())
+            val kept = chosen.headers[HttpHeaders.SetCookie].orEmpty().substringBefore(';')
+            assertTrue("Добро пожаловать" in page("/", kept))
+            assertTrue("Welcome" in client.get("/?lang=xx") { header(HttpHeaders.AcceptLanguage, "de") }.bodyAsText())
+            assertTrue("ничего нет" in client.get("/none?lang=ru").bodyAsText())
+        }
+
+    @Test
+    fun hasEveryTextInEveryLanguage() {
+        val english = texts("texts.properties")
+        assertEquals(english.keys, texts("texts_ru.properties").keys)
+        for (verdict in rasterlab.exercises.score.GradingVerdict
+            .values()) {
+            assertTrue("verdict.${verdict.code()}" in english)
+        }
+    }
+
+    private fun texts(file: String) =
+        Properties()
+            .apply {
+                Texts::class.java.getResourceAsStream(file).use { load(it?.reader(Charsets.UTF_8)) }
+            }.mapKeys { it.key.toString() }
+
+    private suspend fun Visit.form(
+        path: String,
+        vararg fields: Pair<String, String>,
+        cookie: String? = null,
+        origin: String? = "http://localhost",
+    ): HttpResponse =
+        client.post(path) {
+            header(HttpHeaders.Host, "localhost")
+            origin?.let { header(HttpHeaders.Origin, it) }
+            cookie?.let { header(HttpHeaders.Cookie, it) }
+            header(HttpHeaders.ContentType, "application/x-www-form-urlencoded")
+            setBody(fields.joinToString("&") { (name, value) -> "$name=${value.encodeURLParameter()}" })
+        }
+
+    private suspend fun Visit.handIn(
+        cookie: String,
+        source: String,
+    ) = client.post("/exercises/draw-dot") {
+        header(HttpHeaders.Host, "localhost")
+        header(HttpHeaders.Origin, "http://localhost")
+        header(HttpHeaders.Cookie, cookie)
+        setBody(MultiPartFormDataContent(formData(FormPart("source", source))))
+    }
+
+    private suspend fun Visit.get(
+        path: String,
+        cookie: String,
+    ) = client.get(path) { header(HttpHeaders.Cookie, cookie) }
+
+    private suspend fun Visit.page(
+        path: String,
+        cookie: String,
+    ) = get(path, cookie).also { assertEquals(200, it.status.value, path) }.bodyAsText()
+
+    private fun session(answer: HttpResponse) =
+        checkNotNull(answer.headers[HttpHeaders.SetCookie]) {
+            "${answer.status}: no cookie"
+        }.substringBefore(';')
+
+    private suspend fun token(joined: HttpResponse) =
+        checkNotNull(
+            Regex("""<code class="token">([^<]+)""").find(joined.bodyAsText()),
+        ) { "no token is shown" }.groupValues[1]
+
+    private fun idOf(address: String) = address.substringAfterLast('/')
+}
