@@ -19,6 +19,7 @@ public final class AboutText extends JEditorPane {
         labels = Texts.of("canvas", language);
         setName(name);
         setEditable(false);
+        getAccessibleContext().setAccessibleName(labels.text("about"));
         setOpaque(false);
         setBorder(null);
         putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
