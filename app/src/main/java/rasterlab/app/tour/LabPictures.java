@@ -7,6 +7,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
 import rasterlab.app.shell.LabTheme;
+import rasterlab.engine.line.Segment;
 
 /** Every tab of the window in each language and theme, painted without a display. */
 final class LabPictures implements TourPart {
@@ -44,8 +45,9 @@ final class LabPictures implements TourPart {
                 caption);
     }
 
-    /** A faulty method in the line lab, so that its wrong pixels are seen. */
+    /** A faulty method on a line that it draws wrongly, so that wrong pixels are seen. */
     private static void showWhatFails(LabModels models) {
+        models.line().show(new Segment(17, 9, 2, 3));
         models.line().chooseMethod("bresenham-textbook");
     }
 }

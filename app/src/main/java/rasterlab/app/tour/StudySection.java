@@ -32,12 +32,8 @@ final class StudySection implements TourPart {
                         StudySettings.quick(),
                         progress -> {},
                         Thread.currentThread()::isInterrupted);
-        page.gallery(
-                List.of(
-                        page.picture(
-                                "study-" + topic.name(),
-                                StudyChart.image(study),
-                                page.texts().text("study.caption", topic.name()))));
+        String caption = page.texts().text("study.caption", topic.name());
+        page.large(page.picture("study-" + topic.name(), StudyChart.image(study), caption));
         List<List<String>> rows = new ArrayList<>();
         for (Measurement measured : study.measurements()) rows.add(row(measured));
         page.table(page.texts().text("study.heads", study.item(), study.errorUnit()), rows);

@@ -93,6 +93,11 @@ final class TourPage {
         append("small gallery", figures);
     }
 
+    /** One picture in its own size. */
+    void large(Figure figure) {
+        append("large gallery", List.of(figure));
+    }
+
     private void append(String kind, List<Figure> figures) {
         body.append("<div class=\"%s\">\n".formatted(kind));
         for (Figure figure : figures) body.append(figure.html());
