@@ -59,7 +59,7 @@ class CatalogueTest {
     void theRevisionChangesWithAnyFile() throws IOException {
         String before = Catalogue.builtIn().withFolder(folder).named("my-line").revision();
         assertEquals(Catalogue.builtIn().named("line-bresenham").revision(), before);
-        change("Starter.java", "So far", "Until now");
+        change("Starter.java", "So far", "As yet");
         assertNotEquals(before, Catalogue.builtIn().withFolder(folder).named("my-line").revision());
     }
 

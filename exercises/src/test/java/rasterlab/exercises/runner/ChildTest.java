@@ -67,7 +67,7 @@ class ChildTest {
                         "forges a frame without the nonce",
                         ChildLost.Reason.PROTOCOL,
                         out
-                                + "raw.write(new byte[] {0, 0, 0, 9, 1, 2, 3, 4, 5, 6, 7, 8, 0});"
+                                + "raw.write(new byte[] {0,0,0,15, 1,2,3,4,5,6,7,8, 0, 0,0,0,0, 0,0});"
                                 + "raw.flush();"),
                 argumentSet(
                         "announces 2 GB",

@@ -1,6 +1,7 @@
 package rasterlab.exercises.runner;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -114,6 +115,20 @@ class GradingLifeTest {
             assertEquals(
                     first.cases().stream().map(one -> one.name() + one.message()).toList(),
                     second.cases().stream().map(one -> one.name() + one.message()).toList());
+        }
+    }
+
+    @Test
+    void withoutBubblewrapItGradesAndSaysHonestlyWhatThatProtects() throws Exception {
+        JudgeSettings plain = JudgeSettings.once().withBox(JudgeSettings.Box.PROCESS_LIMITS_ONLY);
+        try (Judge judge = Judge.start(plain)) {
+            assertFalse(judge.isolation().exam());
+            assertTrue(
+                    judge.isolation().describe().contains("not against a determined attacker"),
+                    judge.isolation()::describe);
+            Report report = grade(judge, Sources.RIGHT);
+            assertEquals(GradingVerdict.OK, report.verdict(), report::toString);
+            assertEquals("process limits only", report.isolation());
         }
     }
 
