@@ -9,6 +9,7 @@ dependencies {
     implementation(libs.flatlaf)
     implementation(libs.miglayout.swing)
     implementation(libs.picocli)
+    implementation(libs.vectorgraphics2d)
     implementation(libs.xchart)
 }
 

@@ -15,8 +15,19 @@ import rasterlab.app.language.Texts;
 final class GradingSection implements TourPart {
     private static final String EXERCISE = "line-bresenham";
 
-    /** Each is a source of that name beside this class. */
-    private static final List<String> SOLUTIONS = List.of("right", "wrong", "forbidden", "endless");
+    private static final List<Solution> SOLUTIONS =
+            List.of(
+                    new Solution("right", "ok"),
+                    new Solution("wrong", "wrong"),
+                    new Solution("forbidden", "refused"),
+                    new Solution("endless", "time_limit"));
+
+    /**
+     * A source of that name beside this class.
+     *
+     * @param verdict what the server has to say to it
+     */
+    private record Solution(String name, String verdict) {}
 
     private final Optional<Path> home;
 
@@ -52,11 +63,11 @@ final class GradingSection implements TourPart {
     private static void submitAll(TourPage page, GraderClient client, String student)
             throws IOException, InterruptedException {
         List<Graded> all = new ArrayList<>();
-        for (String solution : SOLUTIONS) {
-            page.say(page.texts().text("grading.submitting", solution));
+        for (Solution solution : SOLUTIONS) {
+            page.say(page.texts().text("grading.submitting", solution.name));
             long start = System.nanoTime();
-            JsonNode result = client.graded(student, EXERCISE, source(solution));
-            all.add(new Graded(solution, result, (System.nanoTime() - start) / 1e9));
+            JsonNode result = client.graded(student, EXERCISE, source(solution.name));
+            all.add(new Graded(solution.name, result, (System.nanoTime() - start) / 1e9));
         }
         page.table(
                 page.texts().text("grading.heads"),
@@ -65,6 +76,19 @@ final class GradingSection implements TourPart {
                 page.texts()
                         .text("grading.isolation", all.get(0).result.path("isolation").asText()));
         for (Graded graded : all) show(page, client, student, graded);
+        for (int i = 0; i < all.size(); i++) requireVerdict(page, SOLUTIONS.get(i), all.get(i));
+    }
+
+    private static void requireVerdict(TourPage page, Solution solution, Graded graded) {
+        String verdict = graded.result.path("verdict").asText();
+        if (!verdict.equals(solution.verdict))
+            throw new IllegalStateException(
+                    page.texts()
+                            .text(
+                                    "grading.unexpected",
+                                    solution.name,
+                                    page.texts().text("verdict." + verdict),
+                                    page.texts().text("verdict." + solution.verdict)));
     }
 
     private record Graded(String solution, JsonNode result, double seconds) {
