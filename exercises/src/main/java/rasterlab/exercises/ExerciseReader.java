@@ -53,7 +53,7 @@ final class ExerciseReader {
         return new Exercise(
                 id,
                 fields.word("topic", TOPICS),
-                fields.object("title", "en", "ru").allTexts(),
+                titles(fields.object("title", "en", "ru")),
                 statements(),
                 folder.text("Starter.java"),
                 Revision.of(folder.read()),
@@ -62,6 +62,12 @@ final class ExerciseReader {
                                 .flag("eitherPixelOnTies", false)),
                 points,
                 cases);
+    }
+
+    private static Map<String, String> titles(JsonFields fields) {
+        Map<String, String> titles = new LinkedHashMap<>();
+        for (String language : LANGUAGES) titles.put(language, fields.text(language));
+        return titles;
     }
 
     private Map<String, String> statements() {

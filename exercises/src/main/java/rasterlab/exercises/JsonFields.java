@@ -8,9 +8,7 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Iterator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * One JSON object of an exercise's data, read strictly: a missing, unknown or out-of-range field is
@@ -145,13 +143,6 @@ public final class JsonFields {
         for (JsonNode item : value) if (item.isTextual()) texts.add(item.textValue());
         if (!value.isArray() || texts.isEmpty() || texts.size() != value.size())
             throw wrong(field, "must be an array of texts, at least one, got " + shown(value));
-        return texts;
-    }
-
-    /** All fields as name to text, in file order. */
-    public Map<String, String> allTexts() {
-        Map<String, String> texts = new LinkedHashMap<>();
-        node.fieldNames().forEachRemaining(name -> texts.put(name, text(name)));
         return texts;
     }
 

@@ -97,6 +97,12 @@ class CatalogueTest {
                 argumentSet(
                         "unknown field", json, "\"topic\"", "\"topics\"", "field 'topics' is not"),
                 argumentSet(
+                        "title without Russian",
+                        json,
+                        ",\n    \"ru\": \"Отрезок по Брезенхему\"",
+                        "",
+                        "field 'title', field 'ru' is missing"),
+                argumentSet(
                         "points beyond 100",
                         json,
                         "\"accuracy\": 70",

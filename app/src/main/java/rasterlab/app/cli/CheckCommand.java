@@ -85,7 +85,6 @@ final class CheckCommand implements Callable<Integer> {
     }
 
     private void showProgress(CaseReport done) {
-        console.err()
-                .println(done.name() + ": " + language.texts().getString(done.verdict().code()));
+        console.err().println(done.name() + ": " + language.texts().text(done.verdict().code()));
     }
 }

@@ -66,6 +66,12 @@ final class Failures {
         return ExitCode.INTERNAL;
     }
 
+    int outOfMemory() {
+        long mebibytes = Runtime.getRuntime().maxMemory() >> 20;
+        say("./lab", "this needs more than the " + mebibytes + " MiB that Java may use here");
+        return ExitCode.GAVE_UP;
+    }
+
     private void say(String command, String message) {
         err.println(command + ": " + oneLine(message));
     }

@@ -1,5 +1,6 @@
 package rasterlab.app.cli;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -21,7 +22,7 @@ final class GraderCommand implements Callable<Integer> {
     @Parameters(arity = "0..*", paramLabel = "ARGUMENT", description = "handed to the server")
     private List<String> arguments = List.of();
 
-    @Unmatched private List<String> options = List.of();
+    @Unmatched private List<String> options = new ArrayList<>();
 
     GraderCommand(Console console) {
         this.console = console;

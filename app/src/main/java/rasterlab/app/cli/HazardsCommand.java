@@ -9,6 +9,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.outcome.ExitCode;
+import rasterlab.app.study.HazardMatrix;
 import rasterlab.engine.study.Topic;
 
 /** The method × hazard table. */
@@ -47,7 +48,7 @@ final class HazardsCommand implements Callable<Integer> {
         for (Topic<?, ?, ?> chosen : TopicChoice.of(topic))
             matrices.add(HazardMatrix.judged(chosen, LONGEST));
         if (json) HazardMatrix.writeJson(matrices, console.out());
-        else matrices.forEach(matrix -> matrix.print(console.out()));
+        else matrices.forEach(matrix -> HazardText.print(matrix, console.out()));
         boolean asRecorded = matrices.stream().allMatch(HazardMatrix::asRecorded);
         return asRecorded ? ExitCode.DONE : ExitCode.FOUND_WRONG;
     }

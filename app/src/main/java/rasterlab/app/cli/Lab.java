@@ -23,7 +23,9 @@ public final class Lab {
         var console = Console.of(in, out, err);
         try {
             return commandLine(console).execute(args);
-        } catch (OutOfMemoryError | StackOverflowError e) {
+        } catch (OutOfMemoryError e) {
+            return new Failures(console.err()).outOfMemory();
+        } catch (Error e) {
             return new Failures(console.err()).fault("./lab", e);
         } finally {
             console.out().flush();
@@ -37,7 +39,9 @@ public final class Lab {
         lab.addSubcommand(new RunCommand(console));
         lab.addSubcommand(new StudyCommand(console));
         lab.addSubcommand(new HazardsCommand(console));
+        lab.addSubcommand(new RenderCommand(console));
         lab.addSubcommand(new CheckCommand(console));
+        lab.addSubcommand(new TourCommand(console));
         lab.addSubcommand(new GraderCommand(console));
         lab.addSubcommand(new CompletionCommand(console));
         lab.addSubcommand(new CommandLine.HelpCommand());

@@ -1,7 +1,8 @@
 package rasterlab.app.cli;
 
 import java.util.Locale;
-import java.util.ResourceBundle;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 
 /** The languages a report is printed in. */
 enum ReportLanguage {
@@ -13,11 +14,11 @@ enum ReportLanguage {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    ResourceBundle texts() {
-        return ResourceBundle.getBundle(
-                "rasterlab.app.cli.report",
-                Locale.forLanguageTag(code()),
-                ResourceBundle.Control.getNoFallbackControl(
-                        ResourceBundle.Control.FORMAT_PROPERTIES));
+    Language inWindow() {
+        return this == EN ? Language.ENGLISH : Language.RUSSIAN;
+    }
+
+    Texts texts() {
+        return Texts.of("cli", "report", inWindow());
     }
 }

@@ -3,7 +3,7 @@ package rasterlab.app.cli;
 import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
-import java.util.ResourceBundle;
+import rasterlab.app.language.Texts;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Points;
@@ -12,13 +12,13 @@ import rasterlab.exercises.score.Report;
 /** A grading report as text for a terminal. */
 final class ReportText {
     private final PrintStream out;
-    private final ResourceBundle texts;
+    private final Texts texts;
     private final String fileName;
 
     /**
      * @param fileName of the student's source, which starts each diagnostic
      */
-    ReportText(PrintStream out, ResourceBundle texts, String fileName) {
+    ReportText(PrintStream out, Texts texts, String fileName) {
         this.out = out;
         this.texts = texts;
         this.fileName = fileName;
@@ -27,12 +27,12 @@ final class ReportText {
     void print(String title, Report report) {
         Points points = report.points();
         say("exercise", title);
-        say("verdict", texts.getString(report.verdict().code()));
+        say("verdict", texts.text(report.verdict().code()));
         say(
                 "points",
                 String.format(
                         Locale.ROOT,
-                        texts.getString("points-line"),
+                        texts.text("points-line"),
                         points.total(),
                         points.of(),
                         points.accuracy(),
@@ -47,7 +47,7 @@ final class ReportText {
 
     /** Prints one value with its name in the report's language. */
     void say(String key, String value) {
-        out.println(texts.getString(key) + ": " + value);
+        out.println(texts.text(key) + ": " + value);
     }
 
     private void printDiagnostic(Diagnostic diagnostic) {
@@ -61,10 +61,10 @@ final class ReportText {
         out.println();
         var table =
                 new TextTable(
-                        texts.getString("case"),
-                        texts.getString("verdict"),
-                        texts.getString("points"),
-                        texts.getString("message"));
+                        texts.text("case"),
+                        texts.text("verdict"),
+                        texts.text("points"),
+                        texts.text("message"));
         for (CaseReport judged : cases) table.add(row(judged));
         table.lines().forEach(out::println);
         cases.forEach(this::printPicture);
@@ -73,7 +73,7 @@ final class ReportText {
     private List<String> row(CaseReport judged) {
         return List.of(
                 judged.name(),
-                texts.getString(judged.verdict().code()),
+                texts.text(judged.verdict().code()),
                 judged.points() + "/" + judged.of(),
                 judged.message());
     }
@@ -83,7 +83,7 @@ final class ReportText {
                 .ifPresent(
                         pictures -> {
                             out.println();
-                            out.println(judged.name() + " (" + texts.getString("legend") + ")");
+                            out.println(judged.name() + " (" + texts.text("legend") + ")");
                             pictures.text().lines().forEach(row -> out.println("  " + row));
                         });
     }

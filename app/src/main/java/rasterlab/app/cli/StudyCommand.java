@@ -10,6 +10,7 @@ import picocli.CommandLine.Parameters;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.app.study.StudyFile;
+import rasterlab.app.study.StudyProgress;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;

@@ -1,7 +1,9 @@
 package rasterlab.app.study;
 
-import java.util.Collection;
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
 import java.util.Locale;
+import rasterlab.engine.study.Measurement;
 
 /**
  * A logarithmic error axis with a place for zero: the decade below the smallest error shown.
@@ -11,27 +13,45 @@ import java.util.Locale;
  *
  * @param low exponent of the axis' lowest decade of real errors
  * @param high exponent of its upper end
- * @param lanes number of lanes for exact results
+ * @param lanes the methods with exact results, from the top lane down
  */
-record ErrorAxis(int low, int high, int lanes) {
+record ErrorAxis(int low, int high, List<String> lanes) {
     ErrorAxis {
         if (low >= high)
             throw new IllegalArgumentException("axis needs low < high, got " + low + ", " + high);
-        if (lanes < 1) throw new IllegalArgumentException("axis needs a lane, got " + lanes);
+        lanes = List.copyOf(lanes);
     }
 
-    /** The axis that shows all these errors, of which those that are 0 are exact. */
-    static ErrorAxis over(Collection<Double> errors, int lanes) {
-        double least = errors.stream().filter(e -> e > 0).min(Double::compare).orElse(0.1);
-        double most = errors.stream().filter(e -> e > 0).max(Double::compare).orElse(1.0);
-        int low = (int) Math.floor(Math.log10(least));
-        int high = Math.max(low + 1, (int) Math.ceil(Math.log10(most * 1.2)));
+    /** The axis on which all these have a place. */
+    static ErrorAxis over(List<Measurement> points) {
+        List<String> lanes =
+                points.stream()
+                        .filter(point -> point.error().worst() == 0)
+                        .map(Measurement::method)
+                        .distinct()
+                        .toList();
+        DoubleSummaryStatistics real =
+                points.stream()
+                        .mapToDouble(point -> point.error().worst())
+                        .filter(error -> error > 0)
+                        .summaryStatistics();
+        if (real.getCount() == 0) return new ErrorAxis(-1, 0, lanes);
+        int low = (int) Math.floor(Math.log10(real.getMin()));
+        int high = Math.max(low + 1, (int) Math.ceil(Math.log10(real.getMax() * 1.2)));
         return new ErrorAxis(low, high, lanes);
     }
 
-    /** Where an error stands, as a value of the logarithmic axis. */
-    double position(double error, int lane) {
-        return error > 0 ? error : Math.pow(10, low - (lane + 1.0) / (lanes + 1));
+    /** Where a point stands, as a value of the logarithmic axis. */
+    double position(Measurement point) {
+        double error = point.error().worst();
+        if (error > 0) return error;
+        double lane = lanes.indexOf(point.method()) + 1.0;
+        return Math.pow(10, low - lane / (lanes.size() + 1));
+    }
+
+    /** A little above that place, for a label: 3.2 % of the axis. */
+    double above(double position) {
+        return position * Math.pow(10, 0.032 * (high - low + 1));
     }
 
     double bottom() {

@@ -14,7 +14,7 @@ import java.io.UncheckedIOException;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import org.knowm.xchart.AnnotationLine;
+import org.knowm.xchart.AnnotationText;
 import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
@@ -67,16 +67,13 @@ public final class StudyChart {
     }
 
     static XYChart chart(Study study) {
-        List<String> methods =
-                study.measurements().stream().map(Measurement::method).distinct().toList();
-        List<Double> errors =
-                study.measurements().stream().map(measured -> measured.error().worst()).toList();
-        var axis = ErrorAxis.over(errors, methods.size());
+        var axis = ErrorAxis.over(points(study));
         XYChart chart = empty(study);
         style(chart.getStyler(), axis);
-        chart.addAnnotation(new AnnotationLine(axis.border(), false, false));
-        for (int lane = 0; lane < methods.size(); lane++)
-            add(chart, study, methods.get(lane), axis, lane);
+        chart.addAnnotation(new ErrorGrid(axis));
+        List<String> methods = points(study).stream().map(Measurement::method).distinct().toList();
+        for (String method : methods) add(chart, method, of(method, points(study)), axis);
+        chart.addAnnotation(new LeftOutNote(study, WIDTH - 180, HEIGHT - 20));
         return chart;
     }
 
@@ -85,7 +82,10 @@ public final class StudyChart {
                 .width(WIDTH)
                 .height(HEIGHT)
                 .title("Speed against accuracy: topic " + study.topic())
-                .xAxisTitle("cost: nanoseconds per " + study.item() + " (median)")
+                .xAxisTitle(
+                        "cost: nanoseconds per "
+                                + study.item()
+                                + " (median); the least and greatest size are written beside")
                 .yAxisTitle("largest error, in " + study.errorUnit())
                 .build();
     }
@@ -93,7 +93,10 @@ public final class StudyChart {
     private static void style(XYStyler styler, ErrorAxis axis) {
         styler.setLegendPosition(LegendPosition.OutsideE);
         styler.setXAxisLogarithmic(true).setXAxisLogarithmicDecadeOnly(false);
-        styler.setYAxisLogarithmic(true).setYAxisMin(axis.bottom()).setYAxisMax(axis.top());
+        styler.setYAxisLogarithmic(true)
+                .setYAxisLogarithmicDecadeOnly(true)
+                .setYAxisMin(axis.bottom())
+                .setYAxisMax(axis.top());
         styler.setYAxisTickLabelsFormattingFunction(axis::label);
         styler.setLocale(Locale.ROOT);
         styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
@@ -101,34 +104,43 @@ public final class StudyChart {
         styler.setChartTitleBoxVisible(false);
         styler.setChartBackgroundColor(Color.WHITE);
         styler.setPlotBackgroundColor(Color.WHITE);
-        styler.setAnnotationLineColor(Color.DARK_GRAY);
-        styler.setAnnotationLineStroke(new BasicStroke(1.5f));
+        styler.setPlotGridHorizontalLinesVisible(false);
+        styler.setAnnotationTextFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
+        styler.setAnnotationTextFontColor(Color.DARK_GRAY);
         styler.setMarkerSize(11);
     }
 
-    private static void add(XYChart chart, Study study, String method, ErrorAxis axis, int lane) {
-        List<Measurement> points =
-                study.measurements().stream()
-                        .filter(measured -> measured.method().equals(method))
-                        .filter(StudyChart::hasPoint)
-                        .sorted(Comparator.comparingInt(Measurement::size))
-                        .toList();
-        if (points.isEmpty()) return;
-        XYSeries series =
-                chart.addSeries(
-                        method,
-                        points.stream().mapToDouble(p -> p.cost().medianNanos()).toArray(),
-                        points.stream()
-                                .mapToDouble(p -> axis.position(p.error().worst(), lane))
-                                .toArray());
-        series.setMarker(MARKERS.get(lane % MARKERS.size()));
+    /** A method that refused, crashed or did not end has no cost, hence no place on the chart. */
+    private static List<Measurement> points(Study study) {
+        return study.measurements().stream().filter(measured -> measured.cost().timed()).toList();
+    }
+
+    private static List<Measurement> of(String method, List<Measurement> points) {
+        return points.stream()
+                .filter(point -> point.method().equals(method))
+                .sorted(Comparator.comparingInt(Measurement::size))
+                .toList();
+    }
+
+    private static void add(
+            XYChart chart, String method, List<Measurement> points, ErrorAxis axis) {
+        double[] costs = points.stream().mapToDouble(p -> p.cost().medianNanos()).toArray();
+        double[] errors = points.stream().mapToDouble(axis::position).toArray();
+        Marker marker = MARKERS.get(chart.getSeriesCollection().size() % MARKERS.size());
+        XYSeries series = chart.addSeries(method, costs, errors);
+        series.setMarker(marker);
         series.setMarkerColor(MethodColours.of(method));
         series.setLineColor(MethodColours.of(method));
         series.setLineStyle(new BasicStroke(2f));
+        chart.addAnnotation(sizeLabel(points.get(0), axis));
+        if (points.size() > 1) chart.addAnnotation(sizeLabel(points.get(points.size() - 1), axis));
     }
 
-    /** A method that refused, crashed or did not end has no place on the chart. */
-    private static boolean hasPoint(Measurement measured) {
-        return measured.cost().timed();
+    private static AnnotationText sizeLabel(Measurement point, ErrorAxis axis) {
+        return new AnnotationText(
+                String.valueOf(point.size()),
+                point.cost().medianNanos(),
+                axis.above(axis.position(point)),
+                false);
     }
 }

@@ -1,16 +1,12 @@
 package rasterlab.app.study;
 
-import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import javax.imageio.ImageIO;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.study.Study;
 
@@ -25,7 +21,7 @@ public enum StudyFile {
     PNG {
         @Override
         byte[] content(Study study) {
-            return png(StudyChart.image(study));
+            return PngFile.bytes(StudyChart.image(study));
         }
     },
     CSV {
@@ -76,15 +72,5 @@ public enum StudyFile {
      */
     public static void write(Study study, Path file) {
         WholeFile.write(file, named(file).content(study));
-    }
-
-    private static byte[] png(BufferedImage picture) {
-        var bytes = new ByteArrayOutputStream();
-        try {
-            ImageIO.write(picture, "png", bytes);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return bytes.toByteArray();
     }
 }

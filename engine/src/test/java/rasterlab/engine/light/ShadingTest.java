@@ -24,15 +24,15 @@ class ShadingTest {
     static Stream<Arguments> mistakes() {
         var tone = new ToneShading();
         var atEye = FlatShading.lightAtEye(0.2);
-        var oblique = new FaceSide(0, 0, -1, 0.6, 0, -0.8, false);
+        var oblique = new FaceSide(0.6, 0, -0.8, 0.6, 0, -0.8, false);
         return Stream.of(
                 argumentSet("tone keeps the sign of n_z", tone, SLANTED, 0.8),
                 argumentSet(
                         "tone does not darken the inside", tone, side(0.6, 0, -0.8, true), 0.48),
-                argumentSet("tone looks at the way to the eye", tone, oblique, 1),
+                argumentSet("tone looks at the way to the eye", tone, oblique, 0.8),
                 argumentSet("ambient is added on top", atEye, FACING, 1),
                 argumentSet("diffuse is not scaled by 1 − a", atEye, SLANTED, 0.2 + 0.8 * 0.8),
-                argumentSet("light at the eye shines along z", atEye, oblique, 0.2 + 0.8 * 0.8),
+                argumentSet("light at the eye shines along z", atEye, oblique, 1),
                 argumentSet(
                         "light from behind darkens below ambient",
                         FlatShading.lightFrom(0.3, 0, 0, 1),

@@ -16,9 +16,9 @@ class RasterTest {
     @DisplayName("pixels are stored by columns")
     void cellIsRowTimesWidthPlusColumn() {
         var raster = new Raster(3, 2);
-        raster.argb()[5] = 0xFF123456;
-        assertEquals(0xFF123456, raster.argb(2, 1));
-        assertEquals(0xFF123456, raster.image().getRGB(2, 1));
+        raster.argb()[4] = 0xFF123456;
+        assertEquals(0xFF123456, raster.argb(1, 1));
+        assertEquals(0xFF123456, raster.image().getRGB(1, 1));
     }
 
     @ParameterizedTest(name = "{argumentSetName}")

@@ -1,5 +1,6 @@
 package rasterlab.exercises.runner;
 
+import java.io.UncheckedIOException;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -89,6 +90,8 @@ public final class Judge implements Grading, AutoCloseable {
                 return run.run(children);
             } catch (ChildLost lost) {
                 reason = "the isolated child " + lost.getMessage();
+            } catch (UncheckedIOException cannotStart) {
+                reason = cannotStart.getMessage() + ": " + cannotStart.getCause().getMessage();
             }
         }
         return sheet.rejected(

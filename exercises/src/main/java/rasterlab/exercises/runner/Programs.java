@@ -40,7 +40,8 @@ final class Programs {
 
     /**
      * The beginning of a command that sets what the kernel limits for each process: no core dump,
-     * no file written, few files open, a minute of processor time. Empty where there is no prlimit.
+     * no file written, few files open, half a minute of processor time. Empty where there is no
+     * prlimit.
      */
     static List<String> limits() {
         return onPath("prlimit")
@@ -51,7 +52,7 @@ final class Programs {
                                         "--core=0",
                                         "--fsize=0",
                                         "--nofile=256",
-                                        "--cpu=60",
+                                        "--cpu=30",
                                         "--"))
                 .orElse(List.of());
     }

@@ -120,6 +120,7 @@ class HostileSourcesTest {
                         "method handle to exit",
                         "5:0 java.lang.System.exit",
                         "java.util.function.IntConsumer c = System::exit; c.accept(0);\n"),
+                forbidden("random", "java.lang.Math.random", "double r = Math.random();\n"),
                 forbidden("nanoTime", "java.lang.System.nanoTime", "long t = System.nanoTime();\n"),
                 forbidden(
                         "parallel stream",

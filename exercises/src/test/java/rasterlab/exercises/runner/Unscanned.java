@@ -8,7 +8,8 @@ import rasterlab.exercises.score.Answer;
 /** Runs sources without the byte-code check, to see what the process alone holds. */
 final class Unscanned implements AutoCloseable {
     static final Segment SEGMENT = new Segment(0, 0, 7, 3);
-    private static final Duration LIMIT = Duration.ofSeconds(2);
+    private static final Duration CALL_LIMIT = Duration.ofSeconds(3);
+    private static final Duration RUN_LIMIT = Duration.ofSeconds(30);
 
     private final ChildJars jars = ChildJars.assemble();
     private final Launcher launcher = new Launcher(jars.folder());
@@ -26,14 +27,14 @@ final class Unscanned implements AutoCloseable {
 
     /** Loads the class "Mine" and draws one line with it. */
     Answer draw(Child runner, String source) throws ChildLost, InterruptedException {
-        StudentRun run = new StudentRun(runner, LIMIT, LIMIT);
         try (Child compiler = child(ChildKind.COMPILE)) {
             Compilation compiled = Compilation.of(source, compiler, Duration.ofSeconds(10));
             if (!compiled.errors().isEmpty())
                 throw new AssertionError(LineRasterizer.class + " " + compiled.errors());
+            StudentRun run = new StudentRun(runner, CALL_LIMIT, RUN_LIMIT);
             run.load("Mine", compiled.classes());
+            return run.draw(SEGMENT, 100);
         }
-        return run.draw(SEGMENT, 100);
     }
 
     Answer draw(String source) throws ChildLost, InterruptedException {

@@ -1,11 +1,10 @@
-package rasterlab.app.cli;
+package rasterlab.app.study;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
-import java.io.PrintStream;
+import java.io.OutputStream;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.study.Hazard;
@@ -13,6 +12,7 @@ import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
 
 /**
  * The verdict of every method of a topic on each of its hazards.
@@ -55,44 +55,13 @@ public record HazardMatrix(
                 .orElseThrow(() -> new IllegalArgumentException(hazard + ", " + method));
     }
 
-    void print(PrintStream out) {
-        List<String> heads = new ArrayList<>(List.of(topic));
-        heads.addAll(methods);
-        var table = new TextTable(heads);
-        for (String hazard : hazards) {
-            List<String> row = new ArrayList<>(List.of(hazard));
-            for (String method : methods) row.add(mark(cell(hazard, method)));
-            table.add(row);
-        }
-        table.lines().forEach(out::println);
-        cells.stream()
-                .filter(cell -> !cell.asRecorded())
-                .map(this::difference)
-                .forEach(out::println);
+    /** The recorded kind of a cell; none where nothing is recorded. */
+    public static Optional<String> recorded(Cell cell) {
+        return Optional.ofNullable(cell.recorded()).map(Verdict.Kind::code);
     }
 
-    /** The verdict, with "!" where it is not the recorded one. */
-    private static String mark(Cell cell) {
-        return cell.verdict().kind().code() + (cell.asRecorded() ? "" : " !");
-    }
-
-    private String difference(Cell cell) {
-        return "! "
-                + cell.method()
-                + " on "
-                + cell.hazard()
-                + ": "
-                + cell.verdict().kind().code()
-                + ", recorded is "
-                + recorded(cell).orElse("nothing")
-                + (cell.verdict().detail().isEmpty() ? "" : "; " + cell.verdict().detail());
-    }
-
-    private static Optional<String> recorded(Cell cell) {
-        return Optional.ofNullable(cell.recorded()).map(kind -> kind.code());
-    }
-
-    static void writeJson(List<HazardMatrix> matrices, PrintStream out) throws IOException {
+    /** Writes one JSON object and a line end. */
+    public static void writeJson(List<HazardMatrix> matrices, OutputStream out) throws IOException {
         var json = new JsonFactory().createGenerator(out);
         json.disable(JsonGenerator.Feature.AUTO_CLOSE_TARGET).useDefaultPrettyPrinter();
         json.writeStartObject();

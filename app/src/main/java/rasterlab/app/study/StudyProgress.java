@@ -1,4 +1,4 @@
-package rasterlab.app.cli;
+package rasterlab.app.study;
 
 import java.io.PrintStream;
 import rasterlab.engine.study.Progress;

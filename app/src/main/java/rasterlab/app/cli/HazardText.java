@@ -1,0 +1,44 @@
+package rasterlab.app.cli;
+
+import java.io.PrintStream;
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.app.study.HazardMatrix;
+import rasterlab.engine.study.HazardTrial.Cell;
+
+/** The method × hazard table as text. */
+final class HazardText {
+    private HazardText() {}
+
+    static void print(HazardMatrix matrix, PrintStream out) {
+        List<String> heads = new ArrayList<>(List.of(matrix.topic()));
+        heads.addAll(matrix.methods());
+        var table = new TextTable(heads);
+        for (String hazard : matrix.hazards()) {
+            List<String> row = new ArrayList<>(List.of(hazard));
+            for (String method : matrix.methods()) row.add(marked(matrix.cell(hazard, method)));
+            table.add(row);
+        }
+        table.lines().forEach(out::println);
+        matrix.cells().stream()
+                .filter(cell -> !cell.asRecorded())
+                .map(HazardText::difference)
+                .forEach(out::println);
+    }
+
+    /** The verdict, with "!" where it is not the recorded one. */
+    private static String marked(Cell cell) {
+        return cell.verdict().kind().code() + (cell.asRecorded() ? "" : " !");
+    }
+
+    private static String difference(Cell cell) {
+        String detail = cell.verdict().detail();
+        return "! %s on %s: %s, recorded is %s%s"
+                .formatted(
+                        cell.method(),
+                        cell.hazard(),
+                        cell.verdict().kind().code(),
+                        HazardMatrix.recorded(cell).orElse("nothing"),
+                        detail.isEmpty() ? "" : "; " + detail);
+    }
+}

@@ -1,0 +1,61 @@
+package rasterlab.app.cli;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.ExitCode;
+import rasterlab.app.tour.Tour;
+
+/** Makes the tour. */
+@Command(
+        name = "tour",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Makes pictures of every lab, charts, rendered scenes and a graded round trip,",
+            "and one page that shows them. Needs no display."
+        },
+        exitCodeListHeading = "%nExit codes:%n",
+        exitCodeList = {
+            "0:the page shows everything",
+            "1:a part could not be made; the page says which and why",
+            "2:the folder cannot be written to"
+        },
+        footer = {"", "Example: ./lab tour --out tour"})
+final class TourCommand implements Callable<Integer> {
+    private final Console console;
+
+    @Option(
+            names = "--out",
+            paramLabel = "FOLDER",
+            description = "where it goes; made if missing; default: ${DEFAULT-VALUE}",
+            defaultValue = "rasterlab-tour")
+    private Path folder;
+
+    @Option(names = "--lang", paramLabel = "LANGUAGE", description = "en or ru; default: en")
+    private ReportLanguage language = ReportLanguage.EN;
+
+    TourCommand(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public Integer call() {
+        var tour = new Tour(folder, language.inWindow(), console.err());
+        try {
+            boolean whole = tour.make(home());
+            console.out().println(tour.index().toAbsolutePath().normalize());
+            return whole ? ExitCode.DONE : ExitCode.FOUND_WRONG;
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw Complaint.gaveUp("interrupted");
+        }
+    }
+
+    /** The folder of the ./lab script, which tells it. */
+    private static Optional<Path> home() {
+        return Optional.ofNullable(System.getProperty("rasterlab.home")).map(Path::of);
+    }
+}

@@ -1,0 +1,60 @@
+package rasterlab.app.outcome;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+
+/** Pictures as PNG. */
+public final class PngFile {
+    private PngFile() {}
+
+    public static byte[] bytes(BufferedImage picture) {
+        var bytes = new ByteArrayOutputStream();
+        try {
+            ImageIO.write(picture, "png", bytes);
+        } catch (IOException e) {
+            throw new UncheckedIOException("memory cannot be written to", e);
+        }
+        return bytes.toByteArray();
+    }
+
+    /**
+     * Reads a picture of exactly that size; one of another size is refused before its pixels are
+     * read.
+     *
+     * @throws Complaint if there is no such file, or it is no PNG, broken, or of another size
+     */
+    public static BufferedImage read(Path file, int width, int height) {
+        if (Files.isDirectory(file))
+            throw Complaint.badInput(file + ": is a folder, not a picture");
+        if (!Files.isReadable(file)) throw Complaint.badInput(file + ": no such file to read");
+        ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
+        try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
+            if (!reader.getOriginatingProvider().canDecodeInput(in))
+                throw Complaint.badInput(file + ": is not a PNG picture");
+            reader.setInput(in);
+            requireSize(file, reader, width, height);
+            return reader.read(0);
+        } catch (IOException | RuntimeException e) {
+            if (e instanceof Complaint complaint) throw complaint;
+            throw Complaint.badInput(file + ": is a broken PNG picture: " + e.getMessage());
+        } finally {
+            reader.dispose();
+        }
+    }
+
+    private static void requireSize(Path file, ImageReader reader, int width, int height)
+            throws IOException {
+        if (reader.getWidth(0) != width || reader.getHeight(0) != height)
+            throw Complaint.badInput(
+                    "%s: has %d×%d pixels, the rendered picture %d×%d; sizes must be equal"
+                            .formatted(
+                                    file, reader.getWidth(0), reader.getHeight(0), width, height));
+    }
+}

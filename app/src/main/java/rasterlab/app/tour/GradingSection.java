@@ -1,0 +1,130 @@
+package rasterlab.app.tour;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import rasterlab.app.language.Texts;
+
+/** A real server, a course, a student and four submissions. */
+final class GradingSection implements TourPart {
+    private static final String EXERCISE = "line-bresenham";
+
+    /** Each is a source of that name beside this class. */
+    private static final List<String> SOLUTIONS = List.of("right", "wrong", "forbidden", "endless");
+
+    private final Optional<Path> home;
+
+    /**
+     * @param home the folder of the {@code ./lab} script; none if unknown
+     */
+    GradingSection(Optional<Path> home) {
+        this.home = home;
+    }
+
+    @Override
+    public String key() {
+        return "grading";
+    }
+
+    @Override
+    public void make(TourPage page) throws Exception {
+        Path script =
+                home.orElseThrow(
+                        () -> new IllegalStateException(page.texts().text("grading.home")));
+        page.say(page.texts().text("grading.starting"));
+        try (var temporary = new TemporaryFolder();
+                var server =
+                        GraderProcess.start(
+                                script, temporary.path(), line -> page.say("  server: " + line))) {
+            var client = new GraderClient(server.address());
+            String code = client.createCourse(server.token(), "Tour");
+            String student = client.join(code, "Ada");
+            submitAll(page, client, student);
+        }
+    }
+
+    private static void submitAll(TourPage page, GraderClient client, String student)
+            throws IOException, InterruptedException {
+        List<Graded> all = new ArrayList<>();
+        for (String solution : SOLUTIONS) {
+            page.say(page.texts().text("grading.submitting", solution));
+            long start = System.nanoTime();
+            JsonNode result = client.graded(student, EXERCISE, source(solution));
+            all.add(new Graded(solution, result, (System.nanoTime() - start) / 1e9));
+        }
+        page.table(
+                page.texts().text("grading.heads"),
+                all.stream().map(graded -> graded.row(page.texts())).toList());
+        page.paragraph(
+                page.texts()
+                        .text("grading.isolation", all.get(0).result.path("isolation").asText()));
+        for (Graded graded : all) show(page, client, student, graded);
+    }
+
+    private record Graded(String solution, JsonNode result, double seconds) {
+        List<String> row(Texts texts) {
+            JsonNode points = result.path("points");
+            return List.of(
+                    texts.text("grading." + solution),
+                    texts.text("verdict." + result.path("verdict").asText()),
+                    points.path("total").asInt() + "/" + points.path("of").asInt(),
+                    points.path("accuracy").asText(),
+                    points.path("stability").asText(),
+                    points.path("speed").asText(),
+                    String.format(Locale.ROOT, "%.1f", seconds));
+        }
+    }
+
+    private static void show(TourPage page, GraderClient client, String student, Graded graded)
+            throws IOException, InterruptedException {
+        page.heading(page.texts().text("grading." + graded.solution));
+        page.preformatted(source(graded.solution));
+        for (JsonNode diagnostic : graded.result.path("diagnostics"))
+            page.paragraph(
+                    page.texts()
+                            .text(
+                                    "grading.diagnostic",
+                                    diagnostic.path("line").asText(),
+                                    diagnostic.path("message").asText()));
+        List<List<String>> rows = new ArrayList<>();
+        for (JsonNode judged : graded.result.path("cases"))
+            rows.add(
+                    List.of(
+                            judged.path("name").asText(),
+                            page.texts().text("verdict." + judged.path("verdict").asText()),
+                            judged.path("points").asText() + "/" + judged.path("of").asText(),
+                            judged.path("message").asText()));
+        if (!rows.isEmpty()) page.table(page.texts().text("grading.cases"), rows);
+        showFirstPicture(page, client, student, graded);
+    }
+
+    /** The first case that has a picture: as text and as the picture of the difference. */
+    private static void showFirstPicture(
+            TourPage page, GraderClient client, String student, Graded graded)
+            throws IOException, InterruptedException {
+        for (JsonNode judged : graded.result.path("cases")) {
+            JsonNode pictures = judged.path("pictures");
+            if (!pictures.hasNonNull("difference")) continue;
+            String name = judged.path("name").asText();
+            page.paragraph(page.texts().text("grading.picture", name));
+            page.preformatted(pictures.path("text").asText());
+            byte[] png = client.get(pictures.path("difference").asText(), student);
+            page.smallGallery(
+                    List.of(page.picture("graded-" + graded.solution + "-" + name, png, name)));
+            return;
+        }
+    }
+
+    private static String source(String solution) throws IOException {
+        String name = "solution-" + solution + ".java.txt";
+        try (InputStream in = GradingSection.class.getResourceAsStream(name)) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+}

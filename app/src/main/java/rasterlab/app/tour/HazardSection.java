@@ -1,0 +1,46 @@
+package rasterlab.app.tour;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.app.study.HazardMatrix;
+import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Topics;
+
+/** Every topic's method × hazard table. */
+final class HazardSection implements TourPart {
+    private static final Duration LONGEST = Duration.ofSeconds(5);
+
+    @Override
+    public String key() {
+        return "hazards";
+    }
+
+    @Override
+    public void make(TourPage page) {
+        for (Topic<?, ?, ?> topic : Topics.all()) make(page, topic);
+    }
+
+    private static void make(TourPage page, Topic<?, ?, ?> topic) {
+        HazardMatrix matrix = HazardMatrix.judged(topic, LONGEST);
+        page.heading(page.texts().text("topic", topic.name()));
+        List<String> heads = new ArrayList<>(List.of(page.texts().text("hazards.hazard")));
+        heads.addAll(matrix.methods());
+        List<List<String>> rows = new ArrayList<>();
+        for (String hazard : matrix.hazards()) {
+            List<String> row = new ArrayList<>(List.of(hazard));
+            for (String method : matrix.methods())
+                row.add(verdict(page, matrix.cell(hazard, method)));
+            rows.add(row);
+        }
+        page.table(heads, rows);
+        if (!matrix.asRecorded())
+            throw new IllegalStateException(page.texts().text("hazards.differ"));
+    }
+
+    private static String verdict(TourPage page, Cell cell) {
+        String verdict = page.texts().text("verdict." + cell.verdict().kind().code());
+        return cell.asRecorded() ? verdict : verdict + " !";
+    }
+}

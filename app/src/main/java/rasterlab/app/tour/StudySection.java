@@ -1,0 +1,56 @@
+package rasterlab.app.tour;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import rasterlab.app.study.StudyChart;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyRunner;
+import rasterlab.engine.study.StudySettings;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Topics;
+
+/** Every topic's study as a chart and a table. */
+final class StudySection implements TourPart {
+    @Override
+    public String key() {
+        return "study";
+    }
+
+    @Override
+    public void make(TourPage page) {
+        for (Topic<?, ?, ?> topic : Topics.all()) make(page, topic);
+    }
+
+    private static void make(TourPage page, Topic<?, ?, ?> topic) {
+        page.heading(page.texts().text("topic", topic.name()));
+        page.say(page.texts().text("study.measuring", topic.name()));
+        Study study =
+                StudyRunner.measure(
+                        topic,
+                        StudySettings.quick(),
+                        progress -> {},
+                        Thread.currentThread()::isInterrupted);
+        String caption = page.texts().text("study.caption", topic.name());
+        page.large(page.picture("study-" + topic.name(), StudyChart.image(study), caption));
+        List<List<String>> rows = new ArrayList<>();
+        for (Measurement measured : study.measurements()) rows.add(row(measured));
+        page.table(page.texts().text("study.heads", study.item(), study.errorUnit()), rows);
+    }
+
+    private static List<String> row(Measurement measured) {
+        return List.of(
+                measured.method(),
+                String.valueOf(measured.size()),
+                String.format(Locale.ROOT, "%.2f", measured.cost().medianNanos()),
+                String.format(
+                        Locale.ROOT,
+                        "%.2f–%.2f",
+                        measured.cost().lowNanos(),
+                        measured.cost().highNanos()),
+                String.valueOf(measured.error().worst()),
+                String.valueOf(measured.error().missing() + measured.error().extra()),
+                measured.kind().code());
+    }
+}

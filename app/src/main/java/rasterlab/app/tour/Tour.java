@@ -1,0 +1,72 @@
+package rasterlab.app.tour;
+
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.app.language.Language;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.WholeFile;
+
+/** Makes the tour: a folder with pictures and one page that shows them. */
+public final class Tour {
+    private final Path folder;
+    private final Language language;
+    private final PrintStream progress;
+
+    /**
+     * @param folder where the page and its pictures go; files of other names are left alone
+     * @param language of the page
+     * @param progress told about each step in one line
+     */
+    public Tour(Path folder, Language language, PrintStream progress) {
+        this.folder = folder;
+        this.language = language;
+        this.progress = progress;
+    }
+
+    /**
+     * Makes every part and the page.
+     *
+     * @param home the folder of the {@code ./lab} script, which starts the server; none if unknown
+     * @return whether every part could be made
+     * @throws Complaint if the folder cannot be written to
+     */
+    public boolean make(Optional<Path> home) throws InterruptedException {
+        WholeFile.requireFolder(folder.resolve(TourPage.PICTURES));
+        var page = new TourPage(folder, language, progress);
+        boolean whole = true;
+        for (TourPart part : parts(home)) whole &= made(part, page);
+        byte[] html = page.html().getBytes(StandardCharsets.UTF_8);
+        WholeFile.write(index(), html);
+        return whole;
+    }
+
+    /** The page. */
+    public Path index() {
+        return folder.resolve("index.html");
+    }
+
+    private List<TourPart> parts(Optional<Path> home) {
+        return List.of(
+                new LabPictures(),
+                new ScenePictures(),
+                new StudySection(),
+                new HazardSection(),
+                new GradingSection(home));
+    }
+
+    private boolean made(TourPart part, TourPage page) throws InterruptedException {
+        page.begin(part.key());
+        try {
+            part.make(page);
+            return true;
+        } catch (InterruptedException e) {
+            throw e;
+        } catch (Exception | LinkageError e) {
+            page.fail(e);
+            return false;
+        }
+    }
+}

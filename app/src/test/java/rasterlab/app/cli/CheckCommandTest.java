@@ -1,0 +1,86 @@
+package rasterlab.app.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.tour.Tour;
+
+class CheckCommandTest {
+    @TempDir Path folder;
+
+    @Test
+    void rightSolutionIsOk() throws Exception {
+        Ran ran = check("right");
+        assertTrue(ran.out().contains("Verdict: ok"), ran.out());
+        assertFalse(Files.exists(folder.resolve("pictures")), "nothing to draw");
+        ran.assertDone();
+    }
+
+    @Test
+    void wrongSolutionIsDrawn() throws Exception {
+        Ran ran = check("wrong", "--lang", "ru");
+        assertTrue(ran.out().contains("Вердикт: неверно"), ran.out());
+        assertTrue(ran.out().contains("\n  #.."), ran.out());
+        Path picture = folder.resolve("pictures/steep-line-leaves-gaps-difference.png");
+        assertTrue(Files.exists(picture), ran.out());
+        assertEquals(1, ran.exitCode());
+    }
+
+    @Test
+    void diagnosticsNameFileAndLine() throws Exception {
+        Path file = folder.resolve("MyLine.java");
+        Files.writeString(file, "public class MyLine {\n    int x = ;\n}\n");
+        Ran ran = Ran.lab("check", "line-bresenham", file.toString());
+        assertTrue(ran.out().contains("\nMyLine.java:2:13: "), ran.out());
+        assertEquals(1, ran.exitCode());
+    }
+
+    private Ran check(String solution, String... options) throws Exception {
+        Path file = folder.resolve("MyLine.java");
+        try (InputStream in =
+                Tour.class.getResourceAsStream("solution-" + solution + ".java.txt")) {
+            Files.write(file, in.readAllBytes());
+        }
+        String pictures = folder.resolve("pictures").toString();
+        String[] all = new String[5 + options.length];
+        System.arraycopy(
+                new String[] {"check", "line-bresenham", file.toString(), "--out", pictures},
+                0,
+                all,
+                0,
+                5);
+        System.arraycopy(options, 0, all, 5, options.length);
+        return Ran.lab(all);
+    }
+
+    @Test
+    void badFilesAreNamed() throws Exception {
+        complains(folder, "is a folder, not a file");
+        complains(folder.resolve("no.java"), "cannot be read: no such file");
+        Path file = folder.resolve("a.java");
+        Files.write(file, new byte[0]);
+        complains(file, "is empty");
+        Files.write(file, new byte[10_000_000]);
+        complains(file, "has 10000000 bytes, the most for a source is 65536");
+        Files.write(file, new byte[] {(byte) 0xC3, 0x28});
+        complains(file, "is not UTF-8 text");
+    }
+
+    private static void complains(Path file, String message) {
+        Ran.lab("check", "line-bresenham", file.toString())
+                .assertComplains(2, "./lab check: " + file + ": " + message);
+    }
+
+    @Test
+    void unknownExerciseListsTheKnownOnes() {
+        Ran ran = Ran.lab("check", "line-wu", "a.java");
+        assertTrue(ran.err().contains("no exercise called 'line-wu'; there are ["), ran.err());
+        assertEquals(2, ran.exitCode());
+    }
+}

@@ -1,0 +1,51 @@
+package rasterlab.app.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.study.HazardMatrix;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.Verdict;
+
+class HazardsCommandTest {
+    @Test
+    void everyVerdictIsTheRecordedOne() {
+        Ran ran = Ran.lab("hazards", "line");
+        assertFalse(ran.out().contains("!"), ran.out());
+        assertTrue(ran.out().contains("last-column"), ran.out());
+        ran.assertDone();
+    }
+
+    @Test
+    void jsonHasACellForEachPair() throws Exception {
+        Ran ran = Ran.lab("hazards", "--json");
+        JsonNode json = new ObjectMapper().readTree(ran.out());
+        assertTrue(json.path("asRecorded").asBoolean(), ran.out());
+        for (JsonNode cell : json.path("verdicts"))
+            assertEquals(cell.path("recorded"), cell.path("verdict"), cell.toString());
+        assertTrue(json.path("verdicts").size() >= 25, ran.out());
+    }
+
+    @Test
+    void anotherVerdictIsMarkedAndNamed() {
+        var verdict = new Verdict(Verdict.Kind.WRONG, Deviation.NONE, "pixel (1, 2) is missing");
+        var cell = new Cell("steep", "dda", verdict, Verdict.Kind.EXACT);
+        var matrix = new HazardMatrix("line", List.of("dda"), List.of("steep"), List.of(cell));
+        assertFalse(matrix.asRecorded());
+        var out = new ByteArrayOutputStream();
+        HazardText.print(matrix, new PrintStream(out, true, StandardCharsets.UTF_8));
+        List<String> lines = out.toString(StandardCharsets.UTF_8).lines().toList();
+        assertEquals("steep  wrong !", lines.get(1));
+        assertEquals(
+                "! dda on steep: wrong, recorded is exact; pixel (1, 2) is missing", lines.get(2));
+    }
+}

@@ -1,0 +1,125 @@
+package rasterlab.app.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class LabTest {
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "methods",
+                "run",
+                "study",
+                "hazards",
+                "render",
+                "check",
+                "tour",
+                "completion"
+            })
+    void everyCommandHasHelpWithAnExample(String command) {
+        Ran ran = Ran.lab(command, "--help");
+        assertTrue(ran.out().contains("Usage: ./lab " + command), ran.out());
+        assertTrue(ran.out().contains("Example: "), ran.out());
+        assertEquals(ran.out(), Ran.lab("help", command).out());
+        ran.assertDone();
+    }
+
+    @Test
+    void helpListsTheServerToo() {
+        Ran ran = Ran.lab("help");
+        assertTrue(ran.out().contains("\n  grader "), ran.out());
+        assertTrue(ran.out().contains("\n  70 "), ran.out());
+        ran.assertDone();
+    }
+
+    @Test
+    void versionNamesTheJava() {
+        Ran ran = Ran.lab("--version");
+        assertTrue(ran.out().contains("Java " + System.getProperty("java.version")), ran.out());
+        ran.assertDone();
+    }
+
+    @Test
+    void completionKnowsTheCommands() {
+        Ran ran = Ran.lab("completion");
+        assertTrue(ran.out().contains("complete -F _complete_lab"), ran.out());
+        assertTrue(ran.out().contains("hazards"), ran.out());
+        ran.assertDone();
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void oneLineSaysWhatIsWrong(String line, String[] arguments) {
+        Ran.lab(arguments).assertComplains(2, line);
+    }
+
+    static Stream<Arguments> mistakes() {
+        return Stream.of(
+                argumentSet(
+                        "letters of a command are swapped",
+                        "./lab: unknown command 'rneder'; did you mean 'render'?"
+                                + " (see `./lab --help`)",
+                        new String[] {"rneder", "vase"}),
+                argumentSet(
+                        "nothing is like the command",
+                        "./lab: unknown command 'paint' (see `./lab --help`)",
+                        new String[] {"paint"}),
+                argumentSet(
+                        "option is mistyped",
+                        "./lab study: unknown option '--otu'; did you mean '--out'?"
+                                + " (see `./lab study --help`)",
+                        new String[] {"study", "line", "--otu"}),
+                argumentSet(
+                        "too many arguments",
+                        "./lab methods: unknown argument 'circle' (see `./lab methods --help`)",
+                        new String[] {"methods", "line", "circle"}),
+                argumentSet(
+                        "argument is missing",
+                        "./lab run: missing required parameter: 'METHOD'"
+                                + " (see `./lab run --help`)",
+                        new String[] {"run", "line"}),
+                argumentSet(
+                        "topic is unknown",
+                        "./lab methods: no topic 'cricle'; there are [line]",
+                        new String[] {"methods", "cricle"}),
+                argumentSet(
+                        "server is asked of the wrong program",
+                        "./lab grader: the server is started by the ./lab script:"
+                                + " ./lab grader serve",
+                        new String[] {"grader", "serve", "--port", "0"}));
+    }
+
+    @Test
+    void methodsShowsMethodsAndHazards() {
+        Ran ran = Ran.lab("methods", "line");
+        assertTrue(ran.out().contains("  method bresenham-textbook"), ran.out());
+        assertTrue(ran.out().contains("  beyond-2-30 "), ran.out());
+        ran.assertDone();
+    }
+
+    @Test
+    void faultIsOneLineAndALog() throws Exception {
+        var err = new ByteArrayOutputStream();
+        var failures = new Failures(new PrintStream(err));
+        assertEquals(70, failures.fault("./lab run", new IllegalStateException("a\nb")));
+        String line = err.toString();
+        assertEquals(1, line.lines().count(), line);
+        assertFalse(line.contains("\tat "), line);
+        Path log = Path.of(line.substring(line.indexOf("details: ") + 9).strip());
+        assertTrue(Files.readString(log).contains("\tat "), "log " + log);
+        Files.delete(log);
+    }
+}

@@ -1,0 +1,45 @@
+package rasterlab.app.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+
+/** What one command did. */
+record Ran(int exitCode, String out, String err) {
+    /** Runs a command with nothing to read. */
+    static Ran lab(String... arguments) {
+        return labReading("", arguments);
+    }
+
+    static Ran labReading(String in, String... arguments) {
+        var out = new ByteArrayOutputStream();
+        var err = new ByteArrayOutputStream();
+        int exitCode =
+                Lab.run(
+                        arguments,
+                        new ByteArrayInputStream(in.getBytes(StandardCharsets.UTF_8)),
+                        new PrintStream(out),
+                        new PrintStream(err));
+        return new Ran(
+                exitCode,
+                out.toString(StandardCharsets.UTF_8),
+                err.toString(StandardCharsets.UTF_8));
+    }
+
+    /** Nothing on standard output, exactly this one line on the error stream. */
+    void assertComplains(int expectedCode, String line) {
+        assertEquals(line + System.lineSeparator(), err);
+        assertEquals("", out);
+        assertEquals(expectedCode, exitCode);
+    }
+
+    /** The command did its work and said nothing that looks like a fault. */
+    void assertDone() {
+        assertFalse(err.contains("\tat "), err);
+        assertEquals(0, exitCode, err);
+    }
+}

@@ -1,0 +1,142 @@
+package rasterlab.app.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class RenderCommandTest {
+    @TempDir Path folder;
+
+    @Test
+    void pictureHasNoWrongPixelAgainstItself() throws Exception {
+        Path picture = rendered("painter-textbook", "160x120");
+        JsonNode diff = diff("--visibility", "painter-textbook", "--diff", picture.toString());
+        assertEquals(0, diff.path("wrongPixels").asInt());
+        assertEquals(160 * 120, diff.path("pixels").asInt());
+    }
+
+    @Test
+    void faultyPainterDiffersFromTheReference() throws Exception {
+        Path picture = rendered("painter-textbook", "160x120");
+        JsonNode diff = diff("--reference", "--diff", picture.toString());
+        assertTrue(diff.path("wrongPixels").asInt() > 0, diff.toString());
+        assertTrue(diff.path("largestLevelDifference").asInt() > 0, diff.toString());
+    }
+
+    @Test
+    void referenceIsTheRayCasterWhateverElseIsAsked() throws Exception {
+        String out = folder.resolve("r.png").toString();
+        Ran ran = render("--visibility", "painter", "--reference", "--size", "8x6", "--out", out);
+        assertEquals("raycast", new ObjectMapper().readTree(ran.out()).path("visibility").asText());
+    }
+
+    private Path rendered(String visibility, String size) {
+        Path picture = folder.resolve("a.png");
+        String[] options = {"--visibility", visibility, "--size", size, "--out", "" + picture};
+        render(options).assertDone();
+        return picture;
+    }
+
+    private static JsonNode diff(String... options) throws Exception {
+        String[] sized = Arrays.copyOf(options, options.length + 2);
+        sized[options.length] = "--size";
+        sized[options.length + 1] = "160x120";
+        Ran ran = render(sized);
+        ran.assertDone();
+        return new ObjectMapper().readTree(ran.out()).path("diff");
+    }
+
+    private static Ran render(String... options) {
+        return Ran.lab(
+                Stream.concat(Stream.of("render", "vase"), Arrays.stream(options))
+                        .toArray(String[]::new));
+    }
+
+    @Test
+    void cameraTakesMultiplesOfPi() throws Exception {
+        String out = folder.resolve("b.png").toString();
+        Ran ran = render("--camera", "-0.5,0.25pi,900", "--size", "8x6", "--out", out);
+        ran.assertDone();
+        JsonNode camera = new ObjectMapper().readTree(ran.out()).path("camera");
+        assertEquals(Math.PI / 4, camera.path("phi").asDouble());
+        assertEquals(-0.5, camera.path("theta").asDouble());
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void oneLineSaysWhatIsWrong(String part, String[] options) {
+        String out = folder.resolve("c.png").toString();
+        String[] all = Arrays.copyOf(options, options.length + 2);
+        all[options.length] = "--out";
+        all[options.length + 1] = out;
+        Ran ran = render(all);
+        assertTrue(ran.err().contains(part), ran.err());
+        assertEquals(1, ran.err().lines().count(), ran.err());
+        assertEquals("", ran.out());
+        assertEquals(2, ran.exitCode());
+        assertFalse(Files.exists(Path.of(out)), "no picture is left");
+    }
+
+    static Stream<Arguments> mistakes() {
+        return Stream.of(
+                mistake("visibility is unknown", "there are painter-textbook,", "--visibility=z"),
+                mistake("shading is unknown", "there are tone, flat", "--shading=phong"),
+                mistake("projection is unknown", "perspective, parallel", "--projection=top"),
+                mistake("size has no height", "expected WIDTHxHEIGHT", "--size=80"),
+                mistake("size is 0", "from 1×1 to 8192×8192 pixels, got 0×9", "--size=0x9"),
+                mistake("size is too large", "got 8193×1", "--size=8193x1"),
+                mistake("camera has two numbers", "expected theta,phi,rho", "--camera=1,2"),
+                mistake("camera is no number", "'x' is not a number", "--camera=1,x,3"),
+                mistake("camera is not finite", "finite angle", "--camera=NaN,1,3"),
+                mistake("camera is in the origin", "got 0.0", "--camera=1,1,0"),
+                mistake("other picture is missing", "no such file to read", "--diff=no.png"),
+                mistake("other picture is a folder", "is a folder", "--diff=."),
+                mistake("other picture is text", "is not a PNG picture", "--diff=pom.xml"));
+    }
+
+    private static Arguments mistake(String name, String part, String... options) {
+        return argumentSet(name, part, options);
+    }
+
+    @Test
+    void otherPictureOfAnotherSizeOrBroken() throws Exception {
+        Path picture = rendered("zfloat", "16x12");
+        Ran.lab("render", "vase", "--diff", picture.toString())
+                .assertComplains(
+                        2,
+                        "./lab render: "
+                                + picture
+                                + ": has 16×12 pixels, the rendered picture 800×600;"
+                                + " sizes must be equal");
+        Path half = folder.resolve("half.png");
+        byte[] whole = Files.readAllBytes(picture);
+        Files.write(half, Arrays.copyOf(whole, whole.length / 2));
+        Ran ran = render("--diff", half.toString(), "--size", "16x12");
+        assertTrue(ran.err().contains("half.png: is a broken PNG picture"), ran.err());
+        assertEquals(2, ran.exitCode());
+    }
+
+    @Test
+    void unknownSceneAndNothingToDo() {
+        Ran.lab("render", "vas", "--out", "x.png")
+                .assertComplains(2, "./lab render: no scene 'vas'; there are vase, house");
+        Ran.lab("render", "vase")
+                .assertComplains(
+                        2,
+                        "./lab render: nothing to do; give --out FILE.png, --diff OTHER.png"
+                                + " or both");
+    }
+}

@@ -1,0 +1,75 @@
+package rasterlab.app.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class StudyCommandTest {
+    @TempDir Path folder;
+
+    @Test
+    void writesEveryForm() throws Exception {
+        String start = folder.resolve("line").toString();
+        Ran ran =
+                Ran.lab(
+                        "study",
+                        "line",
+                        "--quick",
+                        "--out",
+                        start + ".svg",
+                        "--out",
+                        start + ".PNG",
+                        "--out",
+                        start + ".csv",
+                        "--out",
+                        start + ".json");
+        ran.assertDone();
+        assertEquals(
+                List.of("line.PNG", "line.csv", "line.json", "line.svg"), names(), "nothing else");
+        BufferedImage chart = ImageIO.read(folder.resolve("line.PNG").toFile());
+        assertEquals("1000×700", chart.getWidth() + "×" + chart.getHeight());
+        JsonNode json = new ObjectMapper().readTree(folder.resolve("line.json").toFile());
+        int measurements = json.path("measurements").size();
+        assertTrue(measurements > 0);
+        assertEquals(measurements + 1, Files.readAllLines(folder.resolve("line.csv")).size());
+        assertEquals(measurements + 1, ran.out().lines().count());
+        assertTrue(json.path("machine").hasNonNull("java"));
+        assertTrue(Files.readString(folder.resolve("line.svg")).contains("<svg"));
+    }
+
+    @Test
+    void complainsBeforeItMeasures() {
+        Path good = folder.resolve("a.svg");
+        Path strange = folder.resolve("a.jpeg");
+        Ran.lab("study", "line", "--out", good.toString(), "--out", strange.toString())
+                .assertComplains(
+                        2,
+                        "./lab study: "
+                                + strange
+                                + ": unknown extension; allowed are .svg, .png, .csv, .json");
+        Path nowhere = folder.resolve("no/a.svg");
+        Ran.lab("study", "line", "--out", nowhere.toString())
+                .assertComplains(
+                        2,
+                        "./lab study: "
+                                + nowhere
+                                + ": cannot be written: no folder "
+                                + nowhere.getParent());
+    }
+
+    private List<String> names() throws Exception {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+}

@@ -1,0 +1,48 @@
+package rasterlab.app.outcome;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class WholeFileTest {
+    @TempDir Path folder;
+
+    @Test
+    void replacesWhatWasThere() throws Exception {
+        Path file = folder.resolve("a.txt");
+        Files.writeString(file, "a longer text than the new one");
+        WholeFile.write(file, "new".getBytes());
+        assertEquals("new", Files.readString(file));
+        assertEquals(List.of("a.txt"), names());
+    }
+
+    @Test
+    void failedMoveLeavesNoPart() throws Exception {
+        Path file = Files.createDirectories(folder.resolve("a.txt/inner")).getParent();
+        var complaint =
+                assertThrows(Complaint.class, () -> WholeFile.write(file, "new".getBytes()));
+        assertTrue(complaint.getMessage().startsWith(file + ": cannot be written"));
+        assertEquals(List.of("a.txt"), names());
+    }
+
+    @Test
+    void missingFolderAndFolderInPlaceOfTheFileAreRefused() {
+        Path file = folder.resolve("no/a.txt");
+        assertThrows(Complaint.class, () -> WholeFile.write(file, new byte[1]));
+        assertThrows(Complaint.class, () -> WholeFile.requireWritable(file));
+        assertThrows(Complaint.class, () -> WholeFile.requireWritable(folder));
+    }
+
+    private List<String> names() throws Exception {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(file -> file.getFileName().toString()).sorted().toList();
+        }
+    }
+}
