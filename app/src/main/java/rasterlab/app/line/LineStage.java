@@ -27,6 +27,7 @@ import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.Segment;
 
@@ -39,6 +40,7 @@ final class LineStage extends SelfDrawn {
     private final transient LineLabModel model;
     private final transient Texts texts;
     private final List<EndHandle> handles;
+    private final ZoomButtons zoom;
     private transient Optional<PixelGrid> chosen = Optional.empty();
     private transient Optional<Point> pointed = Optional.empty();
     private int arrangement;
@@ -51,6 +53,13 @@ final class LineStage extends SelfDrawn {
         setBorder(BorderFactory.createLineBorder(UIManager.getColor("Component.borderColor")));
         getAccessibleContext().setAccessibleName(texts.text("stage"));
         handles = List.of(handle(End.A), handle(End.B));
+        zoom =
+                new ZoomButtons(
+                        Texts.of("canvas", texts.language()),
+                        this::zoomIn,
+                        this::zoomOut,
+                        this::fit);
+        add(zoom);
         var mouse = new Pan();
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
@@ -86,16 +95,16 @@ final class LineStage extends SelfDrawn {
         repaint();
     }
 
-    void zoomIn() {
+    private void zoomIn() {
         zoom(ZOOM, centre());
     }
 
-    void zoomOut() {
+    private void zoomOut() {
         zoom(1 / ZOOM, centre());
     }
 
     /** Shows the whole segment again, and keeps doing so when the stage changes its size. */
-    void fit() {
+    private void fit() {
         chosen = Optional.empty();
         revalidate();
         repaint();
@@ -119,6 +128,12 @@ final class LineStage extends SelfDrawn {
     /** Puts the handles around their ends; one whose end is out of sight waits at the edge. */
     @Override
     public void doLayout() {
+        Dimension corner = zoom.getPreferredSize();
+        zoom.setBounds(
+                getWidth() - corner.width - 8,
+                getHeight() - corner.height - 8,
+                corner.width,
+                corner.height);
         PixelGrid grid = grid();
         Segment segment = model.state().choice().segment();
         int size = (int) Math.max(UIScale.scale(26), Math.min(60, grid.cell() * 1.5 + 6));
@@ -189,7 +204,8 @@ final class LineStage extends SelfDrawn {
                     colours,
                     text,
                     Math.max(Rulers.left() + 8, Math.min(getWidth() - width - 10, x)),
-                    Math.max(Rulers.top() + metrics.getAscent() + 6, Math.min(getHeight() - 10, y)));
+                    Math.max(
+                            Rulers.top() + metrics.getAscent() + 6, Math.min(getHeight() - 10, y)));
         }
     }
 
