@@ -86,6 +86,8 @@ class WindowTest {
     void close() {
         if (window == null) return;
         window.cleanUp();
+        await("settings are written", () -> Files.exists(settings()));
+        GuiActionRunner.execute(() -> {}); // The closed window's own event has run to its end.
         assertEquals(List.of(), failures);
         assertEquals(List.of(), problems);
     }

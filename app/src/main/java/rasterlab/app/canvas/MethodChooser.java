@@ -1,5 +1,6 @@
 package rasterlab.app.canvas;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -69,18 +70,18 @@ public final class MethodChooser extends JComboBox<String> {
             copy.setRenderingHint(
                     RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
             copy.setColor(MethodColours.of(method));
-            copy.fillRoundRect(x, y, 12, 12, 4, 4);
+            copy.fillRoundRect(x, y, getIconWidth(), getIconHeight(), 4, 4);
             copy.dispose();
         }
 
         @Override
         public int getIconWidth() {
-            return 12;
+            return UIScale.scale(12);
         }
 
         @Override
         public int getIconHeight() {
-            return 12;
+            return UIScale.scale(12);
         }
     }
 }

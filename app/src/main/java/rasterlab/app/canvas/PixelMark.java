@@ -1,5 +1,6 @@
 package rasterlab.app.canvas;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Component;
@@ -48,18 +49,18 @@ public enum PixelMark {
                         RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
                 copy.setRenderingHint(
                         RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-                PixelMark.this.paint(copy, x, y, 16);
+                PixelMark.this.paint(copy, x, y, UIScale.scale(16));
                 copy.dispose();
             }
 
             @Override
             public int getIconWidth() {
-                return 16;
+                return UIScale.scale(16);
             }
 
             @Override
             public int getIconHeight() {
-                return 16;
+                return UIScale.scale(16);
             }
         };
     }

@@ -1,5 +1,6 @@
 package rasterlab.app.canvas;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
@@ -11,12 +12,6 @@ import javax.swing.UIManager;
 
 /** Grid lines between pixels, the axes, and the coordinates along the upper and left margin. */
 public final class Rulers {
-    /** Height of the upper margin in view units. */
-    public static final int TOP = 22;
-
-    /** Width of the left margin in view units. */
-    public static final int LEFT = 44;
-
     /** Below this many view units per pixel the grid would be grey. */
     private static final double FINEST_GRID = 5;
 
@@ -30,16 +25,26 @@ public final class Rulers {
         this.colours = colours;
     }
 
+    /** Height of the upper margin in view units. */
+    public static int top() {
+        return UIScale.scale(22);
+    }
+
+    /** Width of the left margin in view units. */
+    public static int left() {
+        return UIScale.scale(44);
+    }
+
     /** What the margins leave of the view. */
     public static Rectangle inside(Dimension view) {
         return new Rectangle(
-                LEFT, TOP, Math.max(1, view.width - LEFT), Math.max(1, view.height - TOP));
+                left(), top(), Math.max(1, view.width - left()), Math.max(1, view.height - top()));
     }
 
     public void paintGrid(Graphics2D g) {
         g.setColor(colours.ground());
         g.fillRect(0, 0, view.width, view.height);
-        Point first = grid.pixelAt(LEFT, TOP);
+        Point first = grid.pixelAt(left(), top());
         Point last = grid.pixelAt(view.width, view.height);
         if (grid.cell() >= FINEST_GRID) {
             for (long x = first.x; x <= last.x + 1L; x++)
@@ -53,23 +58,23 @@ public final class Rulers {
 
     public void paintMargins(Graphics2D g) {
         g.setColor(colours.margin());
-        g.fillRect(0, 0, view.width, TOP);
-        g.fillRect(0, 0, LEFT, view.height);
+        g.fillRect(0, 0, view.width, top());
+        g.fillRect(0, 0, left(), view.height);
         g.setColor(colours.axis());
-        g.drawLine(LEFT, TOP, view.width, TOP);
-        g.drawLine(LEFT, TOP, LEFT, view.height);
-        g.setFont(UIManager.getFont("Label.font").deriveFont(Font.PLAIN, 11f));
+        g.drawLine(left(), top(), view.width, top());
+        g.drawLine(left(), top(), left(), view.height);
+        g.setFont(UIManager.getFont("Label.font").deriveFont(Font.PLAIN, UIScale.scale(11f)));
         g.setColor(colours.ink());
         paintNumbers(g);
         g.setColor(colours.margin());
-        g.fillRect(0, 0, LEFT, TOP);
+        g.fillRect(0, 0, left(), top());
         g.setColor(colours.ink());
-        g.drawString("y\\x", LEFT - 24, 15);
+        g.drawString("y\\x", left() - UIScale.scale(24), baseline());
     }
 
     private void paintNumbers(Graphics2D g) {
         FontMetrics metrics = g.getFontMetrics();
-        Point first = grid.pixelAt(LEFT, TOP);
+        Point first = grid.pixelAt(left(), top());
         Point last = grid.pixelAt(view.width, view.height);
         int widest =
                 Math.max(
@@ -79,15 +84,19 @@ public final class Rulers {
         for (long x = Math.floorDiv(first.x, stepX) * stepX; x <= last.x; x += stepX) {
             String number = Long.toString(x);
             int at = (int) Math.round(grid.viewX(x) - metrics.stringWidth(number) / 2.0);
-            if (at > LEFT && at + metrics.stringWidth(number) < view.width)
-                g.drawString(number, at, 15);
+            if (at > left() && at + metrics.stringWidth(number) < view.width)
+                g.drawString(number, at, baseline());
         }
-        long stepY = step(22 / grid.cell());
+        long stepY = step(top() / grid.cell());
         for (long y = Math.floorDiv(first.y, stepY) * stepY; y <= last.y; y += stepY) {
             String number = shortened(y);
             int at = (int) Math.round(grid.viewY(y) + metrics.getAscent() / 2.0 - 1);
-            if (at > TOP + 8) g.drawString(number, LEFT - 6 - metrics.stringWidth(number), at);
+            if (at > top() + 8) g.drawString(number, left() - 6 - metrics.stringWidth(number), at);
         }
+    }
+
+    private static int baseline() {
+        return UIScale.scale(15);
     }
 
     /** A number that fits the left margin: of a long one, the end, which is what changes. */
@@ -105,15 +114,15 @@ public final class Rulers {
 
     private void vertical(Graphics2D g, double viewX, Color colour) {
         int x = (int) Math.round(viewX);
-        if (x < LEFT || x > view.width) return;
+        if (x < left() || x > view.width) return;
         g.setColor(colour);
-        g.drawLine(x, TOP, x, view.height);
+        g.drawLine(x, top(), x, view.height);
     }
 
     private void horizontal(Graphics2D g, double viewY, Color colour) {
         int y = (int) Math.round(viewY);
-        if (y < TOP || y > view.height) return;
+        if (y < top() || y > view.height) return;
         g.setColor(colour);
-        g.drawLine(LEFT, y, view.width, y);
+        g.drawLine(left(), y, view.width, y);
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.app.line;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
@@ -26,6 +27,7 @@ import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.Segment;
 
@@ -38,6 +40,7 @@ final class LineStage extends SelfDrawn {
     private final transient LineLabModel model;
     private final transient Texts texts;
     private final List<EndHandle> handles;
+    private final ZoomButtons zoom;
     private transient Optional<PixelGrid> chosen = Optional.empty();
     private transient Optional<Point> pointed = Optional.empty();
     private int arrangement;
@@ -50,6 +53,13 @@ final class LineStage extends SelfDrawn {
         setBorder(BorderFactory.createLineBorder(UIManager.getColor("Component.borderColor")));
         getAccessibleContext().setAccessibleName(texts.text("stage"));
         handles = List.of(handle(End.A), handle(End.B));
+        zoom =
+                new ZoomButtons(
+                        Texts.of("canvas", texts.language()),
+                        this::zoomIn,
+                        this::zoomOut,
+                        this::fit);
+        add(zoom);
         var mouse = new Pan();
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
@@ -85,16 +95,16 @@ final class LineStage extends SelfDrawn {
         repaint();
     }
 
-    void zoomIn() {
+    private void zoomIn() {
         zoom(ZOOM, centre());
     }
 
-    void zoomOut() {
+    private void zoomOut() {
         zoom(1 / ZOOM, centre());
     }
 
     /** Shows the whole segment again, and keeps doing so when the stage changes its size. */
-    void fit() {
+    private void fit() {
         chosen = Optional.empty();
         revalidate();
         repaint();
@@ -118,14 +128,20 @@ final class LineStage extends SelfDrawn {
     /** Puts the handles around their ends; one whose end is out of sight waits at the edge. */
     @Override
     public void doLayout() {
+        Dimension corner = zoom.getPreferredSize();
+        zoom.setBounds(
+                getWidth() - corner.width - 8,
+                getHeight() - corner.height - 8,
+                corner.width,
+                corner.height);
         PixelGrid grid = grid();
         Segment segment = model.state().choice().segment();
-        int size = (int) Math.max(26, Math.min(60, grid.cell() * 1.5 + 6));
+        int size = (int) Math.max(UIScale.scale(26), Math.min(60, grid.cell() * 1.5 + 6));
         for (End end : End.values()) {
             EndHandle handle = handles.get(end.ordinal());
             handle.setBounds(
-                    within(grid.viewX(end.x(segment)), Rulers.LEFT, getWidth()) - size / 2,
-                    within(grid.viewY(end.y(segment)), Rulers.TOP, getHeight()) - size / 2,
+                    within(grid.viewX(end.x(segment)), Rulers.left(), getWidth(), size),
+                    within(grid.viewY(end.y(segment)), Rulers.top(), getHeight(), size),
                     size,
                     size);
             handle.getAccessibleContext()
@@ -134,8 +150,9 @@ final class LineStage extends SelfDrawn {
         }
     }
 
-    private static int within(double view, int from, int to) {
-        return (int) Math.round(Math.max(from, Math.min(to, view)));
+    /** Where a handle of that size begins, so that its middle is at {@code view} if it fits. */
+    private static int within(double view, int from, int to, int size) {
+        return (int) Math.round(Math.max(from, Math.min(to - size, view - size / 2.0)));
     }
 
     @Override
@@ -165,7 +182,7 @@ final class LineStage extends SelfDrawn {
                                 g,
                                 colours,
                                 "(" + pixel.x + ", " + pixel.y + ")",
-                                Rulers.LEFT + 10,
+                                Rulers.left() + 10,
                                 getHeight() - 10));
         g.dispose();
     }
@@ -186,8 +203,9 @@ final class LineStage extends SelfDrawn {
                     g,
                     colours,
                     text,
-                    Math.max(Rulers.LEFT + 8, Math.min(getWidth() - width - 10, x)),
-                    Math.max(Rulers.TOP + metrics.getAscent() + 6, Math.min(getHeight() - 10, y)));
+                    Math.max(Rulers.left() + 8, Math.min(getWidth() - width - 10, x)),
+                    Math.max(
+                            Rulers.top() + metrics.getAscent() + 6, Math.min(getHeight() - 10, y)));
         }
     }
 
@@ -195,10 +213,10 @@ final class LineStage extends SelfDrawn {
     private void paintNote(Graphics2D g, StageColours colours, String sentence) {
         g.setFont(UIManager.getFont("Label.font").deriveFont(Font.BOLD));
         FontMetrics metrics = g.getFontMetrics();
-        int y = Rulers.TOP + metrics.getAscent() + 12;
-        int room = getWidth() - Rulers.LEFT - 32;
+        int y = Rulers.top() + metrics.getAscent() + 12;
+        int room = getWidth() - Rulers.left() - 32;
         for (String line : Wrapping.lines(sentence, room, metrics::stringWidth)) {
-            plate(g, colours, line, Rulers.LEFT + 16, y);
+            plate(g, colours, line, Rulers.left() + 16, y);
             y += metrics.getHeight() + 2;
         }
     }

@@ -1,5 +1,6 @@
 package rasterlab.app.shell;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Frame;
@@ -47,7 +48,7 @@ public final class LabFrame extends JFrame {
         this.onFailure = onFailure;
         setName("lab");
         setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
-        setMinimumSize(LEAST);
+        setMinimumSize(UIScale.scale(LEAST));
         setIconImages(WindowIcon.images());
         addWindowListener(
                 new WindowAdapter() {
@@ -115,7 +116,8 @@ public final class LabFrame extends JFrame {
     private void place() {
         Rectangle screen =
                 GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        setSize(Math.min(FIRST.width, screen.width), Math.min(FIRST.height, screen.height));
+        Dimension first = UIScale.scale(FIRST);
+        setSize(Math.min(first.width, screen.width), Math.min(first.height, screen.height));
         setLocationRelativeTo(null);
         settings.bounds().filter(LabFrame::onSomeScreen).ifPresent(this::setBounds);
         unmaximised = getBounds();

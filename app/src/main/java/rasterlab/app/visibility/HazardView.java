@@ -10,28 +10,30 @@ import rasterlab.engine.transform.SphericalView;
  */
 enum HazardView {
     /** The view in which the vase's author shows it. */
-    COURSEWORK("vase", "painter", Math.PI / 9, 4 * Math.PI / 3, 1, false),
+    COURSEWORK("vase", "painter", Math.PI / 9, 4 * Math.PI / 3, 1, 1.6, false),
     /** Inner faces show through the vase's opening. */
-    OPENING("vase", "painter", Math.PI / 9, 0.2 * Math.PI, 1, false),
+    OPENING("vase", "painter", Math.PI / 9, 0.2 * Math.PI, 1, 1.6, false),
     /** The coursework's rounded coordinates move edges: its worst view of the vase. */
-    ROUNDED("vase", "painter-textbook", 0, 1.45 * Math.PI, 1, true),
+    ROUNDED("vase", "painter-textbook", 0, 1.45 * Math.PI, 1, 1.6, true),
     /** Three of four corners make a wrong mean: its worst view of the house. */
-    THREE_CORNERS("house", "painter-textbook", 0.95 * Math.PI, 1.15 * Math.PI, 0.5, true),
+    THREE_CORNERS("house", "painter-textbook", 0.95 * Math.PI, 1.15 * Math.PI, 0.5, 1, true),
     /** The right mean still misorders: a large face beside a small one. */
-    MEAN("house", "painter", 0.45 * Math.PI, 0.85 * Math.PI, 0.5, true),
+    MEAN("house", "painter", 0.45 * Math.PI, 0.85 * Math.PI, 0.5, 1, true),
     /** Level with the eye, the vase's rings are seen from their edges. */
-    EDGE_ON("vase", "painter", 0, Math.PI / 2, 1, true);
+    EDGE_ON("vase", "painter", 0, Math.PI / 2, 1, 1.6, true);
 
     private final String scene;
     private final String method;
     private final double theta;
     private final double phi;
     private final double nearness;
+    private final double zoom;
     private final boolean difference;
 
     /**
      * @param theta radians
      * @param phi radians
+     * @param zoom as in {@link VisibilityChoice}
      * @param nearness ρ as a share of the scene's first one
      */
     HazardView(
@@ -40,12 +42,14 @@ enum HazardView {
             double theta,
             double phi,
             double nearness,
+            double zoom,
             boolean difference) {
         this.scene = scene;
         this.method = method;
         this.theta = theta;
         this.phi = phi;
         this.nearness = nearness;
+        this.zoom = zoom;
         this.difference = difference;
     }
 
@@ -59,6 +63,7 @@ enum HazardView {
         double rho = nearness * Scenes.named(scene).defaultCamera().rho();
         return choice.withScene(scene)
                 .withVisibility(method)
+                .zoomed(zoom / choice.zoom())
                 .withCamera(new SphericalView(theta, phi, rho))
                 .withDifference(difference);
     }
