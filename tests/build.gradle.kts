@@ -12,4 +12,5 @@ dependencies {
     testImplementation(libs.jackson.dataformat.toml)
     testImplementation(libs.assertj.swing.junit)
     testImplementation(libs.selenium.chrome.driver)
+    testImplementation(libs.selenium.support)
 }

@@ -2,8 +2,8 @@ package rasterlab.app.cli;
 
 import java.util.List;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
-import rasterlab.engine.study.Topics;
 
 /** The topics that a command's TOPIC argument names. */
 final class TopicChoice {

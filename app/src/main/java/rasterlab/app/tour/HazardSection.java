@@ -4,9 +4,9 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.study.HazardMatrix;
+import rasterlab.engine.Topics;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Topic;
-import rasterlab.engine.study.Topics;
 
 /** Every topic's method × hazard table. */
 final class HazardSection implements TourPart {

@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import rasterlab.app.study.StudyChart;
+import rasterlab.engine.Topics;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.StudyRunner;
 import rasterlab.engine.study.StudySettings;
 import rasterlab.engine.study.Topic;
-import rasterlab.engine.study.Topics;
 
 /** Every topic's study as a chart and a table. */
 final class StudySection implements TourPart {

@@ -13,6 +13,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.Topics;
 import rasterlab.engine.study.Verdict.Kind;
 
 class StudyRunnerTest {

@@ -1,7 +1,8 @@
-package rasterlab.engine.study;
+package rasterlab.engine;
 
 import java.util.List;
 import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.study.Topic;
 
 /** The list of every topic there is. */
 public final class Topics {

@@ -1,0 +1,139 @@
+package rasterlab.tests.build;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.tests.Repository;
+
+class BuildEqualityTest {
+    @Test
+    void mavenAndGradleDescribeTheSameBuild() throws Exception {
+        var maven = MavenBuild.read(Repository.root());
+        assertEquals(Repository.MODULES.size(), maven.modules().size());
+        assertEquals(List.of(), maven.differencesTo(GradleBuild.read(Repository.root())));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void noticesThat(String file, String from, String to, String difference, @TempDir Path copy)
+            throws Exception {
+        copyBuildFiles(copy);
+        var edited = copy.resolve(file);
+        var text = Files.readString(edited);
+        assertTrue(text.contains(from), file + " no longer contains '" + from + "'");
+        Files.writeString(edited, text.replaceFirst(java.util.regex.Pattern.quote(from), to));
+        var found = MavenBuild.read(copy).differencesTo(GradleBuild.read(copy));
+        assertTrue(
+                found.stream().anyMatch(line -> line.startsWith(difference)),
+                "expected a difference in '" + difference + "', found " + found);
+    }
+
+    static Stream<Arguments> mistakes() {
+        return Stream.concat(mistakesInModules(), mistakesInVersions());
+    }
+
+    private static Stream<Arguments> mistakesInModules() {
+        var joml =
+                "<dependency><groupId>org.joml</groupId><artifactId>joml</artifactId></dependency>";
+        return Stream.of(
+                argumentSet(
+                        "a module is missing in Gradle",
+                        "settings.gradle.kts",
+                        "\"app\", ",
+                        "",
+                        "modules"),
+                argumentSet(
+                        "a module is missing in Maven",
+                        "pom.xml",
+                        "<module>app</module>",
+                        "",
+                        "modules"),
+                argumentSet(
+                        "a dependency is missing in Gradle",
+                        "engine/build.gradle.kts",
+                        "implementation(libs.joml)",
+                        "",
+                        "engine: dependency org.joml:joml"),
+                argumentSet(
+                        "a dependency is missing in Maven",
+                        "engine/pom.xml",
+                        joml,
+                        "",
+                        "engine: dependency org.joml:joml"),
+                argumentSet(
+                        "a scope differs",
+                        "engine/build.gradle.kts",
+                        "implementation(libs.joml)",
+                        "testImplementation(libs.joml)",
+                        "engine: dependency org.joml:joml"));
+    }
+
+    private static Stream<Arguments> mistakesInVersions() {
+        var catalogue = "gradle/libs.versions.toml";
+        return Stream.of(
+                argumentSet(
+                        "a version differs",
+                        catalogue,
+                        "joml = \"1.10",
+                        "joml = \"1.9",
+                        "engine: dependency org.joml:joml"),
+                argumentSet(
+                        "the project's version differs",
+                        "build.gradle.kts",
+                        "version = \"0",
+                        "version = \"1",
+                        "version of the project"),
+                argumentSet(
+                        "a main class differs",
+                        "app/build.gradle.kts",
+                        "shell.Main",
+                        "shell.Start",
+                        "app: main class"),
+                argumentSet(
+                        "the Java level differs",
+                        "pom.xml",
+                        "<maven.compiler.release>17",
+                        "<maven.compiler.release>21",
+                        "Java level"),
+                argumentSet(
+                        "the Kotlin version differs",
+                        catalogue,
+                        "kotlin = \"2",
+                        "kotlin = \"3",
+                        "Kotlin version"),
+                argumentSet(
+                        "the Kotlin target differs",
+                        "grader/build.gradle.kts",
+                        "JVM_17",
+                        "JVM_21",
+                        "Kotlin target"));
+    }
+
+    private static void copyBuildFiles(Path copy) throws IOException {
+        var files =
+                Stream.of(
+                        "pom.xml",
+                        "settings.gradle.kts",
+                        "build.gradle.kts",
+                        "gradle/libs.versions.toml");
+        var ofModules =
+                Repository.MODULES.stream()
+                        .flatMap(m -> Stream.of(m + "/pom.xml", m + "/build.gradle.kts"));
+        for (var name : Stream.concat(files, ofModules).toList()) {
+            var target = copy.resolve(name);
+            Files.createDirectories(target.getParent());
+            Files.copy(Repository.root().resolve(name), target);
+        }
+    }
+}

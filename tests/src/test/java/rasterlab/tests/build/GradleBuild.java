@@ -1,0 +1,116 @@
+package rasterlab.tests.build;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.dataformat.toml.TomlMapper;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import rasterlab.tests.Repository;
+
+/**
+ * Reads the build as the Gradle scripts and the version catalogue describe it.
+ *
+ * <p>The scripts are kept so plain that lines of the form {@code configuration(notation)} say
+ * everything; a dependency line of any other form is an error here.
+ */
+final class GradleBuild {
+    private static final Pattern INCLUDE = Pattern.compile("include\\(([^)]*)\\)");
+    private static final Pattern QUOTED = Pattern.compile("\"([^\"]+)\"");
+    private static final Pattern DEPENDENCIES =
+            Pattern.compile("(?m)^( *)dependencies \\{\\R(.*?)^\\1}", Pattern.DOTALL);
+    private static final Pattern DEPENDENCY =
+            Pattern.compile(
+                    "\"?(\\w+)\"?\\((?:project\\(\":([a-z]+)\"\\)|(?:rootProject\\.)?libs\\.([\\w.]+))\\)");
+    private static final Map<String, String> SCOPES =
+            Map.of(
+                    "api", "compile",
+                    "implementation", "compile",
+                    "runtimeOnly", "runtime",
+                    "testImplementation", "test",
+                    "testRuntimeOnly", "test");
+
+    private final Path root;
+    private final JsonNode catalogue;
+    private final String common;
+    private final String project;
+
+    private GradleBuild(Path root) throws Exception {
+        this.root = root;
+        catalogue = new TomlMapper().readTree(root.resolve("gradle/libs.versions.toml").toFile());
+        common = Repository.text(root.resolve("build.gradle.kts"));
+        project = find("version = \"([^\"]+)\"", common);
+    }
+
+    static BuildDescription read(Path root) throws Exception {
+        var build = new GradleBuild(root);
+        var settings = Repository.text(root.resolve("settings.gradle.kts"));
+        var modules = new TreeMap<String, BuildDescription.Module>();
+        INCLUDE.matcher(settings)
+                .results()
+                .flatMap(include -> QUOTED.matcher(include.group(1)).results())
+                .map(match -> match.group(1))
+                .forEach(name -> modules.put(name, build.module(name)));
+        var scripts = new StringBuilder(build.common);
+        for (var name : modules.keySet()) scripts.append(build.script(name));
+        return new BuildDescription(
+                modules,
+                build.project,
+                find("options\\.release\\.set\\((\\d+)\\)", scripts),
+                build.catalogue.at("/versions/kotlin").asText(),
+                find("JvmTarget\\.JVM_(\\d+)", scripts));
+    }
+
+    private String script(String module) {
+        var file = root.resolve(module).resolve("build.gradle.kts");
+        return Files.exists(file) ? Repository.text(file) : "";
+    }
+
+    private BuildDescription.Module module(String name) {
+        var dependencies = new TreeMap<String, BuildDescription.Dependency>();
+        addDependencies(common, dependencies);
+        addDependencies(script(name), dependencies);
+        return new BuildDescription.Module(
+                dependencies, find("mainClass\\.set\\(\"([^\"]+)\"\\)", script(name)));
+    }
+
+    private void addDependencies(
+            String script, Map<String, BuildDescription.Dependency> dependencies) {
+        var blocks = DEPENDENCIES.matcher(script);
+        while (blocks.find())
+            for (var line : blocks.group(2).strip().split("\\R")) addDependency(line, dependencies);
+    }
+
+    private void addDependency(String line, Map<String, BuildDescription.Dependency> dependencies) {
+        if (line.isBlank() || line.strip().startsWith("//")) return;
+        var match = DEPENDENCY.matcher(line.strip());
+        if (!match.matches() || !SCOPES.containsKey(match.group(1)))
+            throw new AssertionError("cannot read the dependency line '" + line.strip() + "'");
+        var scope = SCOPES.get(match.group(1));
+        if (match.group(2) != null)
+            dependencies.put(match.group(2), new BuildDescription.Dependency(project, scope));
+        else addLibrary(match, scope, dependencies);
+    }
+
+    private void addLibrary(
+            MatchResult match,
+            String scope,
+            Map<String, BuildDescription.Dependency> dependencies) {
+        var alias = match.group(3).replace('.', '-');
+        var library = catalogue.path("libraries").path(alias);
+        if (library.isMissingNode())
+            throw new AssertionError("libs.versions.toml has no library '" + alias + "'");
+        var version = library.at("/version/ref").asText();
+        dependencies.put(
+                library.path("module").asText(),
+                new BuildDescription.Dependency(
+                        catalogue.path("versions").path(version).asText(), scope));
+    }
+
+    private static String find(String pattern, CharSequence text) {
+        var match = Pattern.compile(pattern).matcher(text);
+        return match.find() ? match.group(1) : "";
+    }
+}

@@ -1,0 +1,95 @@
+package rasterlab.tests.grading;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * {@code ./lab grader serve} as a real child process on a free port.
+ *
+ * @param address where it listens
+ * @param token of the instructor; empty when the data folder was not new
+ */
+record ServerProcess(Process process, URI address, String token, Path log)
+        implements AutoCloseable {
+    private static final String LISTENING = "listening on ";
+    private static final String TOKEN = "instructor token: ";
+
+    static ServerProcess start(Path data) throws IOException {
+        var isNew = !Files.exists(data);
+        var log = Files.createTempFile("rasterlab-server", ".log");
+        var process = new ProcessBuilder(command(data)).redirectError(log.toFile()).start();
+        var out = process.inputReader(StandardCharsets.UTF_8);
+        try {
+            var address = lineAfter(LISTENING, out, log);
+            var token = isNew ? lineAfter(TOKEN, out, log) : "";
+            return new ServerProcess(process, URI.create(address), token, log);
+        } catch (Throwable failure) {
+            process.destroyForcibly();
+            throw failure;
+        }
+    }
+
+    private static List<String> command(Path data) {
+        var command =
+                new ArrayList<>(
+                        List.of(
+                                Path.of(System.getProperty("java.home"), "bin", "java")
+                                        .toString()));
+        if (Runtime.version().feature() >= 24) command.add("--enable-native-access=ALL-UNNAMED");
+        var classPath =
+                System.getProperty(
+                        "surefire.test.class.path", System.getProperty("java.class.path"));
+        command.addAll(List.of("-Xmx400m", "-cp", classPath, "rasterlab.grader.MainKt"));
+        command.addAll(List.of("serve", "--port", "0", "--data", data.toString()));
+        return command;
+    }
+
+    private static String lineAfter(String start, BufferedReader out, Path log) throws IOException {
+        var line =
+                CompletableFuture.supplyAsync(
+                                () -> {
+                                    try {
+                                        return out.readLine();
+                                    } catch (IOException e) {
+                                        throw new java.io.UncheckedIOException(e);
+                                    }
+                                })
+                        .orTimeout(60, TimeUnit.SECONDS)
+                        .join();
+        if (line == null || !line.startsWith(start))
+            throw new AssertionError(
+                    "expected a line '"
+                            + start
+                            + "…', got '"
+                            + line
+                            + "'; log:\n"
+                            + Files.readString(log));
+        return line.substring(start.length());
+    }
+
+    /** Ends it as a power cut would: no chance to put anything in order. */
+    void kill() throws InterruptedException {
+        process.destroyForcibly();
+        process.waitFor();
+    }
+
+    @Override
+    public void close() throws IOException {
+        process.destroy();
+        try {
+            if (!process.waitFor(25, TimeUnit.SECONDS)) process.destroyForcibly();
+        } catch (InterruptedException e) {
+            process.destroyForcibly();
+            Thread.currentThread().interrupt();
+        }
+        Files.deleteIfExists(log);
+    }
+}

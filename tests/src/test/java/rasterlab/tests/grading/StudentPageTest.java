@@ -1,0 +1,125 @@
+package rasterlab.tests.grading;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static rasterlab.tests.grading.Solutions.source;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.logging.Level;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.CleanupMode;
+import org.junit.jupiter.api.io.TempDir;
+import org.openqa.selenium.By;
+
+class StudentPageTest {
+    @TempDir private static Path folder;
+    private static ServerProcess server;
+    private static String code;
+
+    // Chromium's last processes may still write to their profile while the test ends.
+    @TempDir(cleanup = CleanupMode.NEVER)
+    private Path profile;
+
+    @BeforeAll
+    static void startServer() throws Exception {
+        server = ServerProcess.start(folder.resolve("course"));
+        var instructor = GraderClient.of(server.address(), server.token());
+        code = instructor.post("/courses", "{\"name\":\"Graphics\"}").path("code").asText();
+    }
+
+    @AfterAll
+    static void stopServer() throws IOException {
+        server.close();
+    }
+
+    @Test
+    void theResultArrivesByItselfWithItsPictures() throws Exception {
+        try (var browser = Browser.open(profile, "en")) {
+            join(browser);
+            handIn(browser, source(Solutions.WRONG));
+            var verdict = browser.element("#live .verdict .status.wrong");
+            assertEquals(
+                    "wrong",
+                    verdict.getText().strip().toLowerCase(Locale.ROOT).replaceAll("[^a-z]", ""));
+            browser.waiting().until(driver -> allPicturesAreThere(browser));
+            browser.screenshot("student-result-wrong");
+            assertNothingWentWrong(browser);
+        }
+    }
+
+    @Test
+    void aRefusalShowsItsLineAsTextNotAsMarkup() throws Exception {
+        try (var browser = Browser.open(profile, "en")) {
+            join(browser);
+            var hostile = "\"<img src=x onerror=document.title='broken'>\"";
+            handIn(browser, source(Solutions.FORBIDDEN).replace("0);", hostile + ".length());"));
+            var diagnostics = browser.element("#live .diagnostics");
+            assertTrue(diagnostics.getText().contains("System.exit"), diagnostics.getText());
+            assertTrue(diagnostics.getText().contains(hostile), diagnostics.getText());
+            assertFalse(browser.driver().getTitle().contains("broken"));
+            assertNothingWentWrong(browser);
+        }
+    }
+
+    @Test
+    void aRussianBrowserIsAnsweredInRussian() throws Exception {
+        try (var browser = Browser.open(profile, "ru")) {
+            browser.driver().get(server.address().toString());
+            assertEquals("ru", browser.element("html").getAttribute("lang"));
+            join(browser);
+            browser.driver().get(exercise().toString());
+            browser.screenshot("student-exercise-russian");
+            assertTrue(
+                    browser.element(".statement").getText().matches("(?s).*\\p{IsCyrillic}{4}.*"));
+            assertFitsIntoItsWidth(browser);
+        }
+    }
+
+    private static void join(Browser browser) {
+        browser.driver().get(server.address().toString());
+        browser.fill("course", code);
+        browser.fill("name", "Ada <b>Lovelace</b>");
+        browser.element("form[action='/join'] button").click();
+        browser.element("code.token");
+    }
+
+    private static void handIn(Browser browser, String source) {
+        browser.driver().get(exercise().toString());
+        browser.element("textarea[name=source]").sendKeys(source);
+        browser.element("form[action='/exercises/line-bresenham'] button").click();
+    }
+
+    private static URI exercise() {
+        return server.address().resolve("/exercises/line-bresenham");
+    }
+
+    private static boolean allPicturesAreThere(Browser browser) {
+        var pictures = browser.driver().findElements(By.cssSelector("#live .pictures img"));
+        return pictures.size() >= 3
+                && pictures.stream()
+                        .allMatch(each -> !"0".equals(each.getDomProperty("naturalWidth")));
+    }
+
+    /** A blocked script, style or picture is reported to the console. */
+    private static void assertNothingWentWrong(Browser browser) {
+        var severe =
+                browser.driver().manage().logs().get("browser").getAll().stream()
+                        .filter(entry -> entry.getLevel().intValue() >= Level.SEVERE.intValue())
+                        .toList();
+        assertTrue(severe.isEmpty(), severe.toString());
+    }
+
+    private static void assertFitsIntoItsWidth(Browser browser) {
+        var overflow =
+                browser.driver()
+                        .executeScript(
+                                "return document.documentElement.scrollWidth - document.documentElement.clientWidth");
+        assertEquals(0L, overflow, "pixels that the page is wider than the window");
+    }
+}

@@ -1,0 +1,156 @@
+package rasterlab.tests.rules;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.domain.JavaModifier;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.lang.ArchCondition;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+class ArchitectureTest {
+    private static final String[] SWING = {"javax.swing..", "java.awt.event..", "com.formdev.."};
+
+    private static JavaClasses classes;
+
+    @BeforeAll
+    static void importClasses() {
+        classes =
+                new ClassFileImporter()
+                        .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+                        .importPackages("rasterlab");
+    }
+
+    @Test
+    void contractKnowsNothingButItself() {
+        noClasses()
+                .that()
+                .resideInAPackage("rasterlab.contract..")
+                .should()
+                .dependOnClassesThat()
+                .resideOutsideOfPackages("rasterlab.contract..", "java.lang..")
+                .check(classes);
+    }
+
+    @Test
+    void engineKnowsNoOtherModule() {
+        noClasses()
+                .that()
+                .resideInAnyPackage("rasterlab.engine..")
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage(
+                        "rasterlab.exercises..", "rasterlab.app..", "rasterlab.grader..")
+                .check(classes);
+    }
+
+    @Test
+    void engineShowsNoWindow() {
+        noClasses()
+                .that()
+                .resideInAnyPackage(
+                        "rasterlab.engine..", "rasterlab.exercises..", "rasterlab.grader..")
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage(SWING)
+                .check(classes);
+    }
+
+    @Test
+    void exercisesKnowNeitherAppNorGrader() {
+        noClasses()
+                .that()
+                .resideInAPackage("rasterlab.exercises..")
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage("rasterlab.app..", "rasterlab.grader..")
+                .check(classes);
+    }
+
+    @Test
+    void appAndGraderNeverSeeEachOther() {
+        noClasses()
+                .that()
+                .resideInAPackage("rasterlab.app..")
+                .should()
+                .dependOnClassesThat()
+                .resideInAPackage("rasterlab.grader..")
+                .check(classes);
+        noClasses()
+                .that()
+                .resideInAPackage("rasterlab.grader..")
+                .should()
+                .dependOnClassesThat()
+                .resideInAPackage("rasterlab.app..")
+                .check(classes);
+    }
+
+    /** What runs beside a student's code must not carry references or expected values with it. */
+    @Test
+    void childKnowsOnlyTheContract() {
+        noClasses()
+                .that()
+                .resideInAPackage("rasterlab.exercises.runner.child..")
+                .should()
+                .dependOnClassesThat()
+                .resideOutsideOfPackages(
+                        "rasterlab.exercises.runner.child..",
+                        "rasterlab.contract..",
+                        "java..",
+                        "javax.tools..")
+                .check(classes);
+    }
+
+    @Test
+    void modelsOfTheLabsKnowNoSwing() {
+        noClasses()
+                .that()
+                .resideInAPackage("rasterlab.app..")
+                .and()
+                .haveSimpleNameEndingWith("Model")
+                .should()
+                .dependOnClassesThat()
+                .resideInAnyPackage(SWING)
+                .check(classes);
+    }
+
+    @Test
+    void packagesOfOneModuleFormNoCircle() {
+        slices().matching("rasterlab.engine.(*)..").should().beFreeOfCycles().check(classes);
+        slices().matching("rasterlab.exercises.(*)..").should().beFreeOfCycles().check(classes);
+        slices().matching("rasterlab.app.(*)..").should().beFreeOfCycles().check(classes);
+        slices().matching("rasterlab.grader.(*)..").should().beFreeOfCycles().check(classes);
+    }
+
+    @Test
+    void noStaticFieldCanBeReassigned() {
+        fields().that()
+                .areStatic()
+                .and()
+                .areNotFinal()
+                .should(beWrittenByTheCompiler())
+                .allowEmptyShould(true)
+                .check(classes);
+    }
+
+    private static ArchCondition<JavaField> beWrittenByTheCompiler() {
+        return new ArchCondition<>("be final or synthetic") {
+            @Override
+            public void check(JavaField field, ConditionEvents events) {
+                var synthetic = field.getModifiers().contains(JavaModifier.SYNTHETIC);
+                events.add(
+                        new SimpleConditionEvent(
+                                field,
+                                synthetic,
+                                field.getFullName() + " is static and not final"));
+            }
+        };
+    }
+}

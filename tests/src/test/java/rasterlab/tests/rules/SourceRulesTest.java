@@ -1,0 +1,172 @@
+package rasterlab.tests.rules;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.source.tree.MethodTree;
+import com.sun.source.tree.ReturnTree;
+import com.sun.source.util.JavacTask;
+import com.sun.source.util.TreeScanner;
+import com.sun.source.util.Trees;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Test;
+import rasterlab.tests.Repository;
+
+class SourceRulesTest {
+    private static final int LARGEST_FILE = 400;
+    private static final int MEDIAN_FILE = 120;
+    private static final int LARGEST_FUNCTION = 60;
+    private static final int USUAL_FUNCTION = 25;
+
+    /** A string on one line: hostile sources that tests try are written in such strings. */
+    private static final Pattern QUOTED = Pattern.compile("\"(?:[^\"\\\\\\n]|\\\\.)*\"");
+
+    private static final Pattern UNFINISHED =
+            Pattern.compile(
+                    "\\b(TO"
+                            + "DO|FIX"
+                            + "ME|XX"
+                            + "X)\\b|@Dis"
+                            + "abled\\b|Thread\\.sle"
+                            + "ep\\(");
+
+    @Test
+    void noFileIsLargerThanAllowed() {
+        var tooLarge =
+                Repository.sources(".java", ".kt").stream()
+                        .filter(file -> lines(file) > LARGEST_FILE)
+                        .map(file -> name(file) + " has " + lines(file) + " lines")
+                        .toList();
+        assertEquals(List.of(), tooLarge);
+    }
+
+    @Test
+    void halfOfTheFilesAreShort() {
+        var sizes =
+                Repository.sources(".java", ".kt").stream()
+                        .mapToInt(this::lines)
+                        .sorted()
+                        .toArray();
+        assertTrue(
+                sizes[sizes.length / 2] <= MEDIAN_FILE,
+                "the median file has " + sizes[sizes.length / 2] + " lines");
+    }
+
+    @Test
+    void functionsAreShort() throws IOException {
+        var lengths = functions();
+        var tooLong =
+                lengths.stream()
+                        .filter(function -> function.lines > LARGEST_FUNCTION)
+                        .map(function -> function.place + " has " + function.lines + " lines")
+                        .toList();
+        assertEquals(List.of(), tooLong);
+        var sorted = lengths.stream().mapToInt(Function::lines).sorted().toArray();
+        var usual = sorted[sorted.length * 9 / 10];
+        assertTrue(usual <= USUAL_FUNCTION, "nine of ten functions have up to " + usual + " lines");
+    }
+
+    @Test
+    void nothingIsLeftUnfinished() {
+        var found = new ArrayList<String>();
+        for (var file : Repository.sources(".java", ".kt", ".properties", ".js", ".css")) {
+            var match =
+                    UNFINISHED.matcher(QUOTED.matcher(Repository.text(file)).replaceAll("\"\""));
+            while (match.find()) found.add(name(file) + ": " + match.group());
+        }
+        assertEquals(List.of(), found);
+    }
+
+    /** A package without a word about itself is a room without a name on the door. */
+    @Test
+    void everyJavaPackageIntroducesItself() {
+        var silent =
+                Repository.sources(".java").stream()
+                        .filter(file -> !file.toString().contains("/resources/"))
+                        .filter(file -> name(file).contains("/src/main/"))
+                        .map(Path::getParent)
+                        .distinct()
+                        .filter(folder -> !Files.exists(folder.resolve("package-info.java")))
+                        .map(this::name)
+                        .toList();
+        assertEquals(List.of(), silent);
+    }
+
+    @Test
+    void noFolderIsNamedAfterNothing() throws IOException {
+        var vague = List.of("util", "utils", "common", "impl", "manager", "helpers", "misc");
+        try (var files = Files.walk(Repository.root())) {
+            var found =
+                    files.filter(Files::isDirectory)
+                            .filter(folder -> folder.toString().contains("/src/"))
+                            .filter(folder -> vague.contains(folder.getFileName().toString()))
+                            .map(this::name)
+                            .toList();
+            assertEquals(List.of(), found);
+        }
+    }
+
+    private record Function(String place, int lines) {}
+
+    private List<Function> functions() throws IOException {
+        var compiler = ToolProvider.getSystemJavaCompiler();
+        var found = new ArrayList<Function>();
+        try (var manager = compiler.getStandardFileManager(null, null, null)) {
+            var sources = manager.getJavaFileObjectsFromPaths(Repository.sources(".java"));
+            var task = (JavacTask) compiler.getTask(null, manager, d -> {}, null, null, sources);
+            var positions = Trees.instance(task).getSourcePositions();
+            for (var unit : task.parse()) {
+                var map = unit.getLineMap();
+                unit.accept(
+                        new TreeScanner<Void, Void>() {
+                            @Override
+                            public Void visitMethod(MethodTree method, Void nothing) {
+                                var start = positions.getStartPosition(unit, method);
+                                var end = positions.getEndPosition(unit, method);
+                                if (method.getBody() != null && start >= 0 && !isTable(method))
+                                    found.add(
+                                            new Function(
+                                                    Path.of(unit.getSourceFile().getName())
+                                                                    .getFileName()
+                                                            + "#"
+                                                            + method.getName(),
+                                                    (int)
+                                                            (map.getLineNumber(end)
+                                                                    - map.getLineNumber(start)
+                                                                    + 1)));
+                                return super.visitMethod(method, nothing);
+                            }
+                        },
+                        null);
+            }
+        }
+        return found;
+    }
+
+    /** One returned expression: the cases of a parameterised test, which are data. */
+    private static boolean isTable(MethodTree method) {
+        var statements = method.getBody().getStatements();
+        return statements.size() == 1
+                && statements.get(0) instanceof ReturnTree
+                && method.getReturnType().toString().startsWith("Stream<");
+    }
+
+    private int lines(Path file) {
+        try (Stream<String> lines = Files.lines(file)) {
+            return (int) lines.count();
+        } catch (IOException e) {
+            throw new java.io.UncheckedIOException(e);
+        }
+    }
+
+    private String name(Path file) {
+        return Repository.root().relativize(file).toString();
+    }
+}
