@@ -1,3 +1,4 @@
+// The grading server: its command line and how its parts are joined. Start here, then see submission.
 package rasterlab.grader
 
 import io.ktor.serialization.kotlinx.json.json
