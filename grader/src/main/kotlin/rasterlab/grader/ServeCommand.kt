@@ -111,7 +111,13 @@ internal class ServeCommand : Callable<Int> {
                 Judge.start(JudgeSettings.defaults()).use { judge ->
                     if (exam && !judge.isolation().exam()) throw CannotStart("--exam: ${judge.isolation().describe()}")
                     LoggerFactory.getLogger(javaClass).info("isolation: {}", judge.isolation().describe())
-                    Server(database, catalogue, judge, ServerSettings(workers)).use { serve(it, address, stop) }
+                    Server(
+                        database,
+                        catalogue,
+                        judge,
+                        ServerSettings(workers),
+                        stopping = stop::isAsked,
+                    ).use { serve(it, address, stop) }
                 }
             }
         }

@@ -1,3 +1,4 @@
+// The grading server: its command line and how its parts are joined. Start here, then see submission.
 package rasterlab.grader
 
 import io.ktor.serialization.kotlinx.json.json
@@ -63,6 +64,7 @@ class Server(
     grading: Grading,
     private val settings: ServerSettings = ServerSettings(),
     clock: InstantSource = InstantSource.system(),
+    stopping: () -> Boolean = { false },
 ) : AutoCloseable {
     val accounts = Accounts(database, clock)
     private val courses = Courses(database, clock)
@@ -72,7 +74,7 @@ class Server(
     private val results = Results(submissions, reports, live)
     private val intake = Intake(database, settings.intake, clock)
     private val leases = Leases(database, reports, clock)
-    private val attempts = Attempts(database, leases, exercises, grading, live)
+    private val attempts = Attempts(database, leases, exercises, grading, live, stopping)
     private val queue = GradingQueue(database, submissions, leases, attempts, live, settings.workers)
 
     /** Begins to grade what waits. */

@@ -16,6 +16,8 @@ internal class StopSignal : AutoCloseable {
         )
     }
 
+    fun isAsked(): Boolean = asked.count == 0L
+
     /** Returns when the process is told to end. */
     fun await() = asked.await()
 

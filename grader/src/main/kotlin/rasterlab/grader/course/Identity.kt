@@ -1,3 +1,4 @@
+// Who may do what: courses, students, the instructor, tokens and sessions. Start with Identity.
 package rasterlab.grader.course
 
 import io.ktor.server.application.ApplicationCall

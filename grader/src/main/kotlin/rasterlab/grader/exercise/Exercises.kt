@@ -1,3 +1,4 @@
+// The exercises that students are given.
 package rasterlab.grader.exercise
 
 import rasterlab.exercises.Exercise

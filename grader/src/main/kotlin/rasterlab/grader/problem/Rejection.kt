@@ -1,3 +1,4 @@
+// Every way to say no, and how it is shown. A handler throws a Rejection; Problems.kt turns it into an answer.
 package rasterlab.grader.problem
 
 import io.ktor.http.HttpStatusCode

@@ -1,3 +1,4 @@
+// Results: kept whole in Reports, shown to each reader as far as Viewing allows.
 package rasterlab.grader.report
 
 import org.jdbi.v3.core.Handle

@@ -1,3 +1,4 @@
+// What lasts: the SQLite file, the folder that one server has to itself, ids, tokens and repeatable requests.
 package rasterlab.grader.storage
 
 import com.zaxxer.hikari.HikariConfig

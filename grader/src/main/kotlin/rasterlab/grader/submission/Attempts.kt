@@ -18,13 +18,18 @@ enum class Outcome {
     TRY_AGAIN,
 }
 
-/** Grades one submission at a time per thread, and sees that each gets one result. */
+/**
+ * Grades one submission at a time per thread, and sees that each gets one result.
+ *
+ * @param stopping whether the process ends, which may end a child before its time
+ */
 class Attempts(
     private val database: Database,
     private val leases: Leases,
     private val exercises: Exercises,
     private val grading: Grading,
     private val live: Live,
+    private val stopping: () -> Boolean,
 ) {
     private val log = LoggerFactory.getLogger(javaClass)
     private val held = ConcurrentHashMap.newKeySet<Lease>()
@@ -79,8 +84,8 @@ class Attempts(
                     grade(exercise, submission)
                 }
             }
-        if (report.verdict() == GradingVerdict.INTERNAL && submission.tries < TRIES) {
-            leases.giveUp(lease, counts = true)
+        if (report.verdict() == GradingVerdict.INTERNAL && (submission.tries < TRIES || stopping())) {
+            leases.giveUp(lease, counts = !stopping())
             return Outcome.TRY_AGAIN
         }
         val written = leases.finish(lease, exercise?.revision() ?: submission.revision, report)

@@ -1,3 +1,7 @@
+/*
+ * A submission from its arrival to its result.
+ * Read Submission, Intake, Leases, Attempts, GradingQueue, in this order.
+ */
 package rasterlab.grader.submission
 
 import java.time.Instant

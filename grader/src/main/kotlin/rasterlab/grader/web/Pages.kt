@@ -1,3 +1,7 @@
+/*
+ * The pages for people and what machines watch.
+ * Pages lists the routes; each page is HTML that kotlinx.html escapes.
+ */
 package rasterlab.grader.web
 
 import io.ktor.server.http.content.staticResources

@@ -33,6 +33,7 @@ class AttemptsTest {
     private lateinit var reports: Reports
     private lateinit var leases: Leases
     private lateinit var submissions: Submissions
+    private var stopping = false
     private var now = Instant.parse("2026-03-29T00:59:59Z")
     private val clock = InstantSource { now }
     private val right = Classroom.report(GradingVerdict.OK, Points(6, 3, 1, 10))
@@ -146,18 +147,22 @@ class AttemptsTest {
     }
 
     @Test
+    fun doesNotCountATryThatTheStopCutShort() {
+        stopping = true
+        val id = submission()
+        repeat(Attempts.TRIES + 1) { assertEquals(Outcome.TRY_AGAIN, attempts { _, _, _, _ -> ours }.attempt(id)) }
+        assertEquals(0, submissions.find(id)?.tries)
+        assertEquals(null, reports.of(id))
+    }
+
+    @Test
     fun gradesAfterARestartWhatAnEarlierProcessLeft() {
         val left = submission()
         val waiting = submission()
         leases.claim(left)
         val graded = CountDownLatch(2)
         val live = Live()
-        val attempts =
-            Attempts(database, leases, Exercises(listOf(Classroom.EXERCISE)), { _, _, _, _ ->
-                right.also {
-                    graded.countDown()
-                }
-            }, live)
+        val attempts = attempts(live) { _, _, _, _ -> right.also { graded.countDown() } }
         GradingQueue(database, submissions, leases, attempts, live, workers = 1).use { queue ->
             queue.start()
             assertTrue(graded.await(30, SECONDS), "after 30 s ${graded.count} of 2 are not graded")
@@ -185,8 +190,10 @@ class AttemptsTest {
         )
     }
 
-    private fun attempts(grading: Grading) =
-        Attempts(database, leases, Exercises(listOf(Classroom.EXERCISE)), grading, Live())
+    private fun attempts(
+        live: Live = Live(),
+        grading: Grading,
+    ) = Attempts(database, leases, Exercises(listOf(Classroom.EXERCISE)), grading, live) { stopping }
 
     private fun submission(): String {
         val courses = Courses(database, clock)
