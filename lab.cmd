@@ -56,7 +56,7 @@ echo lab: built 1>&2
 
 :run
 set "module=app"
-set "main=rasterlab.app.shell.Main"
+set "main=rasterlab.app.Main"
 set "arguments=%*"
 if "%~1"=="grader" (
     set "module=grader"

@@ -14,5 +14,5 @@ dependencies {
 }
 
 application {
-    mainClass.set("rasterlab.app.shell.Main")
+    mainClass.set("rasterlab.app.Main")
 }

@@ -10,10 +10,10 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /** Opens the window as it was left. */
-final class WindowStart {
+public final class WindowStart {
     private WindowStart() {}
 
-    static void open() {
+    public static void open() {
         EventQueue.invokeLater(WindowStart::openOnEventThread);
     }
 

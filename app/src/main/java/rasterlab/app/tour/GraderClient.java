@@ -12,12 +12,15 @@ import java.net.http.HttpResponse.BodyHandlers;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.Map;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.stream.Stream;
 
 /** Talks to the grading server as an instructor and a student do. */
 final class GraderClient {
     private static final Duration LONGEST_ANSWER = Duration.ofSeconds(20);
     private static final Duration LONGEST_GRADING = Duration.ofMinutes(1);
-    private static final Duration BETWEEN_LOOKS = Duration.ofMillis(100);
 
     private final URI server;
     private final HttpClient http = HttpClient.newHttpClient();
@@ -53,13 +56,29 @@ final class GraderClient {
                 post(path, token, "text/x-java-source", source.getBytes(StandardCharsets.UTF_8))
                         .path("id")
                         .asText();
-        long end = System.nanoTime() + LONGEST_GRADING.toNanos();
-        while (System.nanoTime() < end) {
-            JsonNode submission = json.readTree(get("/api/v1/submissions/" + id, token));
-            if (submission.path("state").asText().equals("done")) return submission;
-            Thread.sleep(BETWEEN_LOOKS.toMillis());
+        awaitDone("/api/v1/submissions/" + id + "/events", token);
+        return json.readTree(get("/api/v1/submissions/" + id, token));
+    }
+
+    /** Follows a submission's events until the one that says it is done. */
+    private void awaitDone(String path, String token) throws IOException, InterruptedException {
+        var events = http.sendAsync(request(path, token).GET().build(), BodyHandlers.ofLines());
+        var done =
+                events.thenApplyAsync(
+                        response -> {
+                            try (Stream<String> lines = response.body()) {
+                                return lines.anyMatch("event: done"::equals);
+                            }
+                        });
+        try {
+            if (!done.get(LONGEST_GRADING.toSeconds(), TimeUnit.SECONDS))
+                throw new IOException("the events of a submission ended before it was done");
+        } catch (TimeoutException e) {
+            events.cancel(true);
+            throw new IOException("no result within " + LONGEST_GRADING.toSeconds() + " s", e);
+        } catch (ExecutionException e) {
+            throw new IOException("the events of a submission broke off", e.getCause());
         }
-        throw new IOException("no result within " + LONGEST_GRADING.toSeconds() + " s");
     }
 
     /** What the server has at that address. */

@@ -97,8 +97,8 @@ class BuildEqualityTest {
                 argumentSet(
                         "a main class differs",
                         "app/build.gradle.kts",
-                        "shell.Main",
-                        "shell.Start",
+                        "app.Main",
+                        "app.Start",
                         "app: main class"),
                 argumentSet(
                         "the Java level differs",

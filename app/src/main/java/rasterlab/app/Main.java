@@ -1,7 +1,8 @@
-package rasterlab.app.shell;
+package rasterlab.app;
 
 import java.awt.GraphicsEnvironment;
 import rasterlab.app.cli.Lab;
+import rasterlab.app.shell.WindowStart;
 
 /** The desktop lab when there are no arguments, the command line when there are. */
 public final class Main {
