@@ -78,7 +78,7 @@ public final class Texts {
         return text(key).replace("&", "");
     }
 
-    /** The letter behind {@code &}, as a key code of {@link java.awt.event.KeyEvent}, or 0. */
+    /** Where in {@link #label} the letter of the mnemonic stands; −1 where there is none. */
     public int mnemonicIndex(String key) {
         return text(key).indexOf('&');
     }
