@@ -28,7 +28,6 @@ import rasterlab.grader.course.joining
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
 import rasterlab.grader.problem.showProblems
-import rasterlab.grader.report.Reports
 import rasterlab.grader.report.Results
 import rasterlab.grader.report.results
 import rasterlab.grader.storage.Database
@@ -38,6 +37,7 @@ import rasterlab.grader.submission.Intake
 import rasterlab.grader.submission.IntakeLimits
 import rasterlab.grader.submission.Leases
 import rasterlab.grader.submission.Live
+import rasterlab.grader.submission.Reports
 import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.submissions
 import rasterlab.grader.web.ErrorPage
@@ -103,8 +103,8 @@ class Server(
                     authenticate {
                         courses(courses)
                         exercises(exercises)
-                        submissions(exercises, intake, queue, results, live)
-                        results(results)
+                        submissions(exercises, intake, queue)
+                        results(results, live)
                     }
                 }
             }

@@ -13,6 +13,7 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.submission.Live
+import rasterlab.grader.submission.Reports
 import rasterlab.grader.submission.Submissions
 import kotlin.jvm.optionals.getOrNull
 
@@ -53,8 +54,17 @@ class Results(
 }
 
 /** Inside `authenticate`: for the owner and for instructors. */
-fun Route.results(results: Results) {
+fun Route.results(
+    results: Results,
+    live: Live,
+) {
     get("/submissions/{id}") { call.respond(results.view(call.identity(), call.submissionId())) }
+    get("/submissions/{id}/events") {
+        val who = call.identity()
+        val id = call.submissionId()
+        results.view(who, id)
+        call.respondEvents { follow(live) { results.view(who, id) } }
+    }
     get("/submissions/{id}/cases/{case}/{picture}") {
         val picture =
             results.picture(

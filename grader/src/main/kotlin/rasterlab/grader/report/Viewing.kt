@@ -1,3 +1,7 @@
+/*
+ * Results for readers: each sees of a recorded report what Viewing leaves of it, at once or as it grows.
+ * Read Viewing, then ReportRoutes.
+ */
 package rasterlab.grader.report
 
 import kotlinx.serialization.Serializable
@@ -7,6 +11,7 @@ import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Report
 import rasterlab.grader.course.Identity
 import rasterlab.grader.storage.text
+import rasterlab.grader.submission.Recorded
 import rasterlab.grader.submission.State
 import rasterlab.grader.submission.Submission
 import kotlin.jvm.optionals.getOrNull

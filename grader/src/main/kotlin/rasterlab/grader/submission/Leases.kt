@@ -1,10 +1,10 @@
 package rasterlab.grader.submission
 
 import rasterlab.exercises.score.Report
-import rasterlab.grader.report.Reports
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
+import rasterlab.grader.submission.Reports
 import java.time.Duration
 import java.time.InstantSource
 

@@ -25,10 +25,10 @@ import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.report.onEachChange
+import rasterlab.grader.report.respondEvents
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Submissions
-import rasterlab.grader.submission.onEachChange
-import rasterlab.grader.submission.respondEvents
 
 /** Courses, and what students hand in, as it comes. */
 fun Route.instructorPages(

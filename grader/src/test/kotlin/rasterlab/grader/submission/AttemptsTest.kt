@@ -17,8 +17,8 @@ import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.exercise.Exercises
-import rasterlab.grader.report.Reports
 import rasterlab.grader.storage.Database
+import rasterlab.grader.submission.Reports
 import java.nio.file.Path
 import java.time.Duration
 import java.time.Instant

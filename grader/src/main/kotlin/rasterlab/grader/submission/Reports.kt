@@ -1,5 +1,4 @@
-// Results: kept whole in Reports, shown to each reader as far as Viewing allows.
-package rasterlab.grader.report
+package rasterlab.grader.submission
 
 import org.jdbi.v3.core.Handle
 import rasterlab.exercises.Visibility

@@ -1,12 +1,17 @@
-package rasterlab.grader.submission
+package rasterlab.grader.report
 
+import io.ktor.http.HttpHeaders
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.response.header
+import io.ktor.server.response.respond
+import io.ktor.server.sse.SSEServerContent
 import io.ktor.server.sse.ServerSSESession
 import io.ktor.sse.ServerSentEvent
 import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.withTimeoutOrNull
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
-import rasterlab.grader.report.SubmissionView
+import rasterlab.grader.submission.Live
 
 @Serializable
 private data class PositionEvent(
@@ -54,4 +59,11 @@ suspend fun ServerSSESession.onEachChange(
             send(ServerSentEvent(comments = "nothing new"))
         }
     }
+}
+
+/** Answers with server-sent events that no cache keeps. */
+suspend fun ApplicationCall.respondEvents(send: suspend ServerSSESession.() -> Unit) {
+    response.header(HttpHeaders.CacheControl, "no-store")
+    response.header("X-Accel-Buffering", "no")
+    respond(SSEServerContent(this, send))
 }
