@@ -89,7 +89,7 @@ class RoundTripTest {
         var result = student.result(id);
         assertEquals("compile_error", result.path("verdict").asText(), result.toString());
         assertEquals(
-                18, result.path("diagnostics").path(0).path("line").asInt(), result.toString());
+                17, result.path("diagnostics").path(0).path("line").asInt(), result.toString());
     }
 
     @Test
