@@ -44,6 +44,9 @@ if not exist "%state%" (
 )
 echo lab: building Rasterlab (the first time fetches its libraries and takes a few minutes); log: "%log%" 1>&2
 type nul > "%state%\building"
+rem A library of an earlier version must not stay on the class path.
+if exist "%root%\app\target\lib" rmdir /s /q "%root%\app\target\lib"
+if exist "%root%\grader\target\lib" rmdir /s /q "%root%\grader\target\lib"
 set "JAVA_HOME=%home%"
 call "%root%\mvnw.cmd" -B -f "%root%\pom.xml" -pl app,grader -am -Dmaven.test.skip=true package > "%log%" 2>&1 < nul
 if errorlevel 1 (

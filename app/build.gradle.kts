@@ -9,7 +9,8 @@ dependencies {
     implementation(libs.flatlaf)
     implementation(libs.miglayout.swing)
     implementation(libs.picocli)
-    implementation(libs.vectorgraphics2d)
+    implementation(libs.batik.dom)
+    implementation(libs.batik.svggen)
     implementation(libs.xchart)
 }
 

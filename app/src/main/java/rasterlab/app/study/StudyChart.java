@@ -1,19 +1,21 @@
 package rasterlab.app.study;
 
-import de.erichseifert.vectorgraphics2d.Document;
-import de.erichseifert.vectorgraphics2d.VectorGraphics2D;
-import de.erichseifert.vectorgraphics2d.svg.SVGProcessor;
-import de.erichseifert.vectorgraphics2d.util.PageSize;
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import org.apache.batik.dom.GenericDOMImplementation;
+import org.apache.batik.svggen.SVGGraphics2D;
+import org.apache.batik.svggen.SVGSyntax;
 import org.knowm.xchart.AnnotationText;
 import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
@@ -52,14 +54,15 @@ public final class StudyChart {
 
     /** The chart as an SVG document of the same size. */
     static byte[] svg(Study study) {
-        var graphics = new VectorGraphics2D();
+        var document =
+                GenericDOMImplementation.getDOMImplementation()
+                        .createDocument(SVGSyntax.SVG_NAMESPACE_URI, SVGSyntax.SVG_SVG_TAG, null);
+        var graphics = new SVGGraphics2D(document);
+        graphics.setSVGCanvasSize(new Dimension(WIDTH, HEIGHT));
         chart(study).paint(graphics, WIDTH, HEIGHT);
-        Document document =
-                new SVGProcessor()
-                        .getDocument(graphics.getCommands(), new PageSize(0, 0, WIDTH, HEIGHT));
         var bytes = new ByteArrayOutputStream();
-        try {
-            document.writeTo(bytes);
+        try (var writer = new OutputStreamWriter(bytes, StandardCharsets.UTF_8)) {
+            graphics.stream(writer, true);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
