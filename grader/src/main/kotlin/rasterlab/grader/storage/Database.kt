@@ -6,6 +6,7 @@ import com.zaxxer.hikari.HikariDataSource
 import org.flywaydb.core.Flyway
 import org.jdbi.v3.core.Handle
 import org.jdbi.v3.core.Jdbi
+import org.jdbi.v3.core.statement.StatementExceptions
 import org.sqlite.SQLiteConfig
 import org.sqlite.SQLiteDataSource
 import java.nio.file.Files
@@ -23,8 +24,8 @@ class Database private constructor(
     private val writer: HikariDataSource,
     private val reader: HikariDataSource,
 ) : AutoCloseable {
-    private val writes = Jdbi.create(writer)
-    private val reads = Jdbi.create(reader)
+    private val writes = silentAboutValues(writer)
+    private val reads = silentAboutValues(reader)
 
     /** For the scheduler, which commits each of its statements by itself. */
     val scheduling: DataSource get() = writer
@@ -43,6 +44,12 @@ class Database private constructor(
     }
 
     companion object {
+        // A failed statement would otherwise repeat its values, sources and hashes of tokens among them, in the log.
+        private fun silentAboutValues(source: DataSource) =
+            Jdbi.create(source).configure(StatementExceptions::class.java) {
+                it.messageRendering = StatementExceptions.MessageRendering.NONE
+            }
+
         private const val LEAST_FREE_BYTES = 64L shl 20
         private const val READERS = 4
         private const val BUSY_MILLIS = 5_000

@@ -57,6 +57,9 @@ class Submissions(
             ),
         )
 
+    /** The one line about that submission, or null if there is none. */
+    fun listed(id: String): Listed? = list("WHERE s.id = :id", mapOf("id" to id)).singleOrNull()
+
     fun latest(): List<Listed> = list("", emptyMap())
 
     private fun list(

@@ -31,7 +31,8 @@ fun Route.resultPages(
         val who = call.someone(accounts)
         val submission = submissions.seenBy(who, call.submissionId())
         val title = exercises.find(submission.exercise)?.title(call.texts().language) ?: submission.exercise
-        call.respondResult(who, submission, title, results)
+        val student = submissions.listed(submission.id)?.student.takeIf { who is Identity.Instructor }
+        call.respondResult(who, submission, listOfNotNull(student, title).joinToString(" — "), results)
     }
     get("/submissions/{id}/fragment") {
         val who = call.someone(accounts)

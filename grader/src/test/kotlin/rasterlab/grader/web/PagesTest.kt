@@ -111,9 +111,11 @@ class PagesTest {
         Classroom(folder).open(grades = false) {
             val cookie = session(form("/sign-in", "token" to instructor))
             form("/instructor/courses", "name" to "Graphics <1>", cookie = cookie)
-            submit(newStudent())
+            val student = newStudent()
+            val id = idOf(checkNotNull(submit(student).headers[HttpHeaders.Location]))
             val desk = page("/instructor", cookie)
             assertTrue("Graphics &lt;1&gt;" in desk && "Ada" in desk && "waiting" in desk, desk)
+            assertTrue("Ada — " in page("/submissions/$id", cookie), "the instructor does not see whose it is")
         }
 
     @Test
