@@ -4,97 +4,36 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
-import java.awt.GraphicsEnvironment;
 import java.awt.Point;
-import java.awt.Rectangle;
-import java.awt.event.KeyEvent;
-import java.awt.image.BufferedImage;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.BooleanSupplier;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import org.assertj.swing.core.BasicRobot;
-import org.assertj.swing.core.ComponentLookupScope;
 import org.assertj.swing.core.MouseButton;
-import org.assertj.swing.core.Robot;
 import org.assertj.swing.edt.GuiActionRunner;
-import org.assertj.swing.fixture.FrameFixture;
-import org.assertj.swing.timing.Condition;
-import org.assertj.swing.timing.Pause;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
-import rasterlab.app.shell.LabFrame;
-import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSettings;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.SettingsFile;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PictureDifference;
 
 /** The window under a real display, by mouse and keyboard. */
-@Timeout(60)
-class WindowTest {
-    @TempDir Path folder;
-    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final List<String> problems = new CopyOnWriteArrayList<>();
-    private Robot robot;
-    private FrameFixture window;
-    private LabFrame frame;
-    private LabModels models;
-
-    @BeforeEach
-    void open() {
-        assumeFalse(GraphicsEnvironment.isHeadless(), "no display");
-        robot = BasicRobot.robotWithNewAwtHierarchy();
-        robot.settings().componentLookupScope(ComponentLookupScope.SHOWING_ONLY);
-        frame =
-                GuiActionRunner.execute(
-                        () -> {
-                            LabTheme.LIGHT.install();
-                            models = LabModels.first(failures::add);
-                            return new LabFrame(
-                                    models,
-                                    LabSettings.first(Language.ENGLISH),
-                                    new SettingsFile(settings(), problems::add),
-                                    failures::add);
-                        });
-        window = new FrameFixture(robot, frame);
-        window.show(new Dimension(1280, 720));
-    }
-
-    @AfterEach
-    void close() {
-        if (window == null) return;
-        window.cleanUp();
-        await("settings are written", () -> Files.exists(settings()));
-        GuiActionRunner.execute(() -> {}); // The closed window's own event has run to its end.
-        assertEquals(List.of(), failures);
-        assertEquals(List.of(), problems);
-    }
-
-    private Path settings() {
-        return folder.resolve("window.properties");
-    }
+class WindowTest extends WindowHarness {
+    private static final int WRONG = PictureDifference.WRONG;
 
     @Test
     void showsLitPixelsOnTheStage() {
@@ -122,20 +61,6 @@ class WindowTest {
     }
 
     @Test
-    void tabChoosesTheEndThatTheArrowsMove() {
-        Segment before = segment();
-        focus("end.A");
-        press(KeyEvent.VK_RIGHT);
-        press(KeyEvent.VK_TAB);
-        robot.pressKey(KeyEvent.VK_SHIFT);
-        press(KeyEvent.VK_DOWN);
-        robot.releaseKey(KeyEvent.VK_SHIFT);
-        robot.waitForIdle();
-        var moved = new Segment(before.x0() + 1, before.y0(), before.x1(), before.y1() + 10);
-        assertEquals(moved, segment());
-    }
-
-    @Test
     void stepsBackAndForthAndPlaysToTheEnd() {
         int last = models.line().last();
         window.button("player.back").click();
@@ -150,24 +75,14 @@ class WindowTest {
     }
 
     @Test
-    void arrowKeysTurnTheVaseAsInTheCoursework() {
+    void marksTheWrongPixels() {
         show("visibility");
-        double theta = theta();
-        await("the vase is drawn", () -> colours("stage").size() > 40);
-        focus("stage");
-        press(KeyEvent.VK_RIGHT);
-        press(KeyEvent.VK_RIGHT);
-        await("two steps", () -> Math.abs(theta() - theta - 0.06 * Math.PI) < 1e-9);
-        await(
-                "the new view is drawn",
-                () ->
-                        models.visibility()
-                                .state()
-                                .picture()
-                                .orElseThrow()
-                                .request()
-                                .camera()
-                                .equals(models.visibility().state().choice().camera()));
+        window.comboBox("method").selectItem("painter-textbook");
+        assertFalse(colours("stage").contains(WRONG), "marked unasked");
+        window.checkBox("difference").click();
+        await("wrong pixels are marked", () -> colours("stage").contains(WRONG));
+        window.checkBox("difference").click();
+        await("marks are gone", () -> !colours("stage").contains(WRONG));
     }
 
     @Test
@@ -225,58 +140,6 @@ class WindowTest {
         assertEquals("visibility", kept.tab());
         assertEquals(Language.RUSSIAN, kept.language());
         assertFalse(kept.bounds().isEmpty());
-    }
-
-    private void show(String tab) {
-        GuiActionRunner.execute(() -> frame.showTab(tab));
-        robot.waitForIdle();
-    }
-
-    private void focus(String name) {
-        robot.focusAndWaitForFocusGain(window.robot().finder().findByName(frame, name));
-    }
-
-    private void press(int key) {
-        robot.pressAndReleaseKey(key);
-        robot.waitForIdle();
-    }
-
-    private Segment segment() {
-        return GuiActionRunner.execute(() -> models.line().state().choice().segment());
-    }
-
-    private double theta() {
-        return models.visibility().state().choice().camera().thetaRadians();
-    }
-
-    private static void await(String what, BooleanSupplier held) {
-        Pause.pause(
-                new Condition(what) {
-                    @Override
-                    public boolean test() {
-                        return held.getAsBoolean();
-                    }
-                });
-    }
-
-    /** The colours, as opaque RGB, of what the display shows of a component. */
-    private Set<Integer> colours(String name) {
-        Component shown = window.robot().finder().findByName(frame, name);
-        var place = new Rectangle(shown.getLocationOnScreen(), shown.getSize());
-        BufferedImage picture = captured(place);
-        var colours = new HashSet<Integer>();
-        for (int y = 0; y < picture.getHeight(); y++)
-            for (int x = 0; x < picture.getWidth(); x++)
-                colours.add(0xFF000000 | picture.getRGB(x, y));
-        return colours;
-    }
-
-    private static BufferedImage captured(Rectangle place) {
-        try {
-            return new java.awt.Robot().createScreenCapture(place);
-        } catch (java.awt.AWTException e) {
-            throw new AssertionError("this display cannot be captured", e);
-        }
     }
 
     private static List<String> cut(Container container) {

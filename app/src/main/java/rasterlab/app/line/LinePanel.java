@@ -56,6 +56,11 @@ public final class LinePanel extends JPanel implements AutoCloseable {
         refresh();
     }
 
+    /** Gives the keyboard to the end of the segment that had it last. */
+    public void focusPicture() {
+        stage.focusEnd();
+    }
+
     /** Stops listening and playing; the model lives on. */
     @Override
     public void close() {

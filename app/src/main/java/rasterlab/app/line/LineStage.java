@@ -10,6 +10,8 @@ import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -43,6 +45,7 @@ final class LineStage extends SelfDrawn {
     private final ZoomButtons zoom;
     private transient Optional<PixelGrid> chosen = Optional.empty();
     private transient Optional<Point> pointed = Optional.empty();
+    private End keyed = End.A;
     private int arrangement;
 
     LineStage(LineLabModel model, Texts texts) {
@@ -82,8 +85,20 @@ final class LineStage extends SelfDrawn {
                             Point pixel = grid().pixelAt(view.x, view.y);
                             model.moveEnd(end, pixel.x, pixel.y);
                         });
+        handle[0].addFocusListener(
+                new FocusAdapter() {
+                    @Override
+                    public void focusGained(FocusEvent e) {
+                        keyed = end;
+                    }
+                });
         add(handle[0]);
         return handle[0];
+    }
+
+    /** Gives the keyboard to the end that had it last, at first to A. */
+    void focusEnd() {
+        handles.get(keyed.ordinal()).requestFocusInWindow();
     }
 
     /** Shows the model's present state. */
@@ -242,6 +257,7 @@ final class LineStage extends SelfDrawn {
 
         @Override
         public void mousePressed(MouseEvent e) {
+            focusEnd();
             last = e.getPoint();
         }
 

@@ -4,7 +4,10 @@ import java.awt.Component;
 import java.awt.Container;
 import java.util.Optional;
 
-/** Finds a component again after the panels were made anew. */
+/**
+ * Finds a component again after the panels were made anew. Each tab names its own parts, so only
+ * the tab that is shown is searched.
+ */
 final class FocusByName {
     private FocusByName() {}
 
@@ -14,6 +17,7 @@ final class FocusByName {
 
     static Optional<Component> find(Container root, String name) {
         for (Component child : root.getComponents()) {
+            if (!child.isVisible()) continue;
             if (name.equals(child.getName())) return Optional.of(child);
             if (child instanceof Container inner) {
                 Optional<Component> found = find(inner, name);

@@ -2,6 +2,8 @@ package rasterlab.app.shell;
 
 import java.awt.BorderLayout;
 import java.awt.Font;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
@@ -50,6 +52,13 @@ public final class LabContent extends JPanel {
         pane.putClientProperty(
                 "JTabbedPane.trailingComponent", choices(texts, theme, onLanguage, onTheme));
         add(pane);
+        pane.addChangeListener(e -> focusPicture());
+        pane.addMouseListener(new ChoiceOfTheShownTab());
+    }
+
+    /** Gives the keyboard to the picture of the tab that is shown. */
+    void focusPicture() {
+        tabs.get(pane.getSelectedIndex()).focusPicture().run();
     }
 
     /** Name of the tab that is shown. */
@@ -98,5 +107,13 @@ public final class LabContent extends JPanel {
         panel.add(language);
         panel.add(toggle);
         return panel;
+    }
+
+    /** A click on the tab that is shown already changes nothing, but chooses its picture too. */
+    private final class ChoiceOfTheShownTab extends MouseAdapter {
+        @Override
+        public void mousePressed(MouseEvent e) {
+            if (pane.indexAtLocation(e.getX(), e.getY()) >= 0) focusPicture();
+        }
     }
 }

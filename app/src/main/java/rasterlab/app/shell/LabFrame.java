@@ -53,6 +53,11 @@ public final class LabFrame extends JFrame {
         addWindowListener(
                 new WindowAdapter() {
                     @Override
+                    public void windowOpened(WindowEvent e) {
+                        content.focusPicture();
+                    }
+
+                    @Override
                     public void windowClosed(WindowEvent e) {
                         end();
                     }

@@ -10,6 +10,12 @@ import javax.swing.JComponent;
  * @param mnemonic letter to press with Alt, 0 for none
  * @param mnemonicIndex where that letter is in the title, −1 for nowhere
  * @param panel the lab
+ * @param focusPicture gives the keyboard to the lab's picture, whose keys change what it shows
  */
 public record LabTab(
-        String name, String title, char mnemonic, int mnemonicIndex, JComponent panel) {}
+        String name,
+        String title,
+        char mnemonic,
+        int mnemonicIndex,
+        JComponent panel,
+        Runnable focusPicture) {}

@@ -32,17 +32,24 @@ public final class LabTabs implements AutoCloseable {
         var visibility = new VisibilityPanel(models.visibility(), language, onFailure);
         return new LabTabs(
                 language,
-                List.of(tab("line", texts, line), tab("visibility", texts, visibility)),
+                List.of(
+                        tab("line", texts, line, line::focusPicture),
+                        tab("visibility", texts, visibility, visibility::focusPicture)),
                 () -> {
                     line.close();
                     visibility.close();
                 });
     }
 
-    private static LabTab tab(String name, Texts texts, JComponent panel) {
+    private static LabTab tab(String name, Texts texts, JComponent panel, Runnable focusPicture) {
         String key = "tab." + name;
         return new LabTab(
-                name, texts.label(key), texts.mnemonic(key), texts.mnemonicIndex(key), panel);
+                name,
+                texts.label(key),
+                texts.mnemonic(key),
+                texts.mnemonicIndex(key),
+                panel,
+                focusPicture);
     }
 
     public Language language() {

@@ -57,6 +57,11 @@ public final class VisibilityPanel extends JPanel implements AutoCloseable {
         refresh();
     }
 
+    /** Gives the keyboard to the picture, whose arrow keys turn the scene. */
+    public void focusPicture() {
+        stage.requestFocusInWindow();
+    }
+
     /** Stops listening and playing; the model lives on. */
     @Override
     public void close() {

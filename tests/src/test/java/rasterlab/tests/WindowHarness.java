@@ -1,0 +1,133 @@
+package rasterlab.tests;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
+import org.assertj.swing.core.BasicRobot;
+import org.assertj.swing.core.ComponentLookupScope;
+import org.assertj.swing.core.Robot;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.assertj.swing.fixture.FrameFixture;
+import org.assertj.swing.timing.Condition;
+import org.assertj.swing.timing.Pause;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabFrame;
+import rasterlab.app.shell.LabModels;
+import rasterlab.app.shell.LabSettings;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.SettingsFile;
+import rasterlab.engine.line.Segment;
+
+/** The lab's window, open on a real display while a test runs; its failures fail the test. */
+@Timeout(60)
+abstract class WindowHarness {
+    @TempDir Path folder;
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    final List<String> problems = new CopyOnWriteArrayList<>();
+    Robot robot;
+    FrameFixture window;
+    LabFrame frame;
+    LabModels models;
+
+    @BeforeEach
+    void open() {
+        assumeFalse(GraphicsEnvironment.isHeadless(), "no display");
+        robot = BasicRobot.robotWithNewAwtHierarchy();
+        robot.settings().componentLookupScope(ComponentLookupScope.SHOWING_ONLY);
+        frame =
+                GuiActionRunner.execute(
+                        () -> {
+                            LabTheme.LIGHT.install();
+                            models = LabModels.first(failures::add);
+                            return new LabFrame(
+                                    models,
+                                    LabSettings.first(Language.ENGLISH),
+                                    new SettingsFile(settings(), problems::add),
+                                    failures::add);
+                        });
+        window = new FrameFixture(robot, frame);
+        window.show(new Dimension(1280, 720));
+    }
+
+    @AfterEach
+    void close() {
+        if (window == null) return;
+        window.cleanUp();
+        await("settings are written", () -> Files.exists(settings()));
+        GuiActionRunner.execute(() -> {}); // The closed window's own event has run to its end.
+        assertEquals(List.of(), failures);
+        assertEquals(List.of(), problems);
+    }
+
+    Path settings() {
+        return folder.resolve("window.properties");
+    }
+
+    void show(String tab) {
+        GuiActionRunner.execute(() -> frame.showTab(tab));
+        robot.waitForIdle();
+    }
+
+    void focus(String name) {
+        robot.focusAndWaitForFocusGain(window.robot().finder().findByName(frame, name));
+    }
+
+    void press(int key) {
+        robot.pressAndReleaseKey(key);
+        robot.waitForIdle();
+    }
+
+    Segment segment() {
+        return GuiActionRunner.execute(() -> models.line().state().choice().segment());
+    }
+
+    double theta() {
+        return models.visibility().state().choice().camera().thetaRadians();
+    }
+
+    static void await(String what, BooleanSupplier held) {
+        Pause.pause(
+                new Condition(what) {
+                    @Override
+                    public boolean test() {
+                        return held.getAsBoolean();
+                    }
+                });
+    }
+
+    /** The colours, as opaque RGB, of what the display shows of a component. */
+    Set<Integer> colours(String name) {
+        Component shown = window.robot().finder().findByName(frame, name);
+        var place = new Rectangle(shown.getLocationOnScreen(), shown.getSize());
+        BufferedImage picture = captured(place);
+        var colours = new HashSet<Integer>();
+        for (int y = 0; y < picture.getHeight(); y++)
+            for (int x = 0; x < picture.getWidth(); x++)
+                colours.add(0xFF000000 | picture.getRGB(x, y));
+        return colours;
+    }
+
+    private static BufferedImage captured(Rectangle place) {
+        try {
+            return new java.awt.Robot().createScreenCapture(place);
+        } catch (java.awt.AWTException e) {
+            throw new AssertionError("this display cannot be captured", e);
+        }
+    }
+}

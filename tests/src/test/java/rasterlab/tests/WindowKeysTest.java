@@ -1,0 +1,150 @@
+package rasterlab.tests;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Point;
+import java.awt.event.KeyEvent;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Language;
+import rasterlab.engine.line.Segment;
+
+/** Where the keyboard goes: to the picture of the chosen tab. */
+class WindowKeysTest extends WindowHarness {
+    /** Colour around what has the keyboard, in the light theme. */
+    private static final int FOCUS = StageColours.LIGHT.focus().getRGB();
+
+    /** Radians that an arrow key turns the vase about its axis, as in the coursework. */
+    private static final double STEP = 0.03 * Math.PI;
+
+    @Test
+    void arrowKeysTurnTheVaseAsInTheCoursework() {
+        show("visibility");
+        double theta = theta();
+        await("the vase is drawn", () -> colours("stage").size() > 40);
+        focus("stage");
+        press(KeyEvent.VK_RIGHT);
+        press(KeyEvent.VK_RIGHT);
+        await("two steps", () -> Math.abs(theta() - theta - 0.06 * Math.PI) < 1e-9);
+        await(
+                "the new view is drawn",
+                () ->
+                        models.visibility()
+                                .state()
+                                .picture()
+                                .orElseThrow()
+                                .request()
+                                .camera()
+                                .equals(models.visibility().state().choice().camera()));
+    }
+
+    @Test
+    void tabChoosesTheEndThatTheArrowsMove() {
+        Segment before = segment();
+        focus("end.A");
+        press(KeyEvent.VK_RIGHT);
+        press(KeyEvent.VK_TAB);
+        robot.pressKey(KeyEvent.VK_SHIFT);
+        press(KeyEvent.VK_DOWN);
+        robot.releaseKey(KeyEvent.VK_SHIFT);
+        robot.waitForIdle();
+        var moved = new Segment(before.x0() + 1, before.y0(), before.x1(), before.y1() + 10);
+        assertEquals(moved, segment());
+    }
+
+    @ParameterizedTest(name = "keys go elsewhere after the tab is chosen by {0}")
+    @ValueSource(strings = {"mouse", "mnemonic", "arrow"})
+    void chosenTabsPictureTakesTheKeys(String way) {
+        window.comboBox("language").focus();
+        choose("visibility", way);
+        double theta = theta();
+        press(KeyEvent.VK_RIGHT);
+        press(KeyEvent.VK_DOWN);
+        assertEquals(theta + STEP, theta(), 1e-9);
+        assertEquals(Language.ENGLISH, frame.language());
+        assertTrue(colours("stage").contains(FOCUS), "focus is not seen");
+        choose("line", way);
+        Segment before = segment();
+        press(KeyEvent.VK_RIGHT);
+        assertEquals(before.x0() + 1, segment().x0());
+        assertEquals(theta + STEP, theta(), 1e-9);
+        assertTrue(colours("end.A").contains(FOCUS), "focus is not seen");
+    }
+
+    private void choose(String tab, String way) {
+        switch (way) {
+            case "mouse" -> window.tabbedPane("tabs").selectTab(tab.equals("line") ? 0 : 1);
+            case "mnemonic" -> {
+                robot.pressKey(KeyEvent.VK_ALT);
+                press(tab.equals("line") ? KeyEvent.VK_L : KeyEvent.VK_H);
+                robot.releaseKey(KeyEvent.VK_ALT);
+            }
+            default -> {
+                focus("tabs");
+                press(tab.equals("line") ? KeyEvent.VK_LEFT : KeyEvent.VK_RIGHT);
+            }
+        }
+        robot.waitForIdle();
+        assertEquals(tab, frame.shownTab());
+    }
+
+    @Test
+    void clickOnTheShownTabGivesTheKeysToItsPictureToo() {
+        Segment before = segment();
+        window.comboBox("language").focus();
+        choose("line", "mouse");
+        press(KeyEvent.VK_RIGHT);
+        assertEquals(before.x0() + 1, segment().x0());
+        assertEquals(Language.ENGLISH, frame.language());
+    }
+
+    @Test
+    void openedWindowsPictureTakesTheKeys() {
+        Segment before = segment();
+        press(KeyEvent.VK_DOWN);
+        assertEquals(before.y0() + 1, segment().y0());
+    }
+
+    @ParameterizedTest(name = "picture of {0} does not take the keys by a click")
+    @ValueSource(strings = {"line", "visibility"})
+    void clickOnThePictureTakesTheKeys(String tab) {
+        show(tab);
+        window.comboBox("language").focus();
+        Segment before = segment();
+        double theta = theta();
+        Component stage = window.robot().finder().findByName(frame, "stage");
+        robot.click(stage, new Point(stage.getWidth() - 40, 60));
+        press(KeyEvent.VK_RIGHT);
+        boolean line = tab.equals("line");
+        assertEquals(before.x0() + (line ? 1 : 0), segment().x0());
+        assertEquals(theta + (line ? 0 : STEP), theta(), 1e-9);
+        assertEquals(Language.ENGLISH, frame.language());
+    }
+
+    @Test
+    void clickBesideTheSegmentKeepsTheEndThatTheKeysMove() {
+        Segment before = segment();
+        focus("end.B");
+        window.comboBox("language").focus();
+        Component stage = window.robot().finder().findByName(frame, "stage");
+        robot.click(stage, new Point(stage.getWidth() - 40, 60));
+        press(KeyEvent.VK_UP);
+        var moved = new Segment(before.x0(), before.y0(), before.x1(), before.y1() - 1);
+        assertEquals(moved, segment());
+    }
+
+    @Test
+    void otherLanguageLeavesTheKeysToTheShownPicture() {
+        show("visibility");
+        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        robot.waitForIdle();
+        double theta = theta();
+        press(KeyEvent.VK_RIGHT);
+        assertEquals(theta + STEP, theta(), 1e-9);
+    }
+}
