@@ -21,7 +21,7 @@ public final class Inspector extends JPanel implements Scrollable {
     public Inspector(Texts texts) {
         super(
                 new MigLayout(
-                        "insets 0 2 4 10, gap 6 5, wrap 2, hidemode 3",
+                        "insets 0 2 4 0, gap 6 5, wrap 2, hidemode 3",
                         "[pref!]8[grow,fill,0::]",
                         ""));
         this.texts = texts;

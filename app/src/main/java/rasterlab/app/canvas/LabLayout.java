@@ -28,7 +28,7 @@ public final class LabLayout extends JPanel {
             JComponent timeline) {
         super(
                 new MigLayout(
-                        "insets 8 10 10 2, gap 10 8",
+                        "insets 8 10 10 0, gap 10 8",
                         "[grow,fill][" + INSPECTOR + "!,fill]",
                         "[][grow,fill][]"));
         add(chips, "wmin 0, growx");
@@ -46,11 +46,12 @@ public final class LabLayout extends JPanel {
         return column;
     }
 
+    /** The bar keeps its place when there is nothing to scroll, so that no edge moves. */
     private static JScrollPane scrolled(Inspector inspector) {
         var scroll =
                 new JScrollPane(
                         inspector,
-                        ScrollPaneConstants.VERTICAL_SCROLLBAR_AS_NEEDED,
+                        ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
                         ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.setName("inspector.scroll");

@@ -77,12 +77,10 @@ public final class Rulers {
         Point first = grid.pixelAt(left(), top());
         Point last = grid.pixelAt(view.width, view.height);
         int widest =
-                Math.max(
-                        metrics.stringWidth(Integer.toString(first.x)),
-                        metrics.stringWidth(Integer.toString(last.x)));
+                Math.max(metrics.stringWidth(shown(first.x)), metrics.stringWidth(shown(last.x)));
         long stepX = step((widest + 12) / grid.cell());
         for (long x = Math.floorDiv(first.x, stepX) * stepX; x <= last.x; x += stepX) {
-            String number = Long.toString(x);
+            String number = shown(x);
             int at = (int) Math.round(grid.viewX(x) - metrics.stringWidth(number) / 2.0);
             if (at > left() && at + metrics.stringWidth(number) < view.width)
                 g.drawString(number, at, baseline());
@@ -91,7 +89,8 @@ public final class Rulers {
         for (long y = Math.floorDiv(first.y, stepY) * stepY; y <= last.y; y += stepY) {
             String number = shortened(y);
             int at = (int) Math.round(grid.viewY(y) + metrics.getAscent() / 2.0 - 1);
-            if (at > top() + 8) g.drawString(number, left() - 6 - metrics.stringWidth(number), at);
+            if (at - metrics.getAscent() >= top() && at < view.height)
+                g.drawString(number, left() - 6 - metrics.stringWidth(number), at);
         }
     }
 
@@ -101,8 +100,13 @@ public final class Rulers {
 
     /** A number that fits the left margin: of a long one, the end, which is what changes. */
     private static String shortened(long number) {
-        String digits = Long.toString(number);
+        String digits = shown(number);
         return digits.length() <= 5 ? digits : "…" + digits.substring(digits.length() - 4);
+    }
+
+    /** With a minus as long as a digit is wide, as in the inspector. */
+    private static String shown(long number) {
+        return Long.toString(number).replace('-', '−');
     }
 
     /** The least of 1, 2, 5, 10, 20, … that is at least {@code pixels}. */

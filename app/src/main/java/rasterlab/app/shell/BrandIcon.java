@@ -1,6 +1,8 @@
 package rasterlab.app.shell;
 
+import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.icons.FlatAbstractIcon;
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics2D;
 import rasterlab.app.canvas.MethodColours;
@@ -15,10 +17,13 @@ final class BrandIcon extends FlatAbstractIcon {
 
     @Override
     protected void paintIcon(Component c, Graphics2D g) {
+        boolean dark = FlatLaf.isLafDark();
+        Color line = dark ? MethodColours.SKY_BLUE : MethodColours.BLUE;
+        Color grid = dark ? Color.LIGHT_GRAY : MethodColours.SKY_BLUE;
         for (int x = 0; x < 4; x++) {
             for (int y = 0; y < 4; y++) {
                 boolean lit = ROWS[x] == y;
-                g.setColor(lit ? MethodColours.BLUE : MethodColours.SKY_BLUE);
+                g.setColor(lit ? line : grid);
                 int size = lit ? 4 : 1;
                 int inset = (4 - size) / 2;
                 g.fillRect(1 + x * 4 + inset, 1 + y * 4 + inset, size, size);
