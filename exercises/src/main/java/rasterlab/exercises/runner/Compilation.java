@@ -11,15 +11,16 @@ import java.util.Map;
 import rasterlab.exercises.runner.child.Frames;
 import rasterlab.exercises.runner.child.Wire;
 import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.GradingVerdict;
 
 /**
  * What the compiling child made of a source.
  *
+ * @param verdict OK where there are classes
  * @param classes binary name to class file; empty where there are errors
- * @param errors compiler messages; empty where there are classes
+ * @param errors compiler messages, or why the classes are refused; empty where there are classes
  */
-record Compilation(Map<String, byte[]> classes, List<Diagnostic> errors) {
-    private static final int MOST_CLASSES = 200;
+record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Diagnostic> errors) {
     private static final int MOST_ERRORS = 20;
 
     /**
@@ -42,16 +43,22 @@ record Compilation(Map<String, byte[]> classes, List<Diagnostic> errors) {
 
     private static Compilation read(int status, DataInputStream in) throws IOException {
         return switch (status) {
-            case Wire.DONE -> new Compilation(classes(in), List.of());
-            case Wire.COMPILER_ERRORS -> new Compilation(Map.of(), errors(in));
+            case Wire.DONE -> new Compilation(GradingVerdict.OK, classes(in), List.of());
+            case Wire.COMPILER_ERRORS -> failed(GradingVerdict.COMPILE_ERROR, errors(in));
             case Wire.TOO_COMPLEX -> tooComplex("the compiler gave up");
+            case Wire.TOO_MANY_CLASSES ->
+                    refused("too many classes: %d, at most %d", in.readLong(), Wire.MOST_CLASSES);
+            case Wire.CLASSES_TOO_LONG ->
+                    refused(
+                            "the class files are too long: %d bytes together, at most %d",
+                            in.readLong(), Wire.MOST_CLASS_BYTES);
             default -> throw new IOException("status " + status + " after a compilation");
         };
     }
 
     private static Map<String, byte[]> classes(DataInputStream in) throws IOException {
         Map<String, byte[]> classes = new LinkedHashMap<>();
-        for (int left = count(in, MOST_CLASSES); left > 0; left--)
+        for (int left = count(in, Wire.MOST_CLASSES); left > 0; left--)
             classes.put(in.readUTF(), Frames.readBytes(in, Wire.MOST_CLASS_BYTES));
         return classes;
     }
@@ -71,6 +78,16 @@ record Compilation(Map<String, byte[]> classes, List<Diagnostic> errors) {
     }
 
     private static Compilation tooComplex(String why) {
-        return new Compilation(Map.of(), List.of(new Diagnostic(0, 0, "too complex: " + why)));
+        return failed(
+                GradingVerdict.COMPILE_ERROR, List.of(new Diagnostic(0, 0, "too complex: " + why)));
+    }
+
+    private static Compilation refused(String pattern, long amount, int most) {
+        String message = String.format(pattern + " are allowed", amount, most);
+        return failed(GradingVerdict.REFUSED, List.of(new Diagnostic(0, 0, message)));
+    }
+
+    private static Compilation failed(GradingVerdict verdict, List<Diagnostic> errors) {
+        return new Compilation(verdict, Map.of(), errors);
     }
 }

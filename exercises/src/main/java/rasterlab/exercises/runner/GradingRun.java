@@ -65,8 +65,8 @@ final class GradingRun {
                 Child runner = children.take(ChildKind.RUN);
                 Child reference = children.take(ChildKind.RUN)) {
             Compilation compiled = Compilation.of(source, compiler, settings.compileLimit());
-            if (!compiled.errors().isEmpty())
-                return sheet.rejected(GradingVerdict.COMPILE_ERROR, compiled.errors());
+            if (compiled.verdict() != GradingVerdict.OK)
+                return sheet.rejected(compiled.verdict(), compiled.errors());
             ByteCodeCheck.Result checked = check.check(compiled.classes(), CONTRACT, source);
             if (!checked.refusals().isEmpty())
                 return sheet.rejected(GradingVerdict.REFUSED, checked.refusals());

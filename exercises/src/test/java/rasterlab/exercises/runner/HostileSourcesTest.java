@@ -1,11 +1,12 @@
 package rasterlab.exercises.runner;
 
+import static java.util.stream.Collectors.joining;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 import static rasterlab.exercises.Sources.method;
 
-import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -47,12 +48,8 @@ class HostileSourcesTest {
     }
 
     private static String words(Report report) {
-        return report.diagnostics().stream()
-                        .map(HostileSourcesTest::place)
-                        .collect(Collectors.joining("\n"))
-                + report.cases().stream()
-                        .map(CaseReport::message)
-                        .collect(Collectors.joining("\n", "\n", ""));
+        return report.diagnostics().stream().map(HostileSourcesTest::place).collect(joining("\n"))
+                + report.cases().stream().map(CaseReport::message).collect(joining("\n", "\n", ""));
     }
 
     private static String place(Diagnostic one) {
@@ -166,6 +163,17 @@ class HostileSourcesTest {
                         "compile_error",
                         "does not exist",
                         method("rasterlab.exercises.runner.child.Wire.cut(\"\");\n")),
+                argumentSet(
+                        "200 classes more than its own",
+                        "refused",
+                        "too many classes: 201, at most 200 are allowed",
+                        Sources.RIGHT + manyClasses(200)),
+                argumentSet("199 classes beside it", "ok", "", Sources.RIGHT + manyClasses(199)),
+                argumentSet(
+                        "class files beyond the longest frame",
+                        "refused",
+                        "the class files are too long: ",
+                        Sources.RIGHT + longClasses()),
                 argumentSet("no class", "refused", "no public class implements", "class A { }"),
                 argumentSet(
                         "two classes",
@@ -210,6 +218,20 @@ class HostileSourcesTest {
                                         + "all.add(new P(x0, y0)); String s = E.A + \" \" + all;\n"
                                         + "switch (E.valueOf(\"B\")) { case A -> out.plot(1, 1);\n"
                                         + "  case B -> all.forEach(p -> out.plot(p.x, p.y)); }\n")));
+    }
+
+    private static String manyClasses(int number) {
+        return IntStream.range(0, number).mapToObj("class C%d { }%n"::formatted).collect(joining());
+    }
+
+    /** The compiler adds constant texts up: 40 texts of 60,000 characters from a short source. */
+    private static String longClasses() {
+        String constants =
+                "static final String A = \"%s\", B = A%s;\n"
+                        .formatted("x".repeat(1000), " + A".repeat(59));
+        return IntStream.range(0, 40)
+                .mapToObj("static String c%1$d() { return B + %1$d; }%n"::formatted)
+                .collect(joining("", "class Long {\n" + constants, "}\n"));
     }
 
     static Stream<Arguments> greedy() {

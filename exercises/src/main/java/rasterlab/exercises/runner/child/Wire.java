@@ -43,6 +43,12 @@ public final class Wire {
     /** The contract has no class of that kind: abstract, without constructor, of another type. */
     public static final int NOT_LOADABLE = 6;
 
+    /** More classes than {@link #MOST_CLASSES}: their number. */
+    public static final int TOO_MANY_CLASSES = 7;
+
+    /** Class files longer than {@link #MOST_CLASS_BYTES} together: their length in bytes. */
+    public static final int CLASSES_TOO_LONG = 8;
+
     /** Exit status of a JVM that ran out of memory with -XX:+ExitOnOutOfMemoryError. */
     public static final int EXIT_MEMORY = 3;
 
@@ -53,7 +59,11 @@ public final class Wire {
     public static final int EXIT_PROTOCOL = 66;
 
     public static final int MOST_SOURCE_BYTES = 256 * 1024;
-    public static final int MOST_CLASS_BYTES = 1 << 20;
+    public static final int MOST_CLASSES = 200;
+
+    /** For all class files of a source together. */
+    public static final int MOST_CLASS_BYTES = 2 << 20;
+
     public static final int MOST_FRAME_BYTES = 4 << 20;
     public static final int MOST_PIXELS = 1 << 16;
     public static final int MOST_PRINTED_BYTES = 64 * 1024;
