@@ -67,7 +67,7 @@ class CheckCommandTest {
         Files.write(file, new byte[0]);
         complains(file, "is empty");
         Files.write(file, new byte[10_000_000]);
-        complains(file, "has 10000000 bytes, the most for a source is 65536");
+        complains(file, "has 10000000 bytes, the most for a source is 262144");
         Files.write(file, new byte[] {(byte) 0xC3, 0x28});
         complains(file, "is not UTF-8 text");
     }

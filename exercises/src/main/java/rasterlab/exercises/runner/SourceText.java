@@ -4,7 +4,7 @@ import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.Grading;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
 
@@ -19,7 +19,8 @@ final class SourceText {
     record Fault(GradingVerdict verdict, Diagnostic diagnostic) {}
 
     static Optional<Fault> faultOf(String source) {
-        if (source.length() > Wire.MOST_SOURCE_BYTES || utf8Length(source) > Wire.MOST_SOURCE_BYTES)
+        if (source.length() > Grading.MOST_SOURCE_BYTES
+                || utf8Length(source) > Grading.MOST_SOURCE_BYTES)
             return Optional.of(
                     new Fault(
                             GradingVerdict.REFUSED,
@@ -27,7 +28,7 @@ final class SourceText {
                                     0,
                                     0,
                                     "the source is longer than the allowed "
-                                            + Wire.MOST_SOURCE_BYTES
+                                            + Grading.MOST_SOURCE_BYTES
                                             + " bytes")));
         if (source.isBlank()) return fault(source, 0, "the source is empty");
         for (int i = 0; i < source.length(); i++) {
