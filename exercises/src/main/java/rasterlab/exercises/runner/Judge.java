@@ -58,8 +58,9 @@ public final class Judge implements Grading, AutoCloseable {
 
     @Override
     public Report grade(
-            Exercise exercise, String source, CaseSelection cases, Consumer<CaseReport> progress)
+            Exercise exercise, String sent, CaseSelection cases, Consumer<CaseReport> progress)
             throws InterruptedException {
+        String source = SourceText.withoutMark(sent);
         ReportSheet sheet = new ReportSheet(exercise, cases, isolation().name());
         var fault = SourceText.faultOf(source);
         if (fault.isPresent())

@@ -18,6 +18,11 @@ final class SourceText {
     /** Why a source is not even compiled. */
     record Fault(GradingVerdict verdict, Diagnostic diagnostic) {}
 
+    /** Without the byte order mark that some editors put in front, such as Windows Notepad. */
+    static String withoutMark(String source) {
+        return source.startsWith("\uFEFF") ? source.substring(1) : source;
+    }
+
     static Optional<Fault> faultOf(String source) {
         if (source.length() > Grading.MOST_SOURCE_BYTES
                 || utf8Length(source) > Grading.MOST_SOURCE_BYTES)
@@ -48,7 +53,8 @@ final class SourceText {
 
     private static String wrong(String source, int i) {
         char c = source.charAt(i);
-        if (c == '\uFEFF') return "a byte order mark: save the file as UTF-8 without it";
+        if (c == '\uFEFF')
+            return "a byte order mark, which may stand once, at the beginning of the file";
         if (c == 0) return "a NUL character: this is not a text file";
         if (c >= '\u202A' && c <= '\u202E' || c >= '\u2066' && c <= '\u2069')
             return String.format("the invisible writing-direction character U+%04X", (int) c);

@@ -38,7 +38,7 @@ class HostileSourcesTest {
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
-    @MethodSource({"texts", "forbidden", "classes", "greedy", "throwing"})
+    @MethodSource({"texts", "forbidden", "welcome", "classes", "greedy", "throwing"})
     void isAnsweredWith(String verdict, String said, String source) throws Exception {
         Report report = judge.grade(EXERCISE, source, CaseSelection.open(), one -> {});
         assertEquals(verdict, report.verdict().code(), () -> words(report));
@@ -71,11 +71,12 @@ class HostileSourcesTest {
                         "5:9 incompatible types",
                         method("int a = \"\";\n")),
                 argumentSet("empty source", "compile_error", "empty", " \n"),
+                argumentSet("byte order mark", "ok", "", '\uFEFF' + Sources.RIGHT),
                 argumentSet(
-                        "byte order mark",
+                        "second byte order mark",
                         "compile_error",
                         "1:1 a byte order mark",
-                        '\uFEFF' + Sources.RIGHT),
+                        "\uFEFF\uFEFF" + Sources.RIGHT),
                 argumentSet("NUL", "compile_error", "5:1 a NUL", method("\0")),
                 argumentSet(
                         "bidi control", "compile_error", "5:4 the invisible", method("// \u202E")),
@@ -107,7 +108,7 @@ class HostileSourcesTest {
                 forbidden("file", "5:0 java.io.File", "new java.io.File(\"/\").list();\n"),
                 forbidden(
                         "reflection",
-                        "5:0 java.lang.Object.getClass",
+                        "5:0 java.lang.Class.getDeclaredFields",
                         "getClass().getDeclaredFields();\n"),
                 forbidden(
                         "forName",
@@ -123,6 +124,23 @@ class HostileSourcesTest {
                         "parallel stream",
                         "parallelStream",
                         "new java.util.ArrayList<Integer>().parallelStream().count();\n"),
+                forbidden(
+                        "stream made parallel",
+                        "5:0 java.util.stream.IntStream.parallel",
+                        "java.util.stream.IntStream.range(0, 9).parallel().sum();\n"),
+                forbidden(
+                        "stream made parallel by a method handle",
+                        "java.util.stream.IntStream.parallel",
+                        "java.util.function.UnaryOperator<java.util.stream.IntStream> f ="
+                                + " java.util.stream.IntStream::parallel;\n"),
+                forbidden(
+                        "class loader by way of getClass",
+                        "5:0 java.lang.Class.getClassLoader",
+                        "Object o = getClass().getClassLoader();\n"),
+                forbidden(
+                        "stack trace",
+                        "java.lang.Exception.getStackTrace",
+                        "int depth = new Exception().getStackTrace().length;\n"),
                 forbidden(
                         "stream closes System.out",
                         "java.io.PrintStream.close",
@@ -232,6 +250,43 @@ class HostileSourcesTest {
         return IntStream.range(0, 40)
                 .mapToObj("static String c%1$d() { return B + %1$d; }%n"::formatted)
                 .collect(joining("", "class Long {\n" + constants, "}\n"));
+    }
+
+    static Stream<Arguments> welcome() {
+        String open = "java.util.PriorityQueue<Integer> open = new java.util.PriorityQueue<>();\n";
+        return Stream.of(
+                welcome("priority queue", open + "open.add(x0);\n"),
+                welcome(
+                        "loop over a map's entries",
+                        "var map = new java.util.LinkedHashMap<String, Integer>(); map.put(\"a\", 1);\n"
+                                + "for (java.util.Map.Entry<String, Integer> e : map.entrySet())"
+                                + " e.setValue(e.getValue() + e.getKey().length());\n"),
+                welcome(
+                        "enum map and switch",
+                        "enum E { A, B }\n"
+                                + "var map = new java.util.EnumMap<E, Integer>(E.class);\n"
+                                + "for (E e : E.values()) map.put(e, switch (e) { case A -> 1; case B -> 2; });\n"),
+                welcome(
+                        "function of int and object",
+                        "java.util.function.ObjIntConsumer<Pixels> f = (p, i) -> { }; f.accept(out, 1);\n"),
+                welcome(
+                        "sequential stream",
+                        "int[] a = java.util.stream.IntStream.range(0, 9).map(i -> i * i).filter(i -> i > 2).toArray();\n"
+                                + "var all = java.util.Arrays.stream(a).boxed()"
+                                + ".collect(java.util.stream.Collectors.toList());\n"),
+                welcome(
+                        "text of all kinds",
+                        "String s = String.format(java.util.Locale.ROOT, \"%d\", x0) + System.lineSeparator()"
+                                + " + getClass().getSimpleName() + getClass().getName()"
+                                + " + new StringBuilder().append(1.5).reverse();\n"),
+                welcome(
+                        "printed stack trace",
+                        "try { Integer.parseInt(\"a\"); } catch (NumberFormatException e)"
+                                + " { e.printStackTrace(); }\n"));
+    }
+
+    private static Arguments welcome(String name, String body) {
+        return argumentSet(name, "ok", "", Sources.RIGHT.replace("long dx", body + "long dx"));
     }
 
     static Stream<Arguments> greedy() {
