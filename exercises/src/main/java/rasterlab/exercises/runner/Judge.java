@@ -33,7 +33,7 @@ public final class Judge implements Grading, AutoCloseable {
     private Judge(JudgeSettings settings) {
         this.settings = settings;
         this.jars = ChildJars.assemble();
-        this.launcher = new Launcher(jars.folder());
+        this.launcher = new Launcher(jars);
         this.box = new BoxChoice(launcher, jars).choose(settings.box());
         this.children = new Children(box, launcher, settings.spares());
         this.atExit = new Thread(this::release, "rasterlab-judge-exit");
