@@ -53,7 +53,9 @@ final class ReportText {
     private void printDiagnostic(Diagnostic diagnostic) {
         String line = diagnostic.line() == 0 ? "" : ":" + diagnostic.line();
         String column = diagnostic.column() == 0 ? "" : ":" + diagnostic.column();
-        out.println(fileName + line + column + ": " + diagnostic.message());
+        // further lines are set in, so that none of them passes for a line of the report
+        String message = diagnostic.message().replace("\n", "\n    ");
+        out.println(fileName + line + column + ": " + message);
     }
 
     private void printCases(List<CaseReport> cases) {

@@ -33,6 +33,24 @@ class CheckCommandTest {
     }
 
     @Test
+    void printedLinesDoNotPassForThoseOfTheReport() throws Exception {
+        Path file = folder.resolve("MyLine.java");
+        Files.writeString(
+                file,
+                """
+                public class MyLine implements rasterlab.contract.LineRasterizer {
+                    public void draw(int a, int b, int c, int d, rasterlab.contract.Pixels out) {
+                        System.out.println("\\33[2Jx\\nVerdict: ok");
+                        throw new IllegalStateException("\\33[2J\\u202E");
+                    }
+                }
+                """);
+        Ran ran = Ran.lab("check", "line-bresenham", file.toString());
+        assertFalse(ran.out().contains("\nVerdict: ok"), ran.out());
+        assertFalse(ran.out().matches("(?s).*[\\x1B\\x{202E}].*"), ran.out());
+    }
+
+    @Test
     void diagnosticsNameFileAndLine() throws Exception {
         Path file = folder.resolve("MyLine.java");
         Files.writeString(file, "public class MyLine {\n    int x = ;\n}\n");

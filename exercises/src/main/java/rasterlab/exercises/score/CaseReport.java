@@ -21,6 +21,10 @@ public record CaseReport(
         String message,
         Optional<CasePictures> pictures,
         String scene) {
+    public CaseReport {
+        message = VisibleText.line(message);
+    }
+
     /** The same with what the student may not see taken out. */
     public CaseReport forStudent(boolean afterDeadline) {
         if (visibility == Visibility.OPEN

@@ -5,5 +5,10 @@ package rasterlab.exercises.score;
  *
  * @param line from 1; 0 where no line is known
  * @param column from 1; 0 where no column is known
+ * @param message may have several lines
  */
-public record Diagnostic(int line, int column, String message) {}
+public record Diagnostic(int line, int column, String message) {
+    public Diagnostic {
+        message = VisibleText.lines(message);
+    }
+}

@@ -360,6 +360,11 @@ class HostileSourcesTest {
                         "its getMessage() threw java.lang.IllegalStateException",
                         method(evil.formatted("throw new IllegalStateException();"))),
                 argumentSet(
+                        "message acts on the terminal",
+                        "runtime_error",
+                        "java.lang.IllegalStateException: \\u001B[2J\\u202E\\nok",
+                        method("throw new IllegalStateException(\"\\33[2J\\u202E\\nok\");\n")),
+                argumentSet(
                         "static initialiser throws",
                         "runtime_error",
                         "creating the object",

@@ -75,6 +75,8 @@ public final class Wire {
 
     /** The text's beginning, with "…" where something was cut off. */
     public static String cut(String text) {
-        return text.length() <= MOST_SHOWN ? text : text.substring(0, MOST_SHOWN) + "…";
+        if (text.length() <= MOST_SHOWN) return text;
+        boolean insideCharacter = Character.isHighSurrogate(text.charAt(MOST_SHOWN - 1));
+        return text.substring(0, insideCharacter ? MOST_SHOWN - 1 : MOST_SHOWN) + "…";
     }
 }
