@@ -67,11 +67,13 @@ final class StudentRun {
     }
 
     /**
-     * Draws all segments into a sink that sums up; the exception's text where the method threw.
+     * What came of drawing into a sink that sums up.
      *
      * @param nanos measured by this process
+     * @param printed number of bytes
+     * @param thrown class of an exception; empty where there was none
      */
-    record Timed(long nanos, long count, long sum, String thrown) {}
+    record Timed(long nanos, long count, long sum, long printed, String thrown) {}
 
     Timed time(List<Segment> segments) throws ChildLost, InterruptedException {
         Request request =
@@ -89,8 +91,8 @@ final class StudentRun {
                 (status, in) -> {
                     long nanos = System.nanoTime() - start;
                     return status == Wire.DONE
-                            ? new Timed(nanos, in.readLong(), in.readLong(), "")
-                            : new Timed(nanos, 0, 0, in.readUTF());
+                            ? new Timed(nanos, in.readLong(), in.readLong(), in.readLong(), "")
+                            : new Timed(nanos, 0, 0, 0, Wire.cut(in.readUTF()));
                 });
     }
 

@@ -15,6 +15,8 @@ public enum GradingVerdict {
     RUNTIME_ERROR,
     /** The child ended early or broke the protocol. */
     NO_RESULT,
+    /** Only for the report's line on speed: nothing was timed, so that nothing can be said. */
+    NOT_MEASURED,
     /** Our own fault: tried again, never a mark. */
     INTERNAL;
 

@@ -26,8 +26,9 @@ public final class SpeedPoints {
      * The line of the report on speed.
      *
      * @param ratio the student's time per item divided by the reference's, above 0
+     * @param printed whether the method printed while it was measured
      */
-    public static CaseReport measured(double ratio, int of) {
+    public static CaseReport measured(double ratio, boolean printed, int of) {
         int points =
                 BANDS.stream()
                         .filter(band -> ratio <= band.upTo())
@@ -42,19 +43,20 @@ public final class SpeedPoints {
                                 "%.1f times the reference's time per item; full points up to %.1f",
                                 ratio,
                                 BANDS.get(0).upTo());
-        return report(points, of, message);
+        String cause = printed ? "; printing is part of that time: take it out" : "";
+        return report(GradingVerdict.OK, points, of, message.isEmpty() ? "" : message + cause);
     }
 
-    /** Where speed was not measured, or is worth nothing. */
+    /** Where speed was not measured, or is worth nothing yet. */
     public static CaseReport none(int of, String reason) {
-        return report(0, of, reason);
+        return report(GradingVerdict.NOT_MEASURED, 0, of, reason);
     }
 
-    private static CaseReport report(int points, int of, String message) {
+    private static CaseReport report(GradingVerdict verdict, int points, int of, String message) {
         return new CaseReport(
                 "speed",
                 Visibility.OPEN,
-                GradingVerdict.OK,
+                verdict,
                 points,
                 of,
                 message,

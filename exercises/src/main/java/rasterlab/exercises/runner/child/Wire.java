@@ -19,7 +19,10 @@ public final class Wire {
     /** x0, y0, x1, y1 and the most pixels to record. */
     public static final int DRAW_LINE = 3;
 
-    /** Number of segments, then x0, y0, x1, y1 of each: drawn into a sink that only sums up. */
+    /**
+     * Number of segments, then x0, y0, x1, y1 of each: drawn into a sink that only sums up;
+     * answered by the number of pixels, their sum and the number of bytes that were printed.
+     */
     public static final int TIME_LINES = 4;
 
     /** Payload depends on the operation. */
