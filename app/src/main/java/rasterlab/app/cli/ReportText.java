@@ -54,8 +54,12 @@ final class ReportText {
         String line = diagnostic.line() == 0 ? "" : ":" + diagnostic.line();
         String column = diagnostic.column() == 0 ? "" : ":" + diagnostic.column();
         // further lines are set in, so that none of them passes for a line of the report
-        String message = diagnostic.message().replace("\n", "\n    ");
+        String message = diagnostic.message(language()).replace("\n", "\n    ");
         out.println(fileName + line + column + ": " + message);
+    }
+
+    private String language() {
+        return texts.locale().getLanguage();
     }
 
     private void printCases(List<CaseReport> cases) {
@@ -77,7 +81,7 @@ final class ReportText {
                 judged.name(),
                 texts.text(judged.verdict().code()),
                 judged.points() + "/" + judged.of(),
-                judged.message());
+                judged.message(language()));
     }
 
     private void printPicture(CaseReport judged) {

@@ -27,6 +27,8 @@ class CheckCommandTest {
         Ran ran = check("wrong", "--lang", "ru");
         assertTrue(ran.out().contains("Вердикт: неверно"), ran.out());
         assertTrue(ran.out().contains("\n  #.."), ran.out());
+        assertTrue(ran.out().contains("нет пикселя ("), ran.out());
+        assertFalse(ran.out().contains("missing"), ran.out());
         Path picture = folder.resolve("pictures/steep-line-leaves-gaps-difference.png");
         assertTrue(Files.exists(picture), ran.out());
         assertEquals(1, ran.exitCode());

@@ -12,6 +12,7 @@ import rasterlab.exercises.runner.child.Frames;
 import rasterlab.exercises.runner.child.Wire;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 
 /**
  * What the compiling child made of a source.
@@ -34,8 +35,8 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
             return child.ask(request, limit, Compilation::read);
         } catch (ChildLost lost) {
             return switch (lost.reason()) {
-                case TIME -> tooComplex("compiling took longer than " + Child.seconds(limit));
-                case MEMORY -> tooComplex("the compiler ran out of memory");
+                case TIME -> tooComplex("complex.time", Child.seconds(limit));
+                case MEMORY -> tooComplex("complex.memory");
                 default -> throw lost;
             };
         }
@@ -45,13 +46,10 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
         return switch (status) {
             case Wire.DONE -> new Compilation(GradingVerdict.OK, classes(in), List.of());
             case Wire.COMPILER_ERRORS -> failed(GradingVerdict.COMPILE_ERROR, errors(in));
-            case Wire.TOO_COMPLEX -> tooComplex("the compiler gave up");
-            case Wire.TOO_MANY_CLASSES ->
-                    refused("too many classes: %d, at most %d", in.readLong(), Wire.MOST_CLASSES);
+            case Wire.TOO_COMPLEX -> tooComplex("complex.gave-up");
+            case Wire.TOO_MANY_CLASSES -> refused("classes.many", in.readLong(), Wire.MOST_CLASSES);
             case Wire.CLASSES_TOO_LONG ->
-                    refused(
-                            "the class files are too long: %d bytes together, at most %d",
-                            in.readLong(), Wire.MOST_CLASS_BYTES);
+                    refused("classes.long", in.readLong(), Wire.MOST_CLASS_BYTES);
             default -> throw new IOException("status " + status + " after a compilation");
         };
     }
@@ -66,7 +64,9 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
     private static List<Diagnostic> errors(DataInputStream in) throws IOException {
         List<Diagnostic> errors = new ArrayList<>();
         for (int left = count(in, MOST_ERRORS); left > 0; left--)
-            errors.add(new Diagnostic(in.readInt(), in.readInt(), Wire.cut(in.readUTF())));
+            errors.add(
+                    new Diagnostic(
+                            in.readInt(), in.readInt(), Message.quoted(Wire.cut(in.readUTF()))));
         return errors;
     }
 
@@ -77,14 +77,16 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
         return count;
     }
 
-    private static Compilation tooComplex(String why) {
-        return failed(
-                GradingVerdict.COMPILE_ERROR, List.of(new Diagnostic(0, 0, "too complex: " + why)));
+    private static Compilation tooComplex(String key, Object... arguments) {
+        return failed(GradingVerdict.COMPILE_ERROR, List.of(said(key, arguments)));
     }
 
-    private static Compilation refused(String pattern, long amount, int most) {
-        String message = String.format(pattern + " are allowed", amount, most);
-        return failed(GradingVerdict.REFUSED, List.of(new Diagnostic(0, 0, message)));
+    private static Compilation refused(String key, long amount, int most) {
+        return failed(GradingVerdict.REFUSED, List.of(said(key, amount, most)));
+    }
+
+    private static Diagnostic said(String key, Object... arguments) {
+        return new Diagnostic(0, 0, Message.of(key, arguments));
     }
 
     private static Compilation failed(GradingVerdict verdict, List<Diagnostic> errors) {

@@ -15,6 +15,7 @@ import rasterlab.exercises.Visibility;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 import rasterlab.exercises.score.SpeedPoints;
 
@@ -106,9 +107,8 @@ final class GradingRun {
         return sheet.graded(reports, speedReport, cases.printed(), speed.nanosPerPixel());
     }
 
-    private static String tooInaccurate() {
-        return String.format(
-                "%.0f %% of the accuracy points come first", 100 * SpeedPoints.ACCURACY_FLOOR);
+    private static Message tooInaccurate() {
+        return Message.of("speed.floor", Math.round(100 * SpeedPoints.ACCURACY_FLOOR));
     }
 
     private boolean aboveFloor(List<CaseReport> reports) {
@@ -131,7 +131,7 @@ final class GradingRun {
             return new SpeedTrial(student, reference, new SecureRandom().nextLong()).measure();
         } catch (ChildLost lost) {
             if (lost.reason() == ChildLost.Reason.KILLED) throw lost;
-            return SpeedTrial.Outcome.none(lost.getMessage() + " on the long lines");
+            return SpeedTrial.Outcome.none(Message.of("speed.stopped").and(lost.said()));
         }
     }
 }

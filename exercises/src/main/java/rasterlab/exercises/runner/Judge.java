@@ -11,6 +11,7 @@ import rasterlab.exercises.Grading;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 
 /**
@@ -85,18 +86,17 @@ public final class Judge implements Grading, AutoCloseable {
     }
 
     private Report withRetry(GradingRun run, ReportSheet sheet) throws InterruptedException {
-        String reason = "";
+        Message reason = Message.NONE;
         for (int left = TRIES; left > 0; left--) {
             try {
                 return run.run(children);
             } catch (ChildLost lost) {
-                reason = "the isolated child " + lost.getMessage();
+                reason = Message.of("internal.child").and(lost.said());
             } catch (UncheckedIOException cannotStart) {
-                reason = cannotStart.getMessage() + ": " + cannotStart.getCause().getMessage();
+                reason = Message.of("internal.start", cannotStart.getCause().getMessage());
             }
         }
-        return sheet.rejected(
-                GradingVerdict.INTERNAL, List.of(new Diagnostic(0, 0, reason + ", twice")));
+        return sheet.rejected(GradingVerdict.INTERNAL, List.of(new Diagnostic(0, 0, reason)));
     }
 
     /** Ends all children and removes what was prepared for them. */

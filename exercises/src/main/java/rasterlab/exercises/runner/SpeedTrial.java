@@ -8,6 +8,7 @@ import java.util.Random;
 import rasterlab.engine.line.BresenhamLine;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.runner.child.SummingPixels;
+import rasterlab.exercises.score.Message;
 
 /**
  * The student's cost per pixel against that of the reference method, each in a child of its own, in
@@ -46,10 +47,10 @@ final class SpeedTrial {
      * @param nanosPerPixel of the student's method; 0 where it was not measured
      * @param ratio to the reference; 0 where it was not measured
      * @param printed whether the method printed, which takes time
-     * @param obstacle why it was not measured; empty where it was
+     * @param obstacle why it was not measured; nothing where it was
      */
-    record Outcome(double nanosPerPixel, double ratio, boolean printed, String obstacle) {
-        static Outcome none(String obstacle) {
+    record Outcome(double nanosPerPixel, double ratio, boolean printed, Message obstacle) {
+        static Outcome none(Message obstacle) {
             return new Outcome(0, 0, false, obstacle);
         }
     }
@@ -65,9 +66,9 @@ final class SpeedTrial {
             SummingPixels right = drawnHere(segments);
             StudentRun.Timed reply = student.time(segments);
             if (!reply.thrown().isEmpty())
-                return Outcome.none("it threw " + reply.thrown() + " on the long lines");
+                return Outcome.none(Message.of("speed.threw", reply.thrown()));
             if (reply.count() != right.count() || reply.sum() != right.sum())
-                return Outcome.none("pixels are wrong on the long lines");
+                return Outcome.none(Message.of("speed.wrong"));
             printed |= reply.printed() > 0;
             // the quickest round counts: what else the machine does only ever adds time
             theirs = Math.min(theirs, (double) reply.nanos() / right.count());
@@ -75,7 +76,7 @@ final class SpeedTrial {
             ours = Math.min(ours, (double) reference / right.count());
             if (System.nanoTime() - start > BUDGET_NANOS) break;
         }
-        return new Outcome(theirs, theirs / ours, printed, "");
+        return new Outcome(theirs, theirs / ours, printed, Message.NONE);
     }
 
     private static SummingPixels drawnHere(List<Segment> segments) {

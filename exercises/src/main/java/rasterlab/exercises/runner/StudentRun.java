@@ -10,6 +10,7 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.exercises.runner.child.Frames;
 import rasterlab.exercises.runner.child.Wire;
 import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Message;
 
 /** A loaded class in its running child, called from here one input at a time. */
 final class StudentRun {
@@ -132,7 +133,7 @@ final class StudentRun {
     private Duration remaining() throws ChildLost {
         Duration left = Duration.ofNanos(deadline - System.nanoTime());
         if (left.isNegative() || left.isZero())
-            throw new ChildLost(ChildLost.Reason.TIME, "all calls together took too long");
+            throw new ChildLost(ChildLost.Reason.TIME, Message.of("child.time-in-all"));
         return left.compareTo(callLimit) < 0 ? left : callLimit;
     }
 

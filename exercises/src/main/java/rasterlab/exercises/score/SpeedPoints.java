@@ -35,31 +35,35 @@ public final class SpeedPoints {
                         .findFirst()
                         .map(band -> (int) Math.round(band.share() * of))
                         .orElse(0);
-        String message =
-                points == of
-                        ? ""
-                        : String.format(
-                                Locale.ROOT,
-                                "%.1f times the reference's time per item; full points up to %.1f",
-                                ratio,
-                                BANDS.get(0).upTo());
-        String cause = printed ? "; printing is part of that time: take it out" : "";
-        return report(GradingVerdict.OK, points, of, message.isEmpty() ? "" : message + cause);
+        return report(
+                GradingVerdict.OK,
+                points,
+                of,
+                points == of ? Message.NONE : slower(ratio, printed));
+    }
+
+    private static Message slower(double ratio, boolean printed) {
+        Message slow =
+                Message.of(
+                        "speed.slow",
+                        String.format(Locale.ROOT, "%.1f", ratio),
+                        BANDS.get(0).upTo());
+        return printed ? slow.and(Message.of("speed.printing")) : slow;
     }
 
     /** Where speed was not measured, or is worth nothing yet. */
-    public static CaseReport none(int of, String reason) {
+    public static CaseReport none(int of, Message reason) {
         return report(GradingVerdict.NOT_MEASURED, 0, of, reason);
     }
 
-    private static CaseReport report(GradingVerdict verdict, int points, int of, String message) {
+    private static CaseReport report(GradingVerdict verdict, int points, int of, Message said) {
         return new CaseReport(
                 "speed",
                 Visibility.OPEN,
                 verdict,
                 points,
                 of,
-                message,
+                said,
                 java.util.Optional.empty(),
                 "");
     }

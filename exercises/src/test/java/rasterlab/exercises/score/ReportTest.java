@@ -39,7 +39,7 @@ class ReportTest {
                         GradingVerdict.WRONG,
                         0,
                         3,
-                        "pixel (1; 1) is missing",
+                        Message.quoted("pixel (1; 1) is missing"),
                         Optional.of(PICTURES),
                         "{}");
         Report report =

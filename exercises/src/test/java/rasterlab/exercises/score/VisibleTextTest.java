@@ -36,12 +36,12 @@ class VisibleTextTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("texts")
     void isShownInADiagnostic(String text, String shown) {
-        assertEquals(shown, new Diagnostic(1, 1, text).message());
+        assertEquals(shown, new Diagnostic(1, 1, Message.quoted(text)).message());
     }
 
     @Test
     void aDiagnosticKeepsItsLinesAndACaseIsOneLine() {
-        assertEquals("a\n\tb\nc", new Diagnostic(1, 1, "a\n\tb\r\nc").message());
+        assertEquals("a\n\tb\nc", new Diagnostic(1, 1, Message.quoted("a\n\tb\r\nc")).message());
         assertEquals("a\\n\\tb", message("a\n\tb"));
     }
 
@@ -58,7 +58,7 @@ class VisibleTextTest {
                         GradingVerdict.WRONG,
                         0,
                         3,
-                        text,
+                        Message.quoted(text),
                         Optional.empty(),
                         "")
                 .message();
