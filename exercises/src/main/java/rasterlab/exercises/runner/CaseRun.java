@@ -87,7 +87,11 @@ final class CaseRun {
             Answer answer = run.draw(segment, demand.mostPixels(segment));
             if (one.visibility() == Visibility.OPEN && !answer.printed().isBlank())
                 printed.add(
-                        new Diagnostic(0, 0, Message.of("printed", one.name(), answer.printed())));
+                        new Diagnostic(
+                                0,
+                                0,
+                                Message.of(
+                                        "printed", one.name(), answer.printed().stripTrailing())));
             Finding finding = judge.judge(segment, answer);
             if (run.over()) stopped = Optional.of(finding);
             return finding;
