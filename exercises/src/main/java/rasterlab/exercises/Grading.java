@@ -1,6 +1,7 @@
 package rasterlab.exercises;
 
 import java.util.function.Consumer;
+import rasterlab.exercises.runner.child.Wire;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Report;
 
@@ -9,6 +10,9 @@ import rasterlab.exercises.score.Report;
  */
 @FunctionalInterface
 public interface Grading {
+    /** The longest source, in bytes of UTF-8: a longer one is refused wherever it is handed in. */
+    int MOST_SOURCE_BYTES = Wire.MOST_SOURCE_BYTES;
+
     /**
      * Compiles, runs in isolation, compares and scores. Never throws for anything that the student
      * wrote: that is a verdict of the report. Grading is a function of its arguments, but for the

@@ -60,15 +60,7 @@ public final class JsonFields {
         try {
             return MAPPER.readTree(json);
         } catch (JsonProcessingException e) {
-            throw new CatalogueException(
-                    place
-                            + " is not JSON: line "
-                            + e.getLocation().getLineNr()
-                            + ", column "
-                            + e.getLocation().getColumnNr()
-                            + ": "
-                            + e.getOriginalMessage(),
-                    e);
+            throw new CatalogueException(place + " is not JSON: " + JsonMistake.in(e), e);
         }
     }
 
@@ -165,7 +157,7 @@ public final class JsonFields {
     }
 
     private static String shown(JsonNode value) {
-        String text = value.toString();
+        String text = value.isMissingNode() ? "nothing" : value.toString();
         return text.length() <= 60 ? text : text.substring(0, 60) + "…";
     }
 }

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** An instructor's folder is read, or its mistake is named with file and field. */
@@ -61,6 +62,14 @@ class CatalogueTest {
         assertEquals(Catalogue.builtIn().named("line-bresenham").revision(), before);
         change("Starter.java", "So far", "As yet");
         assertNotEquals(before, Catalogue.builtIn().withFolder(folder).named("my-line").revision());
+    }
+
+    @ParameterizedTest(name = "statement promises another longest source than is accepted: {0}")
+    @CsvSource({"en, 'at most %d KiB.'", "ru, 'не больше %d КиБ.'"})
+    void theStatementNamesTheLongestSource(String language, String promise) {
+        String statement = Catalogue.builtIn().named("line-bresenham").statement(language);
+        String promised = String.format(promise, Grading.MOST_SOURCE_BYTES / 1024);
+        assertTrue(statement.contains(promised), () -> promised + " is not in " + statement);
     }
 
     @Test

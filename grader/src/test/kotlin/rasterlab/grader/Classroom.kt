@@ -25,6 +25,7 @@ import rasterlab.exercises.Visibility
 import rasterlab.exercises.score.CasePictures
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.Points
 import rasterlab.exercises.score.Report
 import rasterlab.grader.exercise.Exercises
@@ -103,7 +104,7 @@ class Classroom(
             verdict,
             2,
             5,
-            "secret of $name <img src=x onerror=alert(1)>",
+            Message.quoted("secret of $name <img src=x onerror=alert(1)>").and(Message.of("pixel.missing", "(1, 2)")),
             Optional.of(CasePictures("#+-.", byteArrayOf(1), byteArrayOf(2), byteArrayOf(3))),
             """{"from":[0,0],"to":[3,1]}""",
         )

@@ -53,7 +53,13 @@ final class ReportText {
     private void printDiagnostic(Diagnostic diagnostic) {
         String line = diagnostic.line() == 0 ? "" : ":" + diagnostic.line();
         String column = diagnostic.column() == 0 ? "" : ":" + diagnostic.column();
-        out.println(fileName + line + column + ": " + diagnostic.message());
+        // further lines are set in, so that none of them passes for a line of the report
+        String message = diagnostic.message(language()).replace("\n", "\n    ");
+        out.println(fileName + line + column + ": " + message);
+    }
+
+    private String language() {
+        return texts.locale().getLanguage();
     }
 
     private void printCases(List<CaseReport> cases) {
@@ -75,7 +81,7 @@ final class ReportText {
                 judged.name(),
                 texts.text(judged.verdict().code()),
                 judged.points() + "/" + judged.of(),
-                judged.message());
+                judged.message(language()));
     }
 
     private void printPicture(CaseReport judged) {

@@ -8,12 +8,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.exercises.Grading;
 
 /** Reads a student's source. */
 final class SourceFile {
-    /** The most bytes of a source, as on the server: 64 KiB. */
-    static final int LONGEST = 64 << 10;
-
     private SourceFile() {}
 
     /**
@@ -26,9 +24,13 @@ final class SourceFile {
         try {
             long size = Files.size(file);
             if (size == 0) throw Complaint.badInput(file + ": is empty");
-            if (size > LONGEST)
+            if (size > Grading.MOST_SOURCE_BYTES)
                 throw Complaint.badInput(
-                        file + ": has " + size + " bytes, the most for a source is " + LONGEST);
+                        file
+                                + ": has "
+                                + size
+                                + " bytes, the most for a source is "
+                                + Grading.MOST_SOURCE_BYTES);
             return decoded(file, Files.readAllBytes(file));
         } catch (IOException e) {
             throw Complaint.badInput(file + ": cannot be read: " + WholeFile.reason(e));

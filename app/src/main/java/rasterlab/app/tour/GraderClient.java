@@ -48,8 +48,12 @@ final class GraderClient {
         return post("/api/v1/join", "", "application/json", body).path("token").asText();
     }
 
-    /** Submits a source and waits until it is graded. */
-    JsonNode graded(String token, String exercise, String source)
+    /**
+     * Submits a source and waits until it is graded.
+     *
+     * @param language of the messages, "en" or "ru"
+     */
+    JsonNode graded(String token, String exercise, String source, String language)
             throws IOException, InterruptedException {
         String path = "/api/v1/exercises/" + exercise + "/submissions";
         String id =
@@ -57,7 +61,7 @@ final class GraderClient {
                         .path("id")
                         .asText();
         awaitDone("/api/v1/submissions/" + id + "/events", token);
-        return json.readTree(get("/api/v1/submissions/" + id, token));
+        return json.readTree(get("/api/v1/submissions/" + id + "?lang=" + language, token));
     }
 
     /** Follows a submission's events until the one that says it is done. */

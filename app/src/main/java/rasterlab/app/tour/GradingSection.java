@@ -66,7 +66,8 @@ final class GradingSection implements TourPart {
         for (Solution solution : SOLUTIONS) {
             page.say(page.texts().text("grading.submitting", solution.name));
             long start = System.nanoTime();
-            JsonNode result = client.graded(student, EXERCISE, source(solution.name));
+            String language = page.texts().locale().getLanguage();
+            JsonNode result = client.graded(student, EXERCISE, source(solution.name), language);
             all.add(new Graded(solution.name, result, (System.nanoTime() - start) / 1e9));
         }
         page.table(

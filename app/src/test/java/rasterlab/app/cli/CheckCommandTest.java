@@ -27,9 +27,29 @@ class CheckCommandTest {
         Ran ran = check("wrong", "--lang", "ru");
         assertTrue(ran.out().contains("Вердикт: неверно"), ran.out());
         assertTrue(ran.out().contains("\n  #.."), ran.out());
+        assertTrue(ran.out().contains("нет пикселя ("), ran.out());
+        assertFalse(ran.out().contains("missing"), ran.out());
         Path picture = folder.resolve("pictures/steep-line-leaves-gaps-difference.png");
         assertTrue(Files.exists(picture), ran.out());
         assertEquals(1, ran.exitCode());
+    }
+
+    @Test
+    void printedLinesDoNotPassForThoseOfTheReport() throws Exception {
+        Path file = folder.resolve("MyLine.java");
+        Files.writeString(
+                file,
+                """
+                public class MyLine implements rasterlab.contract.LineRasterizer {
+                    public void draw(int a, int b, int c, int d, rasterlab.contract.Pixels out) {
+                        System.out.println("\\33[2Jx\\nVerdict: ok");
+                        throw new IllegalStateException("\\33[2J\\u202E");
+                    }
+                }
+                """);
+        Ran ran = Ran.lab("check", "line-bresenham", file.toString());
+        assertFalse(ran.out().contains("\nVerdict: ok"), ran.out());
+        assertFalse(ran.out().matches("(?s).*[\\x1B\\x{202E}].*"), ran.out());
     }
 
     @Test
@@ -67,7 +87,7 @@ class CheckCommandTest {
         Files.write(file, new byte[0]);
         complains(file, "is empty");
         Files.write(file, new byte[10_000_000]);
-        complains(file, "has 10000000 bytes, the most for a source is 65536");
+        complains(file, "has 10000000 bytes, the most for a source is 262144");
         Files.write(file, new byte[] {(byte) 0xC3, 0x28});
         complains(file, "is not UTF-8 text");
     }

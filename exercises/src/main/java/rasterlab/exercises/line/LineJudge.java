@@ -14,6 +14,7 @@ import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CasePictures;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 
 /** Compares what a method drew with the exact line, as the case and the exercise demand. */
 public final class LineJudge {
@@ -40,16 +41,12 @@ public final class LineJudge {
         if (answer.ending() == Answer.Ending.CUT && !demand.cutShort(segment))
             return shown(
                     GradingVerdict.OUTPUT_LIMIT,
-                    "still plotting after "
-                            + actual.size()
-                            + " pixels where "
-                            + wanted.size()
-                            + " are right",
+                    Message.of("still-plotting", actual.size(), wanted.size()),
                     wanted,
                     actual);
-        String wrong = difference(segment, wanted, actual);
+        Message wrong = difference(segment, wanted, actual);
         if (wrong.isEmpty()) return Finding.OK;
-        return shown(GradingVerdict.WRONG, wrong + knownFault(segment, actual), wanted, actual);
+        return shown(GradingVerdict.WRONG, wrong.and(knownFault(segment, actual)), wanted, actual);
     }
 
     private Finding thrown(Answer answer) {
@@ -58,31 +55,31 @@ public final class LineJudge {
                 answer.exception().equals(OutOfMemoryError.class.getName())
                         ? GradingVerdict.MEMORY_LIMIT
                         : GradingVerdict.RUNTIME_ERROR;
-        return Finding.of(verdict, answer.thrown());
+        return Finding.of(verdict, Message.quoted(answer.thrown()));
     }
 
-    private String difference(Segment segment, PixelRecording wanted, PixelRecording actual) {
+    private Message difference(Segment segment, PixelRecording wanted, PixelRecording actual) {
         Deviation deviation = topic.compare(segment, wanted, actual);
-        if (!deviation.exact()) return deviation.first();
-        String repeated = firstRepeated(actual);
+        if (!deviation.exact()) return FirstDifference.told(deviation.first());
+        Message repeated = firstRepeated(actual);
         if (!repeated.isEmpty()) return repeated;
-        return demand.inOrder() ? deviation.first() : "";
+        return demand.inOrder() ? FirstDifference.told(deviation.first()) : Message.NONE;
     }
 
-    private static String firstRepeated(PixelRecording actual) {
+    private static Message firstRepeated(PixelRecording actual) {
         Set<Long> seen = new HashSet<>();
         for (int i = 0; i < actual.size(); i++)
             if (!seen.add((long) actual.x(i) << 32 | actual.y(i) & 0xFFFF_FFFFL))
-                return "pixel (" + actual.x(i) + ", " + actual.y(i) + ") is plotted twice";
-        return "";
+                return Message.of("pixel.twice", "(" + actual.x(i) + ", " + actual.y(i) + ")");
+        return Message.NONE;
     }
 
-    /** Names the faulty textbook method that draws the very same; empty where none does. */
-    private String knownFault(Segment segment, PixelRecording actual) {
+    /** Names the faulty textbook method that draws the very same; nothing where none does. */
+    private Message knownFault(Segment segment, PixelRecording actual) {
         for (Method<LineRasterizer> method : topic.methods())
             if (method.faulty() && same(actual, drawnBy(method, segment)))
-                return "; " + method.name() + " draws the same";
-        return "";
+                return Message.of("known-fault", method.name());
+        return Message.NONE;
     }
 
     private PixelRecording drawnBy(Method<LineRasterizer> method, Segment segment) {
@@ -101,8 +98,8 @@ public final class LineJudge {
     }
 
     private static Finding shown(
-            GradingVerdict verdict, String message, PixelRecording wanted, PixelRecording actual) {
-        return new Finding(verdict, message, CasePictures.of(PixelDifference.of(wanted, actual)));
+            GradingVerdict verdict, Message said, PixelRecording wanted, PixelRecording actual) {
+        return new Finding(verdict, said, CasePictures.of(PixelDifference.of(wanted, actual)));
     }
 
     /** The case's segment as a scene file that the lab opens. */

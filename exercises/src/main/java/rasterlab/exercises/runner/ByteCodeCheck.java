@@ -6,6 +6,7 @@ import java.util.Map;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.Opcodes;
 import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.Message;
 
 /**
  * Reads a student's class files before they run: an early refusal in words that can be understood.
@@ -40,12 +41,12 @@ final class ByteCodeCheck {
             for (byte[] bytes : classes.values())
                 new ClassReader(bytes).accept(new ClassScan(uses), ClassReader.SKIP_FRAMES);
         } catch (RuntimeException malformed) {
-            return refused("the class files cannot be read: " + malformed);
+            return refused("classes.unreadable", malformed);
         }
         for (String name : own.names()) {
             if (name.contains("/")) return packageRefused(packageOf(name), source);
             if (name.length() > LONGEST_NAME || !classes.containsKey(name))
-                return refused("class names have at most " + LONGEST_NAME + " characters");
+                return refused("classes.name", LONGEST_NAME);
         }
         if (!refusals.list().isEmpty()) return new Result("", refusals.list());
         return entry(own, contract);
@@ -57,13 +58,11 @@ final class ByteCodeCheck {
         for (String name : own.names())
             if (isPublicTopLevel(own, name) && own.implementsInterface(name, contract))
                 entries.add(name);
-        if (entries.isEmpty())
-            return refused("no public class implements " + readable + "; exactly one must");
-        if (entries.size() > 1)
-            return refused(entries + " all implement " + readable + "; exactly one may");
+        if (entries.isEmpty()) return refused("classes.none", readable);
+        if (entries.size() > 1) return refused("classes.several", entries, readable);
         String entry = entries.get(0);
         if (!own.shape(entry).members().contains("public <init>()V"))
-            return refused("class " + entry + " needs a public constructor without parameters");
+            return refused("classes.constructor", entry);
         return new Result(entry, List.of());
     }
 
@@ -78,18 +77,14 @@ final class ByteCodeCheck {
         List<String> lines = source.lines().takeWhile(line -> !line.contains("package")).toList();
         return new Result(
                 "",
-                List.of(
-                        new Diagnostic(
-                                lines.size() + 1,
-                                0,
-                                "package " + name + " is not allowed: remove the line")));
+                List.of(new Diagnostic(lines.size() + 1, 0, Message.of("classes.package", name))));
     }
 
     private static String packageOf(String name) {
         return name.substring(0, name.lastIndexOf('/')).replace('/', '.');
     }
 
-    private static Result refused(String reason) {
-        return new Result("", List.of(new Diagnostic(0, 0, reason)));
+    private static Result refused(String key, Object... arguments) {
+        return new Result("", List.of(new Diagnostic(0, 0, Message.of(key, arguments))));
     }
 }

@@ -16,6 +16,7 @@ import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 
 /** Tries one loaded method on one case after the other, until it is stopped. */
 final class CaseRun {
@@ -50,7 +51,7 @@ final class CaseRun {
                     ? Optional.of(
                             Finding.of(
                                     GradingVerdict.RUNTIME_ERROR,
-                                    "creating the object: " + answer.thrown()))
+                                    Message.of("creating", answer.thrown())))
                     : Optional.empty();
         } catch (ChildLost lost) {
             return Optional.of(finding(lost));
@@ -68,8 +69,7 @@ final class CaseRun {
      */
     CaseReport judge(Case one) throws ChildLost, InterruptedException {
         if (stopped.isPresent())
-            return report(
-                    one, Finding.of(stopped.get().verdict(), "not run: stopped before it"), "");
+            return report(one, Finding.of(stopped.get().verdict(), Message.of("not-run")), "");
         LineCase demand = LineCaseReader.read(one, seed);
         LineJudge judge = new LineJudge(demand, exercise.tolerance().eitherPixelOnTies());
         String scene = LineJudge.scene(demand.segments().get(0));
@@ -87,7 +87,11 @@ final class CaseRun {
             Answer answer = run.draw(segment, demand.mostPixels(segment));
             if (one.visibility() == Visibility.OPEN && !answer.printed().isBlank())
                 printed.add(
-                        new Diagnostic(0, 0, "printed in " + one.name() + ": " + answer.printed()));
+                        new Diagnostic(
+                                0,
+                                0,
+                                Message.of(
+                                        "printed", one.name(), answer.printed().stripTrailing())));
             Finding finding = judge.judge(segment, answer);
             if (run.over()) stopped = Optional.of(finding);
             return finding;
@@ -106,7 +110,7 @@ final class CaseRun {
                     case ENDED, PROTOCOL -> GradingVerdict.NO_RESULT;
                     case KILLED -> throw lost;
                 };
-        return Finding.of(verdict, lost.getMessage());
+        return Finding.of(verdict, lost.said());
     }
 
     private static CaseReport report(Case one, Finding finding, String scene) {
@@ -116,7 +120,7 @@ final class CaseRun {
                 finding.verdict(),
                 finding.verdict() == GradingVerdict.OK ? one.points() : 0,
                 one.points(),
-                finding.message(),
+                finding.said(),
                 finding.pictures(),
                 scene);
     }

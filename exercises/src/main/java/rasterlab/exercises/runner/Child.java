@@ -15,6 +15,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import rasterlab.exercises.runner.child.Frames;
 import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.score.Message;
 
 /**
  * A started child process, asked one request at a time. Reading and writing happen on threads of
@@ -72,7 +73,7 @@ final class Child implements AutoCloseable {
         byte[] frame = frames.poll(limit.toNanos(), TimeUnit.NANOSECONDS);
         if (frame == null) {
             close();
-            throw new ChildLost(ChildLost.Reason.TIME, "no answer within " + seconds(limit));
+            throw new ChildLost(ChildLost.Reason.TIME, Message.of("child.time", seconds(limit)));
         }
         if (frame == END) throw ended();
         try {
@@ -81,12 +82,13 @@ final class Child implements AutoCloseable {
             return reading.read(payload.readByte(), payload);
         } catch (IOException | RuntimeException e) {
             close();
-            throw new ChildLost(ChildLost.Reason.PROTOCOL, "broke the protocol: " + e.getMessage());
+            throw new ChildLost(
+                    ChildLost.Reason.PROTOCOL, Message.of("child.protocol", e.getMessage()));
         }
     }
 
     static String seconds(Duration limit) {
-        return limit.toMillis() / 1000.0 + " s";
+        return String.valueOf(limit.toMillis() / 1000.0);
     }
 
     private void send(byte[] frame) {
@@ -128,16 +130,17 @@ final class Child implements AutoCloseable {
     private ChildLost ended() {
         boolean byItself = waitFor(GRACE);
         close();
-        if (!byItself)
-            return new ChildLost(ChildLost.Reason.PROTOCOL, "closed its output or sent rubbish");
+        if (!byItself) return new ChildLost(ChildLost.Reason.PROTOCOL, Message.of("child.closed"));
         int status = process.exitValue();
         return switch (status) {
-            case Wire.EXIT_MEMORY -> new ChildLost(ChildLost.Reason.MEMORY, "out of memory");
-            case Wire.EXIT_OUTPUT -> new ChildLost(ChildLost.Reason.OUTPUT, "too much output");
+            case Wire.EXIT_MEMORY ->
+                    new ChildLost(ChildLost.Reason.MEMORY, Message.of("child.memory"));
+            case Wire.EXIT_OUTPUT ->
+                    new ChildLost(ChildLost.Reason.OUTPUT, Message.of("child.output"));
             default ->
                     new ChildLost(
                             status > 128 ? ChildLost.Reason.KILLED : ChildLost.Reason.ENDED,
-                            "ended early with status " + status);
+                            Message.of("child.ended", status));
         };
     }
 

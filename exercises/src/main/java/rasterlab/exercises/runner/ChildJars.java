@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.zip.ZipEntry;
@@ -14,27 +15,57 @@ import rasterlab.exercises.runner.child.RunMain;
 
 /**
  * The two jars that children get, in a temporary folder of our own: the harness and the contract.
+ * Where somebody cleans temporary folders while the judge lives, they are made anew.
  */
 final class ChildJars implements AutoCloseable {
-    private final Path folder;
+    private static final String CONTRACT = "contract.jar";
+    private static final String HARNESS = "harness.jar";
+    private static final List<String> FILES = List.of(CONTRACT, HARNESS);
 
-    private ChildJars(Path folder) {
-        this.folder = folder;
+    private final Path parent;
+    private ChildFolder folder;
+
+    private ChildJars(Path parent) throws IOException {
+        this.parent = parent;
+        ChildFolder.removeLeftovers(parent, FILES);
+        folder = filled();
     }
 
     static ChildJars assemble() {
+        return assemble(Path.of(System.getProperty("java.io.tmpdir")));
+    }
+
+    /**
+     * @param parent where the folder is made
+     */
+    static ChildJars assemble(Path parent) {
         try {
-            ChildJars jars = new ChildJars(Files.createTempDirectory("rasterlab-children-"));
-            write(jars.contract(), ClassFiles.closure(LineRasterizer.class, "rasterlab/contract/"));
-            Map<String, byte[]> harness = new TreeMap<>();
-            String own = RunMain.class.getPackageName().replace('.', '/') + '/';
-            harness.putAll(ClassFiles.closure(RunMain.class, own));
-            harness.putAll(ClassFiles.closure(CompileMain.class, own));
-            write(jars.harness(), harness);
-            return jars;
+            return new ChildJars(parent);
         } catch (IOException e) {
             throw new UncheckedIOException("cannot prepare the children's jars", e);
         }
+    }
+
+    private ChildFolder filled() throws IOException {
+        ChildFolder made = ChildFolder.create(parent, FILES);
+        try {
+            fill(made.path());
+            return made;
+        } catch (IOException e) {
+            made.close();
+            throw e;
+        }
+    }
+
+    private static void fill(Path folder) throws IOException {
+        write(
+                folder.resolve(CONTRACT),
+                ClassFiles.closure(LineRasterizer.class, "rasterlab/contract/"));
+        Map<String, byte[]> harness = new TreeMap<>();
+        String own = RunMain.class.getPackageName().replace('.', '/') + '/';
+        harness.putAll(ClassFiles.closure(RunMain.class, own));
+        harness.putAll(ClassFiles.closure(CompileMain.class, own));
+        write(folder.resolve(HARNESS), harness);
     }
 
     private static void write(Path jar, Map<String, byte[]> classes) throws IOException {
@@ -48,26 +79,32 @@ final class ChildJars implements AutoCloseable {
 
     /** What a student's source may see. */
     Path contract() {
-        return folder.resolve("contract.jar");
+        return folder().resolve(CONTRACT);
     }
 
     Path harness() {
-        return folder.resolve("harness.jar");
+        return folder().resolve(HARNESS);
     }
 
-    /** An empty place to start a child in would be this folder: it holds the two jars only. */
-    Path folder() {
-        return folder;
+    /** Holds the two jars and nothing else to read; another one after the first was taken away. */
+    synchronized Path folder() {
+        try {
+            if (!folder.intact()) {
+                folder.close();
+                folder = filled();
+            }
+            return folder.path();
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot prepare the children's jars again", e);
+        }
     }
 
     @Override
-    public void close() {
+    public synchronized void close() {
         try {
-            Files.deleteIfExists(contract());
-            Files.deleteIfExists(harness());
-            Files.deleteIfExists(folder);
+            folder.close();
         } catch (IOException e) {
-            throw new UncheckedIOException("cannot remove " + folder, e);
+            throw new UncheckedIOException("cannot remove " + folder.path(), e);
         }
     }
 }

@@ -1,5 +1,7 @@
 package rasterlab.exercises.runner;
 
+import rasterlab.exercises.score.Message;
+
 /** A child gave no answer that can be used, and is dead now. */
 final class ChildLost extends Exception {
     private static final long serialVersionUID = 1L;
@@ -21,10 +23,16 @@ final class ChildLost extends Exception {
     }
 
     private final Reason reason;
+    private final transient Message said;
 
-    ChildLost(Reason reason, String message) {
-        super(message);
+    ChildLost(Reason reason, Message said) {
+        super(said.toString());
         this.reason = reason;
+        this.said = said;
+    }
+
+    Message said() {
+        return said;
     }
 
     Reason reason() {

@@ -11,15 +11,17 @@ import java.util.Map;
 import rasterlab.exercises.runner.child.Frames;
 import rasterlab.exercises.runner.child.Wire;
 import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 
 /**
  * What the compiling child made of a source.
  *
+ * @param verdict OK where there are classes
  * @param classes binary name to class file; empty where there are errors
- * @param errors compiler messages; empty where there are classes
+ * @param errors compiler messages, or why the classes are refused; empty where there are classes
  */
-record Compilation(Map<String, byte[]> classes, List<Diagnostic> errors) {
-    private static final int MOST_CLASSES = 200;
+record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Diagnostic> errors) {
     private static final int MOST_ERRORS = 20;
 
     /**
@@ -33,8 +35,8 @@ record Compilation(Map<String, byte[]> classes, List<Diagnostic> errors) {
             return child.ask(request, limit, Compilation::read);
         } catch (ChildLost lost) {
             return switch (lost.reason()) {
-                case TIME -> tooComplex("compiling took longer than " + Child.seconds(limit));
-                case MEMORY -> tooComplex("the compiler ran out of memory");
+                case TIME -> tooComplex("complex.time", Child.seconds(limit));
+                case MEMORY -> tooComplex("complex.memory");
                 default -> throw lost;
             };
         }
@@ -42,16 +44,19 @@ record Compilation(Map<String, byte[]> classes, List<Diagnostic> errors) {
 
     private static Compilation read(int status, DataInputStream in) throws IOException {
         return switch (status) {
-            case Wire.DONE -> new Compilation(classes(in), List.of());
-            case Wire.COMPILER_ERRORS -> new Compilation(Map.of(), errors(in));
-            case Wire.TOO_COMPLEX -> tooComplex("the compiler gave up");
+            case Wire.DONE -> new Compilation(GradingVerdict.OK, classes(in), List.of());
+            case Wire.COMPILER_ERRORS -> failed(GradingVerdict.COMPILE_ERROR, errors(in));
+            case Wire.TOO_COMPLEX -> tooComplex("complex.gave-up");
+            case Wire.TOO_MANY_CLASSES -> refused("classes.many", in.readLong(), Wire.MOST_CLASSES);
+            case Wire.CLASSES_TOO_LONG ->
+                    refused("classes.long", in.readLong(), Wire.MOST_CLASS_BYTES);
             default -> throw new IOException("status " + status + " after a compilation");
         };
     }
 
     private static Map<String, byte[]> classes(DataInputStream in) throws IOException {
         Map<String, byte[]> classes = new LinkedHashMap<>();
-        for (int left = count(in, MOST_CLASSES); left > 0; left--)
+        for (int left = count(in, Wire.MOST_CLASSES); left > 0; left--)
             classes.put(in.readUTF(), Frames.readBytes(in, Wire.MOST_CLASS_BYTES));
         return classes;
     }
@@ -59,7 +64,9 @@ record Compilation(Map<String, byte[]> classes, List<Diagnostic> errors) {
     private static List<Diagnostic> errors(DataInputStream in) throws IOException {
         List<Diagnostic> errors = new ArrayList<>();
         for (int left = count(in, MOST_ERRORS); left > 0; left--)
-            errors.add(new Diagnostic(in.readInt(), in.readInt(), Wire.cut(in.readUTF())));
+            errors.add(
+                    new Diagnostic(
+                            in.readInt(), in.readInt(), Message.quoted(Wire.cut(in.readUTF()))));
         return errors;
     }
 
@@ -70,7 +77,19 @@ record Compilation(Map<String, byte[]> classes, List<Diagnostic> errors) {
         return count;
     }
 
-    private static Compilation tooComplex(String why) {
-        return new Compilation(Map.of(), List.of(new Diagnostic(0, 0, "too complex: " + why)));
+    private static Compilation tooComplex(String key, Object... arguments) {
+        return failed(GradingVerdict.COMPILE_ERROR, List.of(said(key, arguments)));
+    }
+
+    private static Compilation refused(String key, long amount, int most) {
+        return failed(GradingVerdict.REFUSED, List.of(said(key, amount, most)));
+    }
+
+    private static Diagnostic said(String key, Object... arguments) {
+        return new Diagnostic(0, 0, Message.of(key, arguments));
+    }
+
+    private static Compilation failed(GradingVerdict verdict, List<Diagnostic> errors) {
+        return new Compilation(verdict, Map.of(), errors);
     }
 }

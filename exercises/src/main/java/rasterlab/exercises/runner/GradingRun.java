@@ -15,6 +15,7 @@ import rasterlab.exercises.Visibility;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 import rasterlab.exercises.score.SpeedPoints;
 
@@ -65,8 +66,8 @@ final class GradingRun {
                 Child runner = children.take(ChildKind.RUN);
                 Child reference = children.take(ChildKind.RUN)) {
             Compilation compiled = Compilation.of(source, compiler, settings.compileLimit());
-            if (!compiled.errors().isEmpty())
-                return sheet.rejected(GradingVerdict.COMPILE_ERROR, compiled.errors());
+            if (compiled.verdict() != GradingVerdict.OK)
+                return sheet.rejected(compiled.verdict(), compiled.errors());
             ByteCodeCheck.Result checked = check.check(compiled.classes(), CONTRACT, source);
             if (!checked.refusals().isEmpty())
                 return sheet.rejected(GradingVerdict.REFUSED, checked.refusals());
@@ -93,25 +94,21 @@ final class GradingRun {
             reports.add(report);
             progress.accept(report);
         }
-        SpeedTrial.Outcome speed = SpeedTrial.Outcome.WRONG;
-        CaseReport speedReport = SpeedPoints.none(exercise.points().speed(), tooInaccurate());
-        if (!cases.isStopped() && aboveFloor(reports)) {
-            speed = speed(student, reference);
-            speedReport =
-                    speed.ratio() > 0
-                            ? SpeedPoints.measured(speed.ratio(), exercise.points().speed())
-                            : SpeedPoints.none(
-                                    exercise.points().speed(),
-                                    "not right, or not ready in time, on the long lines of the measurement");
-        }
+        SpeedTrial.Outcome speed =
+                cases.isStopped() || !aboveFloor(reports)
+                        ? SpeedTrial.Outcome.none(tooInaccurate())
+                        : speed(student, reference);
+        int most = exercise.points().speed();
+        CaseReport speedReport =
+                speed.obstacle().isEmpty()
+                        ? SpeedPoints.measured(speed.ratio(), speed.printed(), most)
+                        : SpeedPoints.none(most, speed.obstacle());
         progress.accept(speedReport);
         return sheet.graded(reports, speedReport, cases.printed(), speed.nanosPerPixel());
     }
 
-    private static String tooInaccurate() {
-        return String.format(
-                "not measured: %.0f %% of the accuracy points come first",
-                100 * SpeedPoints.ACCURACY_FLOOR);
+    private static Message tooInaccurate() {
+        return Message.of("speed.floor", Math.round(100 * SpeedPoints.ACCURACY_FLOOR));
     }
 
     private boolean aboveFloor(List<CaseReport> reports) {
@@ -134,7 +131,7 @@ final class GradingRun {
             return new SpeedTrial(student, reference, new SecureRandom().nextLong()).measure();
         } catch (ChildLost lost) {
             if (lost.reason() == ChildLost.Reason.KILLED) throw lost;
-            return SpeedTrial.Outcome.WRONG;
+            return SpeedTrial.Outcome.none(Message.of("speed.stopped").and(lost.said()));
         }
     }
 }

@@ -11,6 +11,7 @@ import rasterlab.exercises.Grading;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 
 /**
@@ -33,7 +34,7 @@ public final class Judge implements Grading, AutoCloseable {
     private Judge(JudgeSettings settings) {
         this.settings = settings;
         this.jars = ChildJars.assemble();
-        this.launcher = new Launcher(jars.folder());
+        this.launcher = new Launcher(jars);
         this.box = new BoxChoice(launcher, jars).choose(settings.box());
         this.children = new Children(box, launcher, settings.spares());
         this.atExit = new Thread(this::release, "rasterlab-judge-exit");
@@ -58,8 +59,9 @@ public final class Judge implements Grading, AutoCloseable {
 
     @Override
     public Report grade(
-            Exercise exercise, String source, CaseSelection cases, Consumer<CaseReport> progress)
+            Exercise exercise, String sent, CaseSelection cases, Consumer<CaseReport> progress)
             throws InterruptedException {
+        String source = SourceText.withoutMark(sent);
         ReportSheet sheet = new ReportSheet(exercise, cases, isolation().name());
         var fault = SourceText.faultOf(source);
         if (fault.isPresent())
@@ -84,18 +86,17 @@ public final class Judge implements Grading, AutoCloseable {
     }
 
     private Report withRetry(GradingRun run, ReportSheet sheet) throws InterruptedException {
-        String reason = "";
+        Message reason = Message.NONE;
         for (int left = TRIES; left > 0; left--) {
             try {
                 return run.run(children);
             } catch (ChildLost lost) {
-                reason = "the isolated child " + lost.getMessage();
+                reason = Message.of("internal.child").and(lost.said());
             } catch (UncheckedIOException cannotStart) {
-                reason = cannotStart.getMessage() + ": " + cannotStart.getCause().getMessage();
+                reason = Message.of("internal.start", cannotStart.getCause().getMessage());
             }
         }
-        return sheet.rejected(
-                GradingVerdict.INTERNAL, List.of(new Diagnostic(0, 0, reason + ", twice")));
+        return sheet.rejected(GradingVerdict.INTERNAL, List.of(new Diagnostic(0, 0, reason)));
     }
 
     /** Ends all children and removes what was prepared for them. */

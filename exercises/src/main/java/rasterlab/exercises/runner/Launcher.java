@@ -2,7 +2,6 @@ package rasterlab.exercises.runner;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -14,15 +13,15 @@ import java.util.concurrent.Executors;
  * when the thread that started it ends.
  */
 final class Launcher implements AutoCloseable {
-    private final Path folder;
+    private final ChildJars jars;
     private final ExecutorService thread =
             Executors.newSingleThreadExecutor(Daemons.named("rasterlab-launcher"));
 
     /**
-     * @param folder where processes start
+     * @param jars in whose folder processes start
      */
-    Launcher(Path folder) {
-        this.folder = folder;
+    Launcher(ChildJars jars) {
+        this.jars = jars;
     }
 
     /**
@@ -41,7 +40,7 @@ final class Launcher implements AutoCloseable {
     }
 
     private Process spawn(List<String> command) {
-        ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
+        ProcessBuilder builder = new ProcessBuilder(command).directory(jars.folder().toFile());
         String windows = System.getenv("SystemRoot");
         builder.environment().clear();
         if (windows != null) builder.environment().put("SystemRoot", windows);

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
 import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.Message;
 
 /** What is not allowed in a student's classes, each once, with the line in the source. */
 final class Refusals {
@@ -26,7 +27,7 @@ final class Refusals {
         String readable = thing.replace('/', '.').replace('$', '.');
         int place = line > 0 ? line : mention(readable);
         if (found.size() < MOST)
-            found.add(new Diagnostic(place, 0, readable + " is not allowed in this exercise"));
+            found.add(new Diagnostic(place, 0, Message.of("not-allowed", readable)));
     }
 
     private int mention(String thing) {

@@ -4,9 +4,10 @@ import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.Grading;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 
 /** Looks at a source before any process is started. */
 final class SourceText {
@@ -18,20 +19,22 @@ final class SourceText {
     /** Why a source is not even compiled. */
     record Fault(GradingVerdict verdict, Diagnostic diagnostic) {}
 
+    /** Without the byte order mark that some editors put in front, such as Windows Notepad. */
+    static String withoutMark(String source) {
+        return source.startsWith("\uFEFF") ? source.substring(1) : source;
+    }
+
     static Optional<Fault> faultOf(String source) {
-        if (source.length() > Wire.MOST_SOURCE_BYTES || utf8Length(source) > Wire.MOST_SOURCE_BYTES)
+        if (source.length() > Grading.MOST_SOURCE_BYTES
+                || utf8Length(source) > Grading.MOST_SOURCE_BYTES)
             return Optional.of(
                     new Fault(
                             GradingVerdict.REFUSED,
                             new Diagnostic(
-                                    0,
-                                    0,
-                                    "the source is longer than the allowed "
-                                            + Wire.MOST_SOURCE_BYTES
-                                            + " bytes")));
-        if (source.isBlank()) return fault(source, 0, "the source is empty");
+                                    0, 0, Message.of("source.long", Grading.MOST_SOURCE_BYTES))));
+        if (source.isBlank()) return fault(source, 0, Message.of("source.empty"));
         for (int i = 0; i < source.length(); i++) {
-            String wrong = wrong(source, i);
+            Message wrong = wrong(source, i);
             if (!wrong.isEmpty()) return fault(source, i, wrong);
         }
         return tooDeep(source);
@@ -45,19 +48,23 @@ final class SourceText {
         }
     }
 
-    private static String wrong(String source, int i) {
+    private static Message wrong(String source, int i) {
         char c = source.charAt(i);
-        if (c == '\uFEFF') return "a byte order mark: save the file as UTF-8 without it";
-        if (c == 0) return "a NUL character: this is not a text file";
+        if (c == '\uFEFF') return Message.of("source.mark");
+        if (c == 0) return Message.of("source.nul");
         if (c >= '\u202A' && c <= '\u202E' || c >= '\u2066' && c <= '\u2069')
-            return String.format("the invisible writing-direction character U+%04X", (int) c);
+            return Message.of("source.direction", codePoint(c));
         boolean lone =
                 Character.isHighSurrogate(c)
                         ? i + 1 == source.length()
                                 || !Character.isLowSurrogate(source.charAt(i + 1))
                         : Character.isLowSurrogate(c)
                                 && (i == 0 || !Character.isHighSurrogate(source.charAt(i - 1)));
-        return lone ? String.format("half a character, U+%04X", (int) c) : "";
+        return lone ? Message.of("source.half", codePoint(c)) : Message.NONE;
+    }
+
+    private static String codePoint(char c) {
+        return String.format("U+%04X", (int) c);
     }
 
     /** Counts brackets wherever they stand; text and comments with 200 open ones are unlikely. */
@@ -67,17 +74,16 @@ final class SourceText {
             char c = source.charAt(i);
             if (c == '(' || c == '{' || c == '[') depth++;
             if ((c == ')' || c == '}' || c == ']') && depth > 0) depth--;
-            if (depth > DEEPEST)
-                return fault(source, i, "too complex: more than " + DEEPEST + " open brackets");
+            if (depth > DEEPEST) return fault(source, i, Message.of("complex.brackets", DEEPEST));
         }
         return Optional.empty();
     }
 
-    private static Optional<Fault> fault(String source, int at, String message) {
+    private static Optional<Fault> fault(String source, int at, Message said) {
         String before = source.substring(0, at);
         int line = 1 + (int) before.chars().filter(c -> c == '\n').count();
         int column = at - before.lastIndexOf('\n');
         return Optional.of(
-                new Fault(GradingVerdict.COMPILE_ERROR, new Diagnostic(line, column, message)));
+                new Fault(GradingVerdict.COMPILE_ERROR, new Diagnostic(line, column, said)));
     }
 }

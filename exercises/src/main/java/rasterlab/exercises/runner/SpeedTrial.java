@@ -8,6 +8,7 @@ import java.util.Random;
 import rasterlab.engine.line.BresenhamLine;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.runner.child.SummingPixels;
+import rasterlab.exercises.score.Message;
 
 /**
  * The student's cost per pixel against that of the reference method, each in a child of its own, in
@@ -43,30 +44,39 @@ final class SpeedTrial {
     /**
      * The outcome.
      *
-     * @param nanosPerPixel of the student's method; 0 where it drew something wrong
-     * @param ratio to the reference; 0 where it drew something wrong
+     * @param nanosPerPixel of the student's method; 0 where it was not measured
+     * @param ratio to the reference; 0 where it was not measured
+     * @param printed whether the method printed, which takes time
+     * @param obstacle why it was not measured; nothing where it was
      */
-    record Outcome(double nanosPerPixel, double ratio) {
-        static final Outcome WRONG = new Outcome(0, 0);
+    record Outcome(double nanosPerPixel, double ratio, boolean printed, Message obstacle) {
+        static Outcome none(Message obstacle) {
+            return new Outcome(0, 0, false, obstacle);
+        }
     }
 
     Outcome measure() throws ChildLost, InterruptedException {
         loadReference();
         double theirs = Double.MAX_VALUE;
         double ours = Double.MAX_VALUE;
+        boolean printed = false;
         long start = System.nanoTime();
         for (int round = 1; round <= LEAST_ROUNDS || theirs > GOOD_RATIO * ours; round++) {
             List<Segment> segments = segments();
             SummingPixels right = drawnHere(segments);
             StudentRun.Timed reply = student.time(segments);
-            if (reply.count() != right.count() || reply.sum() != right.sum()) return Outcome.WRONG;
+            if (!reply.thrown().isEmpty())
+                return Outcome.none(Message.of("speed.threw", reply.thrown()));
+            if (reply.count() != right.count() || reply.sum() != right.sum())
+                return Outcome.none(Message.of("speed.wrong"));
+            printed |= reply.printed() > 0;
             // the quickest round counts: what else the machine does only ever adds time
             theirs = Math.min(theirs, (double) reply.nanos() / right.count());
             long reference = this.reference.time(segments).nanos();
             ours = Math.min(ours, (double) reference / right.count());
             if (System.nanoTime() - start > BUDGET_NANOS) break;
         }
-        return new Outcome(theirs, theirs / ours);
+        return new Outcome(theirs, theirs / ours, printed, Message.NONE);
     }
 
     private static SummingPixels drawnHere(List<Segment> segments) {

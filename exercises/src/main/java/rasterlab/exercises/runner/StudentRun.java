@@ -10,6 +10,7 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.exercises.runner.child.Frames;
 import rasterlab.exercises.runner.child.Wire;
 import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Message;
 
 /** A loaded class in its running child, called from here one input at a time. */
 final class StudentRun {
@@ -67,11 +68,13 @@ final class StudentRun {
     }
 
     /**
-     * Draws all segments into a sink that sums up; the exception's text where the method threw.
+     * What came of drawing into a sink that sums up.
      *
      * @param nanos measured by this process
+     * @param printed number of bytes
+     * @param thrown class of an exception; empty where there was none
      */
-    record Timed(long nanos, long count, long sum, String thrown) {}
+    record Timed(long nanos, long count, long sum, long printed, String thrown) {}
 
     Timed time(List<Segment> segments) throws ChildLost, InterruptedException {
         Request request =
@@ -89,8 +92,8 @@ final class StudentRun {
                 (status, in) -> {
                     long nanos = System.nanoTime() - start;
                     return status == Wire.DONE
-                            ? new Timed(nanos, in.readLong(), in.readLong(), "")
-                            : new Timed(nanos, 0, 0, in.readUTF());
+                            ? new Timed(nanos, in.readLong(), in.readLong(), in.readLong(), "")
+                            : new Timed(nanos, 0, 0, 0, Wire.cut(in.readUTF()));
                 });
     }
 
@@ -130,7 +133,7 @@ final class StudentRun {
     private Duration remaining() throws ChildLost {
         Duration left = Duration.ofNanos(deadline - System.nanoTime());
         if (left.isNegative() || left.isZero())
-            throw new ChildLost(ChildLost.Reason.TIME, "all calls together took too long");
+            throw new ChildLost(ChildLost.Reason.TIME, Message.of("child.time-in-all"));
         return left.compareTo(callLimit) < 0 ? left : callLimit;
     }
 

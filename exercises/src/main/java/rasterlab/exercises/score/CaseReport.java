@@ -8,7 +8,7 @@ import rasterlab.exercises.Visibility;
  *
  * @param name lower-case with hyphens; what mistake it catches
  * @param points earned, 0 to {@code of}
- * @param message why points were lost, one line in English; empty when none were
+ * @param said why points were lost; nothing when none were
  * @param pictures for a wrong case whose answer can be drawn
  * @param scene the case as a scene file (JSON) that the lab opens; empty where the case is hidden
  */
@@ -18,9 +18,19 @@ public record CaseReport(
         GradingVerdict verdict,
         int points,
         int of,
-        String message,
+        Message said,
         Optional<CasePictures> pictures,
         String scene) {
+    /** Why points were lost, one line in English. */
+    public String message() {
+        return message("en");
+    }
+
+    /** The same in that language. */
+    public String message(String language) {
+        return VisibleText.line(said.in(language));
+    }
+
     /** The same with what the student may not see taken out. */
     public CaseReport forStudent(boolean afterDeadline) {
         if (visibility == Visibility.OPEN

@@ -6,4 +6,14 @@ package rasterlab.exercises.score;
  * @param line from 1; 0 where no line is known
  * @param column from 1; 0 where no column is known
  */
-public record Diagnostic(int line, int column, String message) {}
+public record Diagnostic(int line, int column, Message said) {
+    /** In English; may have several lines. */
+    public String message() {
+        return message("en");
+    }
+
+    /** In that language. */
+    public String message(String language) {
+        return said.in(language);
+    }
+}

@@ -5,14 +5,14 @@ import java.util.Optional;
 /**
  * What is to be said about one answer.
  *
- * @param message what is wrong, one line; empty when nothing is
+ * @param said what is wrong; nothing when nothing is
  * @param pictures where something can be shown
  */
-public record Finding(GradingVerdict verdict, String message, Optional<CasePictures> pictures) {
-    public static final Finding OK = new Finding(GradingVerdict.OK, "", Optional.empty());
+public record Finding(GradingVerdict verdict, Message said, Optional<CasePictures> pictures) {
+    public static final Finding OK = new Finding(GradingVerdict.OK, Message.NONE, Optional.empty());
 
     /** A finding without pictures. */
-    public static Finding of(GradingVerdict verdict, String message) {
-        return new Finding(verdict, message, Optional.empty());
+    public static Finding of(GradingVerdict verdict, Message said) {
+        return new Finding(verdict, said, Optional.empty());
     }
 }

@@ -15,17 +15,14 @@ public enum GradingVerdict {
     RUNTIME_ERROR,
     /** The child ended early or broke the protocol. */
     NO_RESULT,
+    /** Only for the report's line on speed: nothing was timed, so that nothing can be said. */
+    NOT_MEASURED,
     /** Our own fault: tried again, never a mark. */
     INTERNAL;
 
-    /** The class of the error in words, for a case whose input stays hidden; empty when right. */
-    String hint() {
-        return switch (this) {
-            case OK -> "";
-            case WRONG -> "wrong pixels on a hidden input";
-            case RUNTIME_ERROR -> "an exception on a hidden input";
-            default -> name().toLowerCase(Locale.ROOT).replace('_', ' ') + " on a hidden input";
-        };
+    /** The class of the error, for a case whose input stays hidden; nothing when right. */
+    Message hint() {
+        return this == OK ? Message.NONE : Message.of("hidden." + code());
     }
 
     /** Lower-case name, as in the HTTP API. */

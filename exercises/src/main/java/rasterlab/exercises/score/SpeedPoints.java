@@ -26,38 +26,44 @@ public final class SpeedPoints {
      * The line of the report on speed.
      *
      * @param ratio the student's time per item divided by the reference's, above 0
+     * @param printed whether the method printed while it was measured
      */
-    public static CaseReport measured(double ratio, int of) {
+    public static CaseReport measured(double ratio, boolean printed, int of) {
         int points =
                 BANDS.stream()
                         .filter(band -> ratio <= band.upTo())
                         .findFirst()
                         .map(band -> (int) Math.round(band.share() * of))
                         .orElse(0);
-        String message =
-                points == of
-                        ? ""
-                        : String.format(
-                                Locale.ROOT,
-                                "%.1f times the reference's time per item; full points up to %.1f",
-                                ratio,
-                                BANDS.get(0).upTo());
-        return report(points, of, message);
-    }
-
-    /** Where speed was not measured, or is worth nothing. */
-    public static CaseReport none(int of, String reason) {
-        return report(0, of, reason);
-    }
-
-    private static CaseReport report(int points, int of, String message) {
-        return new CaseReport(
-                "speed",
-                Visibility.OPEN,
+        return report(
                 GradingVerdict.OK,
                 points,
                 of,
-                message,
+                points == of ? Message.NONE : slower(ratio, printed));
+    }
+
+    private static Message slower(double ratio, boolean printed) {
+        Message slow =
+                Message.of(
+                        "speed.slow",
+                        String.format(Locale.ROOT, "%.1f", ratio),
+                        BANDS.get(0).upTo());
+        return printed ? slow.and(Message.of("speed.printing")) : slow;
+    }
+
+    /** Where speed was not measured, or is worth nothing yet. */
+    public static CaseReport none(int of, Message reason) {
+        return report(GradingVerdict.NOT_MEASURED, 0, of, reason);
+    }
+
+    private static CaseReport report(GradingVerdict verdict, int points, int of, Message said) {
+        return new CaseReport(
+                "speed",
+                Visibility.OPEN,
+                verdict,
+                points,
+                of,
+                said,
                 java.util.Optional.empty(),
                 "");
     }

@@ -11,6 +11,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.line.BresenhamLine;
@@ -230,6 +231,27 @@ class LineExerciseTest {
         assertEquals("#-.\n.+#", finding.pictures().orElseThrow().text());
     }
 
+    /** The engine says in English what is wrong first; a form that is not known stays English. */
+    @ParameterizedTest(name = "first difference stays English: {0}")
+    @ValueSource(
+            strings = {
+                "0,0 2,0",
+                "0,0 1,1 2,0",
+                "0,0 1,0 2,0 3,0",
+                "0,0 1,0 2,0 2,0",
+                "2,0 1,0 0,0"
+            })
+    void theFirstDifferenceIsToldInRussian(String drawn) {
+        PixelRecording pixels = new PixelRecording(9);
+        for (String pixel : drawn.split(" "))
+            pixels.plot(pixel.charAt(0) - '0', pixel.charAt(2) - '0');
+        Segment segment = new Segment(0, 0, 2, 0);
+        LineCase demand = new LineCase(List.of(segment), true, true, 100, false);
+        Answer answer = new Answer(Answer.Ending.RETURNED, pixels, "", "", "");
+        String said = new LineJudge(demand, false).judge(segment, answer).said().in("ru");
+        assertTrue(said.matches(".*(пиксел).*") && !said.contains("pixel"), said);
+    }
+
     @Test
     void aPixelPlottedTwiceIsWrong() {
         Segment segment = new Segment(0, 0, 1, 0);
@@ -241,6 +263,6 @@ class LineExerciseTest {
         Finding finding =
                 new LineJudge(demand, true)
                         .judge(segment, new Answer(Answer.Ending.RETURNED, twice, "", "", ""));
-        assertEquals("pixel (1, 0) is plotted twice", finding.message().split(";")[0]);
+        assertEquals("pixel (1, 0) is plotted twice", finding.said().toString().split(";")[0]);
     }
 }

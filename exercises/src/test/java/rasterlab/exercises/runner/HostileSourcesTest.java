@@ -1,11 +1,12 @@
 package rasterlab.exercises.runner;
 
+import static java.util.stream.Collectors.joining;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 import static rasterlab.exercises.Sources.method;
 
-import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -37,7 +38,7 @@ class HostileSourcesTest {
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
-    @MethodSource({"texts", "forbidden", "classes", "greedy", "throwing"})
+    @MethodSource({"texts", "forbidden", "welcome", "classes", "greedy", "throwing"})
     void isAnsweredWith(String verdict, String said, String source) throws Exception {
         Report report = judge.grade(EXERCISE, source, CaseSelection.open(), one -> {});
         assertEquals(verdict, report.verdict().code(), () -> words(report));
@@ -47,12 +48,8 @@ class HostileSourcesTest {
     }
 
     private static String words(Report report) {
-        return report.diagnostics().stream()
-                        .map(HostileSourcesTest::place)
-                        .collect(Collectors.joining("\n"))
-                + report.cases().stream()
-                        .map(CaseReport::message)
-                        .collect(Collectors.joining("\n", "\n", ""));
+        return report.diagnostics().stream().map(HostileSourcesTest::place).collect(joining("\n"))
+                + report.cases().stream().map(CaseReport::message).collect(joining("\n", "\n", ""));
     }
 
     private static String place(Diagnostic one) {
@@ -74,11 +71,12 @@ class HostileSourcesTest {
                         "5:9 incompatible types",
                         method("int a = \"\";\n")),
                 argumentSet("empty source", "compile_error", "empty", " \n"),
+                argumentSet("byte order mark", "ok", "", '\uFEFF' + Sources.RIGHT),
                 argumentSet(
-                        "byte order mark",
+                        "second byte order mark",
                         "compile_error",
                         "1:1 a byte order mark",
-                        '\uFEFF' + Sources.RIGHT),
+                        "\uFEFF\uFEFF" + Sources.RIGHT),
                 argumentSet("NUL", "compile_error", "5:1 a NUL", method("\0")),
                 argumentSet(
                         "bidi control", "compile_error", "5:4 the invisible", method("// \u202E")),
@@ -110,7 +108,7 @@ class HostileSourcesTest {
                 forbidden("file", "5:0 java.io.File", "new java.io.File(\"/\").list();\n"),
                 forbidden(
                         "reflection",
-                        "5:0 java.lang.Object.getClass",
+                        "5:0 java.lang.Class.getDeclaredFields",
                         "getClass().getDeclaredFields();\n"),
                 forbidden(
                         "forName",
@@ -126,6 +124,23 @@ class HostileSourcesTest {
                         "parallel stream",
                         "parallelStream",
                         "new java.util.ArrayList<Integer>().parallelStream().count();\n"),
+                forbidden(
+                        "stream made parallel",
+                        "5:0 java.util.stream.IntStream.parallel",
+                        "java.util.stream.IntStream.range(0, 9).parallel().sum();\n"),
+                forbidden(
+                        "stream made parallel by a method handle",
+                        "java.util.stream.IntStream.parallel",
+                        "java.util.function.UnaryOperator<java.util.stream.IntStream> f ="
+                                + " java.util.stream.IntStream::parallel;\n"),
+                forbidden(
+                        "class loader by way of getClass",
+                        "5:0 java.lang.Class.getClassLoader",
+                        "Object o = getClass().getClassLoader();\n"),
+                forbidden(
+                        "stack trace",
+                        "java.lang.Exception.getStackTrace",
+                        "int depth = new Exception().getStackTrace().length;\n"),
                 forbidden(
                         "stream closes System.out",
                         "java.io.PrintStream.close",
@@ -166,6 +181,17 @@ class HostileSourcesTest {
                         "compile_error",
                         "does not exist",
                         method("rasterlab.exercises.runner.child.Wire.cut(\"\");\n")),
+                argumentSet(
+                        "200 classes more than its own",
+                        "refused",
+                        "too many classes: 201, at most 200 are allowed",
+                        Sources.RIGHT + manyClasses(200)),
+                argumentSet("199 classes beside it", "ok", "", Sources.RIGHT + manyClasses(199)),
+                argumentSet(
+                        "class files beyond the longest frame",
+                        "refused",
+                        "the class files are too long: ",
+                        Sources.RIGHT + longClasses()),
                 argumentSet("no class", "refused", "no public class implements", "class A { }"),
                 argumentSet(
                         "two classes",
@@ -210,6 +236,57 @@ class HostileSourcesTest {
                                         + "all.add(new P(x0, y0)); String s = E.A + \" \" + all;\n"
                                         + "switch (E.valueOf(\"B\")) { case A -> out.plot(1, 1);\n"
                                         + "  case B -> all.forEach(p -> out.plot(p.x, p.y)); }\n")));
+    }
+
+    private static String manyClasses(int number) {
+        return IntStream.range(0, number).mapToObj("class C%d { }%n"::formatted).collect(joining());
+    }
+
+    /** The compiler adds constant texts up: 40 texts of 60,000 characters from a short source. */
+    private static String longClasses() {
+        String constants =
+                "static final String A = \"%s\", B = A%s;\n"
+                        .formatted("x".repeat(1000), " + A".repeat(59));
+        return IntStream.range(0, 40)
+                .mapToObj("static String c%1$d() { return B + %1$d; }%n"::formatted)
+                .collect(joining("", "class Long {\n" + constants, "}\n"));
+    }
+
+    static Stream<Arguments> welcome() {
+        String open = "java.util.PriorityQueue<Integer> open = new java.util.PriorityQueue<>();\n";
+        return Stream.of(
+                welcome("priority queue", open + "open.add(x0);\n"),
+                welcome(
+                        "loop over a map's entries",
+                        "var map = new java.util.LinkedHashMap<String, Integer>(); map.put(\"a\", 1);\n"
+                                + "for (java.util.Map.Entry<String, Integer> e : map.entrySet())"
+                                + " e.setValue(e.getValue() + e.getKey().length());\n"),
+                welcome(
+                        "enum map and switch",
+                        "enum E { A, B }\n"
+                                + "var map = new java.util.EnumMap<E, Integer>(E.class);\n"
+                                + "for (E e : E.values()) map.put(e, switch (e) { case A -> 1; case B -> 2; });\n"),
+                welcome(
+                        "function of int and object",
+                        "java.util.function.ObjIntConsumer<Pixels> f = (p, i) -> { }; f.accept(out, 1);\n"),
+                welcome(
+                        "sequential stream",
+                        "int[] a = java.util.stream.IntStream.range(0, 9).map(i -> i * i).filter(i -> i > 2).toArray();\n"
+                                + "var all = java.util.Arrays.stream(a).boxed()"
+                                + ".collect(java.util.stream.Collectors.toList());\n"),
+                welcome(
+                        "text of all kinds",
+                        "String s = String.format(java.util.Locale.ROOT, \"%d\", x0) + System.lineSeparator()"
+                                + " + getClass().getSimpleName() + getClass().getName()"
+                                + " + new StringBuilder().append(1.5).reverse();\n"),
+                welcome(
+                        "printed stack trace",
+                        "try { Integer.parseInt(\"a\"); } catch (NumberFormatException e)"
+                                + " { e.printStackTrace(); }\n"));
+    }
+
+    private static Arguments welcome(String name, String body) {
+        return argumentSet(name, "ok", "", Sources.RIGHT.replace("long dx", body + "long dx"));
     }
 
     static Stream<Arguments> greedy() {
@@ -282,6 +359,11 @@ class HostileSourcesTest {
                         "runtime_error",
                         "its getMessage() threw java.lang.IllegalStateException",
                         method(evil.formatted("throw new IllegalStateException();"))),
+                argumentSet(
+                        "message acts on the terminal",
+                        "runtime_error",
+                        "java.lang.IllegalStateException: \\u001B[2J\\u202E\\nok",
+                        method("throw new IllegalStateException(\"\\33[2J\\u202E\\nok\");\n")),
                 argumentSet(
                         "static initialiser throws",
                         "runtime_error",

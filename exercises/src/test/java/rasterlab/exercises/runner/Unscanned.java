@@ -11,8 +11,8 @@ final class Unscanned implements AutoCloseable {
     private static final Duration CALL_LIMIT = Duration.ofSeconds(3);
     private static final Duration RUN_LIMIT = Duration.ofSeconds(30);
 
-    private final ChildJars jars = ChildJars.assemble();
-    private final Launcher launcher = new Launcher(jars.folder());
+    final ChildJars jars = ChildJars.assemble();
+    private final Launcher launcher = new Launcher(jars);
     final Box box;
     private final Children children;
 

@@ -39,7 +39,7 @@ class ReportTest {
                         GradingVerdict.WRONG,
                         0,
                         3,
-                        "pixel (1; 1) is missing",
+                        Message.quoted("pixel (1; 1) is missing"),
                         Optional.of(PICTURES),
                         "{}");
         Report report =
@@ -61,9 +61,16 @@ class ReportTest {
     @ParameterizedTest
     @CsvSource({"1.0, 10", "1.5, 10", "1.51, 7", "3.0, 7", "7.9, 4", "8.1, 0"})
     void speedIsPaidInBandsAndALossHasItsReason(double ratio, int points) {
-        CaseReport speed = SpeedPoints.measured(ratio, 10);
+        CaseReport speed = SpeedPoints.measured(ratio, false, 10);
         assertEquals(points, speed.points());
         assertEquals(points == 10, speed.message().isEmpty(), speed::message);
+    }
+
+    @Test
+    void printingIsNamedWhereItCostPoints() {
+        String said = SpeedPoints.measured(9, true, 10).message();
+        assertTrue(said.contains("printing is part of that time"), said);
+        assertEquals("", SpeedPoints.measured(1.2, true, 10).message());
     }
 
     @Test

@@ -23,11 +23,13 @@ class Results(
     private val reports: Reports,
     private val live: Live,
 ) {
+    /** @param language of the messages, "en" or "ru" */
     fun view(
         who: Identity,
         id: String,
+        language: String = "en",
     ): SubmissionView =
-        submissions.seenBy(who, id).view(who, submissions.position(id), live.casesOf(id), reports.of(id))
+        submissions.seenBy(who, id).view(who, submissions.position(id), live.casesOf(id), reports.of(id), language)
 
     /** @param picture "expected.png", "actual.png" or "difference.png" */
     fun picture(
@@ -58,7 +60,10 @@ fun Route.results(
     results: Results,
     live: Live,
 ) {
-    get("/submissions/{id}") { call.respond(results.view(call.identity(), call.submissionId())) }
+    get("/submissions/{id}") {
+        val language = call.request.queryParameters["lang"] ?: "en"
+        call.respond(results.view(call.identity(), call.submissionId(), language))
+    }
     get("/submissions/{id}/events") {
         val who = call.identity()
         val id = call.submissionId()

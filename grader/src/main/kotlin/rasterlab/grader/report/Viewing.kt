@@ -74,12 +74,16 @@ fun Report.seenBy(who: Identity): Report = if (who is Identity.Student) forStude
 
 fun CaseReport.seenBy(who: Identity): CaseReport = if (who is Identity.Student) forStudent(false) else this
 
-/** @param recorded with nothing hidden; null as long as there is no result */
+/**
+ * @param recorded with nothing hidden; null as long as there is no result
+ * @param language of the messages
+ */
 fun Submission.view(
     who: Identity,
     position: Int,
     running: List<CaseReport>,
     recorded: Recorded?,
+    language: String,
 ): SubmissionView {
     // Row and result are read one after the other, so a result may be there that the row does not know of yet.
     val report = recorded?.report?.seenBy(who)
@@ -92,20 +96,23 @@ fun Submission.view(
         if (report == null) position else 0,
         report?.verdict()?.code(),
         report?.points()?.let { PointsView(it.accuracy(), it.stability(), it.speed(), it.total(), it.of()) },
-        cases.map { it.view(id) },
-        report?.diagnostics().orEmpty().map { DiagnosticView(it.line(), it.column(), it.message()) },
+        cases.map { it.view(id, language) },
+        report?.diagnostics().orEmpty().map { DiagnosticView(it.line(), it.column(), it.message(language)) },
         report?.isolation(),
         receivedAt.text(),
         recorded?.gradedAt?.text(),
     )
 }
 
-fun CaseReport.view(submission: String): CaseView {
+fun CaseReport.view(
+    submission: String,
+    language: String,
+): CaseView {
     val folder = "/api/v1/submissions/$submission/cases/${name()}"
     val pictures =
         pictures().getOrNull()?.let {
             PicturesView("$folder/expected.png", "$folder/actual.png", "$folder/difference.png", it.text())
         }
     val scene = scene().takeIf { it.isNotEmpty() }?.let(Json::parseToJsonElement)
-    return CaseView(name(), visibility().code(), verdict().code(), points(), of(), message(), pictures, scene)
+    return CaseView(name(), visibility().code(), verdict().code(), points(), of(), message(language), pictures, scene)
 }

@@ -6,6 +6,7 @@ import rasterlab.exercises.Grading
 import rasterlab.exercises.Grading.CaseSelection
 import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.Points
 import rasterlab.exercises.score.Report
 import rasterlab.grader.exercise.Exercises
@@ -68,14 +69,14 @@ class Attempts(
             when {
                 exercise == null -> {
                     ourFault(
-                        "the exercise '${submission.exercise}' is not on this server any more",
+                        Message.of("internal.exercise", submission.exercise),
                         of = 0,
                     )
                 }
 
                 submission.tries > TRIES -> {
                     ourFault(
-                        "grading ended without a result $TRIES times",
+                        Message.of("internal.tries", TRIES),
                         exercise.points().total(),
                     )
                 }
@@ -112,13 +113,13 @@ class Attempts(
             throw stop
         } catch (failure: Exception) {
             log.error("grading submission {} failed on try {}", submission.id, submission.tries, failure)
-            ourFault("the grader failed", exercise.points().total())
+            ourFault(Message.of("internal.grader"), exercise.points().total())
         }
 
     private fun ourFault(
-        message: String,
+        said: Message,
         of: Int,
-    ) = Report(GradingVerdict.INTERNAL, Points(0, 0, 0, of), emptyList(), listOf(Diagnostic(0, 0, message)), "", 0.0)
+    ) = Report(GradingVerdict.INTERNAL, Points(0, 0, 0, of), emptyList(), listOf(Diagnostic(0, 0, said)), "", 0.0)
 
     companion object {
         const val TRIES = 3

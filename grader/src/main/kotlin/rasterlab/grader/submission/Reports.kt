@@ -6,10 +6,12 @@ import rasterlab.exercises.score.CasePictures
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.Points
 import rasterlab.exercises.score.Report
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.text
+import java.sql.ResultSet
 import java.time.Instant
 import java.util.Optional
 import kotlin.jvm.optionals.getOrNull
@@ -98,9 +100,9 @@ class Reports(
         handle
             .createUpdate(
                 """INSERT INTO case_results (submission_id, revision, position, name, visibility, verdict, points, points_of,
-                       message, scene, picture_text, expected_png, actual_png, difference_png)
+                       message, message_data, scene, picture_text, expected_png, actual_png, difference_png)
                    VALUES (:id, :revision, :position, :name, :visibility, :verdict, :points, :of,
-                       :message, :scene, :text, :expected, :actual, :difference)""",
+                       :message, :data, :scene, :text, :expected, :actual, :difference)""",
             ).bind("id", submission)
             .bind("revision", revision)
             .bind("position", position)
@@ -110,6 +112,7 @@ class Reports(
             .bind("points", case.points())
             .bind("of", case.of())
             .bind("message", case.message())
+            .bind("data", case.said().data())
             .bind("scene", case.scene())
             .bind("text", pictures?.text())
             .bind("expected", pictures?.expectedPng())
@@ -127,14 +130,15 @@ class Reports(
     ) {
         handle
             .createUpdate(
-                """INSERT INTO diagnostics (submission_id, revision, position, line, column_number, message)
-                   VALUES (:id, :revision, :position, :line, :column, :message)""",
+                """INSERT INTO diagnostics (submission_id, revision, position, line, column_number, message, message_data)
+                   VALUES (:id, :revision, :position, :line, :column, :message, :data)""",
             ).bind("id", submission)
             .bind("revision", revision)
             .bind("position", position)
             .bind("line", diagnostic.line())
             .bind("column", diagnostic.column())
             .bind("message", diagnostic.message())
+            .bind("data", diagnostic.said().data())
             .execute()
     }
 
@@ -164,7 +168,7 @@ class Reports(
                     GradingVerdict.valueOf(row.getString("verdict")),
                     row.getInt("points"),
                     row.getInt("points_of"),
-                    row.getString("message"),
+                    said(row),
                     Optional.ofNullable(pictures),
                     row.getString("scene"),
                 )
@@ -180,6 +184,9 @@ class Reports(
                 "SELECT * FROM diagnostics WHERE submission_id = :id AND revision = :revision ORDER BY position",
             ).bind("id", submission)
             .bind("revision", revision)
-            .map { row, _ -> Diagnostic(row.getInt("line"), row.getInt("column_number"), row.getString("message")) }
+            .map { row, _ -> Diagnostic(row.getInt("line"), row.getInt("column_number"), said(row)) }
             .list()
+
+    /** In no language yet; only the English text is left where the row is older than its data. */
+    private fun said(row: ResultSet): Message = Message.ofData(row.getString("message_data"), row.getString("message"))
 }

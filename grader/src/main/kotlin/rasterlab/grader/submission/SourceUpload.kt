@@ -11,12 +11,13 @@ import io.ktor.server.request.receiveMultipart
 import io.ktor.utils.io.readRemaining
 import kotlinx.io.IOException
 import kotlinx.io.readByteArray
+import rasterlab.exercises.Grading
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.receiveAtMost
 import java.nio.ByteBuffer
 import java.nio.charset.CharacterCodingException
 
-const val LONGEST_SOURCE_BYTES = 128 * 1024
+const val LONGEST_SOURCE_BYTES = Grading.MOST_SOURCE_BYTES
 private const val FORM_EXTRA_BYTES = 16 * 1024
 private val JAVA_SOURCE = ContentType("text", "x-java-source")
 

@@ -40,7 +40,7 @@ fun Route.resultPages(
         val texts = call.texts()
         call.respondFragment(
             createHTML(prettyPrint = false).div {
-                result(texts, results.view(who, submission.id), submission.source)
+                result(texts, results.view(who, submission.id, texts.language), submission.source)
             },
         )
     }
@@ -57,7 +57,7 @@ private suspend fun ApplicationCall.respondResult(
     results: Results,
 ) {
     val texts = texts()
-    val view = results.view(who, submission.id)
+    val view = results.view(who, submission.id, texts.language)
     respondPage(texts, who, "$title — ${texts.say("result.title", submission.attempt)}") {
         p("plan") { +texts.say("result.received", submission.receivedAt.forPeople()) }
         div {

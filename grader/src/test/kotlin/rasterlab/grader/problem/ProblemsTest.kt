@@ -23,6 +23,7 @@ import rasterlab.grader.Visit
 import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
 import rasterlab.grader.json
+import rasterlab.grader.submission.LONGEST_SOURCE_BYTES
 import java.nio.file.Path
 
 private typealias Ask = suspend Visit.() -> HttpResponse
@@ -166,7 +167,7 @@ class ProblemsTest {
                     "source one byte too long",
                     413,
                     "too-large",
-                ) { upload(ByteArray(128 * 1024 + 1) { 'a'.code.toByte() }) },
+                ) { upload(ByteArray(LONGEST_SOURCE_BYTES + 1) { 'a'.code.toByte() }) },
                 asked("empty source", 422, "empty-source") { upload("") },
                 asked("source of spaces", 422, "empty-source") { upload(" \n\t ") },
                 asked(

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
+import rasterlab.grader.bearer
 import java.nio.file.Path
 import java.util.Properties
 
@@ -129,6 +130,23 @@ class PagesTest {
             assertTrue("Добро пожаловать" in page("/", kept))
             assertTrue("Welcome" in client.get("/?lang=xx") { header(HttpHeaders.AcceptLanguage, "de") }.bodyAsText())
             assertTrue("ничего нет" in client.get("/none?lang=ru").bodyAsText())
+        }
+
+    @Test
+    fun tellsTheReasonsOfAResultInTheLanguageOfTheReader() =
+        Classroom(folder).open {
+            val joined = form("/join", "course" to newCourse(), "name" to "Ada")
+            val cookie = session(joined)
+            val result = checkNotNull(handIn(cookie, "class Dot {}").headers[HttpHeaders.Location])
+            eventsToTheEnd(token(joined), idOf(result))
+            val russian = page("$result?lang=ru", cookie)
+            assertTrue("нет пикселя (1, 2)" in russian && "неверные пиксели на скрытых данных" in russian, russian)
+            val fragment = page("$result/fragment?lang=ru", cookie)
+            assertTrue("нет пикселя (1, 2)" in fragment, fragment)
+            assertTrue("pixel (1, 2) is missing" in page("$result?lang=en", cookie))
+            val api = "/api/v1/submissions/${idOf(result)}"
+            assertTrue("pixel (1, 2) is missing" in client.get(api) { bearer(token(joined)) }.bodyAsText())
+            assertTrue("нет пикселя (1, 2)" in client.get("$api?lang=ru") { bearer(token(joined)) }.bodyAsText())
         }
 
     @Test

@@ -11,6 +11,8 @@ import java.nio.charset.StandardCharsets;
 final class CappedOutput extends OutputStream {
     private final ByteArrayOutputStream beginning = new ByteArrayOutputStream();
     private long written;
+    private boolean dropping;
+    private long dropped;
 
     @Override
     public synchronized void write(int one) {
@@ -19,10 +21,26 @@ final class CappedOutput extends OutputStream {
 
     @Override
     public synchronized void write(byte[] bytes, int from, int length) {
+        if (dropping) {
+            dropped += length;
+            return;
+        }
         written += length;
         if (written > Wire.MOST_PRINTED_BYTES) Runtime.getRuntime().halt(Wire.EXIT_OUTPUT);
         int kept = Math.min(length, 4 * Wire.MOST_SHOWN - beginning.size());
         if (kept > 0) beginning.write(bytes, from, kept);
+    }
+
+    /** From now on nothing is kept, and any amount is allowed. */
+    synchronized void drop() {
+        dropping = true;
+        dropped = 0;
+    }
+
+    /** Ends that; returns how many bytes were dropped. */
+    synchronized long keep() {
+        dropping = false;
+        return dropped;
     }
 
     /** What was printed since the last call, cut. */

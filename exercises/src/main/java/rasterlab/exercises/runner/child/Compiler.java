@@ -4,6 +4,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.Writer;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -46,7 +47,7 @@ final class Compiler {
                                     null,
                                     List.of(MemoryFiles.source(source)))
                             .call();
-        } catch (StackOverflowError | RuntimeException tooDeep) {
+        } catch (StackOverflowError | AssertionError | RuntimeException tooDeep) {
             return tooComplex();
         }
         if (done) return compiled(files.classes());
@@ -76,6 +77,10 @@ final class Compiler {
     }
 
     private static byte[] compiled(Map<String, byte[]> classes) throws IOException {
+        if (classes.size() > Wire.MOST_CLASSES)
+            return tooMuch(Wire.TOO_MANY_CLASSES, classes.size());
+        long length = classes.values().stream().mapToLong(bytes -> bytes.length).sum();
+        if (length > Wire.MOST_CLASS_BYTES) return tooMuch(Wire.CLASSES_TOO_LONG, length);
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(bytes);
         out.writeByte(Wire.DONE);
@@ -85,6 +90,10 @@ final class Compiler {
             Frames.writeBytes(out, one.getValue());
         }
         return bytes.toByteArray();
+    }
+
+    private static byte[] tooMuch(int status, long amount) {
+        return ByteBuffer.allocate(1 + Long.BYTES).put((byte) status).putLong(amount).array();
     }
 
     private static byte[] failed(List<Diagnostic<? extends JavaFileObject>> errors)

@@ -80,10 +80,12 @@ final class StudentCalls {
         int[] ends = new int[4 * in.readInt()];
         for (int i = 0; i < ends.length; i++) ends[i] = in.readInt();
         SummingPixels pixels = new SummingPixels();
+        printed.drop();
         try {
             for (int i = 0; i < ends.length; i += 4)
                 method.draw(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], pixels);
         } catch (Throwable e) {
+            printed.keep();
             threw(nonce, e);
             return;
         }
@@ -92,6 +94,7 @@ final class StudentCalls {
         out.writeByte(Wire.DONE);
         out.writeLong(pixels.count());
         out.writeLong(pixels.sum());
+        out.writeLong(printed.keep());
         send(nonce, body.toByteArray());
     }
 

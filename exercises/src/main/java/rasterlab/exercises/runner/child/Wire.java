@@ -19,7 +19,10 @@ public final class Wire {
     /** x0, y0, x1, y1 and the most pixels to record. */
     public static final int DRAW_LINE = 3;
 
-    /** Number of segments, then x0, y0, x1, y1 of each: drawn into a sink that only sums up. */
+    /**
+     * Number of segments, then x0, y0, x1, y1 of each: drawn into a sink that only sums up;
+     * answered by the number of pixels, their sum and the number of bytes that were printed.
+     */
     public static final int TIME_LINES = 4;
 
     /** Payload depends on the operation. */
@@ -43,6 +46,12 @@ public final class Wire {
     /** The contract has no class of that kind: abstract, without constructor, of another type. */
     public static final int NOT_LOADABLE = 6;
 
+    /** More classes than {@link #MOST_CLASSES}: their number. */
+    public static final int TOO_MANY_CLASSES = 7;
+
+    /** Class files longer than {@link #MOST_CLASS_BYTES} together: their length in bytes. */
+    public static final int CLASSES_TOO_LONG = 8;
+
     /** Exit status of a JVM that ran out of memory with -XX:+ExitOnOutOfMemoryError. */
     public static final int EXIT_MEMORY = 3;
 
@@ -53,7 +62,11 @@ public final class Wire {
     public static final int EXIT_PROTOCOL = 66;
 
     public static final int MOST_SOURCE_BYTES = 256 * 1024;
-    public static final int MOST_CLASS_BYTES = 1 << 20;
+    public static final int MOST_CLASSES = 200;
+
+    /** For all class files of a source together. */
+    public static final int MOST_CLASS_BYTES = 2 << 20;
+
     public static final int MOST_FRAME_BYTES = 4 << 20;
     public static final int MOST_PIXELS = 1 << 16;
     public static final int MOST_PRINTED_BYTES = 64 * 1024;
@@ -65,6 +78,8 @@ public final class Wire {
 
     /** The text's beginning, with "…" where something was cut off. */
     public static String cut(String text) {
-        return text.length() <= MOST_SHOWN ? text : text.substring(0, MOST_SHOWN) + "…";
+        if (text.length() <= MOST_SHOWN) return text;
+        boolean insideCharacter = Character.isHighSurrogate(text.charAt(MOST_SHOWN - 1));
+        return text.substring(0, insideCharacter ? MOST_SHOWN - 1 : MOST_SHOWN) + "…";
     }
 }

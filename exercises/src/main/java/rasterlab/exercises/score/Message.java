@@ -1,0 +1,114 @@
+package rasterlab.exercises.score;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.text.MessageFormat;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.ResourceBundle;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * What a report says to a student, as data: it is put into words of a language only where somebody
+ * reads it. The words stand in {@code messages.properties} beside this class.
+ */
+public record Message(List<Sentence> sentences) {
+    public static final Message NONE = new Message(List.of());
+    private static final Set<String> LANGUAGES = Set.of("en", "ru");
+    private static final JsonMapper MAPPER = new JsonMapper();
+
+    /**
+     * @param key of the text
+     * @param arguments what stands in its places {0}, {1}, …; made visible
+     */
+    public record Sentence(String key, List<String> arguments) {
+        public Sentence {
+            arguments = arguments.stream().map(VisibleText::lines).toList();
+        }
+
+        private String in(ResourceBundle texts) {
+            return new MessageFormat(texts.getString(key), Locale.ROOT).format(arguments.toArray());
+        }
+    }
+
+    public Message {
+        sentences = List.copyOf(sentences);
+    }
+
+    /** One sentence of ours. */
+    public static Message of(String key, Object... arguments) {
+        if (!texts("en").containsKey(key)) throw new AssertionError("no text for '" + key + "'");
+        return new Message(
+                List.of(new Sentence(key, Stream.of(arguments).map(String::valueOf).toList())));
+    }
+
+    /** What somebody else says, in the language it is in; nothing where the text is empty. */
+    public static Message quoted(String text) {
+        return text.isEmpty() ? NONE : of("quoted", text);
+    }
+
+    public Message and(Message more) {
+        return new Message(Stream.of(sentences, more.sentences).flatMap(List::stream).toList());
+    }
+
+    public boolean isEmpty() {
+        return sentences.isEmpty();
+    }
+
+    /**
+     * In words; English where there are none in that language.
+     *
+     * @param language such as "ru"
+     */
+    public String in(String language) {
+        ResourceBundle texts = texts(language);
+        return sentences.stream().map(one -> one.in(texts)).collect(Collectors.joining("; "));
+    }
+
+    private static ResourceBundle texts(String language) {
+        return ResourceBundle.getBundle(
+                "rasterlab.exercises.score.messages",
+                Locale.forLanguageTag(LANGUAGES.contains(language) ? language : "en"),
+                ResourceBundle.Control.getNoFallbackControl(
+                        ResourceBundle.Control.FORMAT_PROPERTIES));
+    }
+
+    /** As JSON to be stored: for each sentence an array of its key and arguments. */
+    public String data() {
+        List<List<String>> all = new ArrayList<>();
+        for (Sentence one : sentences)
+            all.add(Stream.concat(Stream.of(one.key()), one.arguments().stream()).toList());
+        try {
+            return MAPPER.writeValueAsString(all);
+        } catch (JsonProcessingException e) {
+            throw new AssertionError("texts can always be written", e);
+        }
+    }
+
+    /**
+     * What {@link #data} wrote.
+     *
+     * @param english taken instead where another version wrote it, with texts that are not here
+     */
+    public static Message ofData(String data, String english) {
+        List<Sentence> sentences = new ArrayList<>();
+        try {
+            for (String[] one : MAPPER.readValue(data, String[][].class)) {
+                if (one.length == 0 || !texts("en").containsKey(one[0])) return quoted(english);
+                sentences.add(new Sentence(one[0], List.of(one).subList(1, one.length)));
+            }
+            return new Message(sentences);
+        } catch (JsonProcessingException e) {
+            return quoted(english);
+        }
+    }
+
+    /** In English. */
+    @Override
+    public String toString() {
+        return in("en");
+    }
+}

@@ -1,0 +1,84 @@
+package rasterlab.exercises.runner;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import rasterlab.exercises.Catalogue;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.Sources;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Report;
+
+/** The report's line on speed says what was measured, or why nothing was. */
+class SpeedTest {
+    private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
+    private static Judge judge;
+
+    @BeforeAll
+    static void start() {
+        judge = Judge.start(JudgeSettings.defaults());
+    }
+
+    @AfterAll
+    static void end() {
+        judge.close();
+    }
+
+    @Test
+    void aPrintForEachLineDoesNotEndTheMeasurement() throws Exception {
+        Report report = report(drawing("System.out.println(\"from \" + x0 + \", \" + y0);"));
+        assertEquals(GradingVerdict.OK, speed(report).verdict(), speed(report)::message);
+        assertTrue(report.nanosPerItem() > 0, speed(report)::message);
+    }
+
+    @Test
+    void muchPrintingIsNamedAsTheCauseOfALoss() throws Exception {
+        String much = "for (int i = 0; n == 1001 && i < 2000; i++) System.out.print(x0);";
+        CaseReport speed = speed(report(drawing(much)));
+        assertEquals(0, speed.points());
+        assertTrue(speed.message().contains("printing is part of that time"), speed::message);
+    }
+
+    @Test
+    void anExceptionOnTheLongLinesIsNamed() throws Exception {
+        CaseReport speed =
+                speed(report(drawing("if (n == 1001) throw new IllegalStateException();")));
+        assertEquals(GradingVerdict.NOT_MEASURED, speed.verdict());
+        assertEquals("it threw java.lang.IllegalStateException on the long lines", speed.message());
+    }
+
+    @Test
+    void wrongPixelsOnTheLongLinesAreNamed() throws Exception {
+        CaseReport speed = speed(report(drawing("if (n == 1001) x++;")));
+        assertEquals(GradingVerdict.NOT_MEASURED, speed.verdict());
+        assertEquals("pixels are wrong on the long lines", speed.message());
+    }
+
+    @Test
+    void anInaccurateMethodIsNotCalledRight() throws Exception {
+        CaseReport speed = speed(report(Sources.NAIVE_TEXTBOOK));
+        assertEquals(GradingVerdict.NOT_MEASURED, speed.verdict());
+        assertEquals("80 % of the accuracy points come first", speed.message());
+    }
+
+    /** The right solution with a statement before its loop. */
+    private static String drawing(String statement) {
+        return Sources.RIGHT.replace("for (long k", statement + "\nfor (long k");
+    }
+
+    private static Report report(String source) throws InterruptedException {
+        return judge.grade(EXERCISE, source, CaseSelection.open(), one -> {});
+    }
+
+    private static CaseReport speed(Report report) {
+        return report.cases().stream()
+                .filter(one -> one.name().equals("speed"))
+                .findFirst()
+                .orElseThrow();
+    }
+}

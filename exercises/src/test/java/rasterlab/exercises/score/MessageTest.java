@@ -1,0 +1,110 @@
+package rasterlab.exercises.score;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.util.Map;
+import java.util.Properties;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A report's sentences survive storing and are there in both languages. */
+class MessageTest {
+    private static final Pattern PLACE = Pattern.compile("\\{(\\d+)}");
+    private static final Message TWO =
+            Message.of("pixel.missing", "(1, 2)").and(Message.of("known-fault", "naive"));
+
+    @Test
+    void joinsItsSentencesInTheLanguageAskedFor() {
+        assertEquals("pixel (1, 2) is missing; naive draws the same", TWO.in("en"));
+        assertEquals("нет пикселя (1, 2); так же рисует naive", TWO.in("ru"));
+        assertEquals(TWO.in("en"), TWO.in("de"), "no such language");
+    }
+
+    @Test
+    void takesNothingInAStudentsTextForAPlaceToFill() {
+        assertEquals("it's {0} '{1}'", Message.quoted("it's {0} '{1}'").in("ru"));
+    }
+
+    @Test
+    void comesBackFromItsData() {
+        assertEquals(TWO, Message.ofData(TWO.data(), ""));
+        assertEquals(Message.NONE, Message.ofData(Message.NONE.data(), ""));
+        Message odd = Message.quoted("\"],[\\ \u0001 \n\uD83D\uDE00");
+        assertEquals(odd, Message.ofData(odd.data(), ""));
+    }
+
+    @ParameterizedTest(name = "data of another version loses its English text: {0}")
+    @ValueSource(strings = {"[[\"no-such-key\"]]", "[[]]", "", "{", "[1,", "{\"a\":1}"})
+    void isEnglishWhereItsDataCannotBeRead(String data) {
+        assertEquals("as it was", Message.ofData(data, "as it was").in("ru"));
+    }
+
+    @Test
+    void aKeyWithoutATextIsOurMistake() {
+        assertThrows(AssertionError.class, () -> Message.of("no-such-key"));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void everyVerdictHasAHint(GradingVerdict verdict) {
+        assertEquals(verdict == GradingVerdict.OK, verdict.hint().isEmpty());
+    }
+
+    @Test
+    void bothLanguagesHaveTheSameKeysAndPlaces() throws IOException {
+        assertEquals(places("messages.properties"), places("messages_ru.properties"));
+    }
+
+    @Test
+    void nothingIsLeftInEnglish() throws IOException {
+        Properties english = texts("messages.properties");
+        Properties russian = texts("messages_ru.properties");
+        for (String key : english.stringPropertyNames())
+            if (!key.equals("quoted"))
+                assertNotEquals(english.getProperty(key), russian.getProperty(key), key);
+    }
+
+    @Test
+    void noTextShowsAPlaceUnfilled() throws IOException {
+        for (String name : new String[] {"en", "ru"})
+            for (String key : texts("messages.properties").stringPropertyNames()) {
+                String said = Message.of(key, "A", "B").in(name);
+                assertFalse(said.contains("{") || said.contains("''"), said);
+            }
+    }
+
+    private static Map<String, TreeSet<String>> places(String file) throws IOException {
+        Map<String, TreeSet<String>> places = new TreeMap<>();
+        texts(file)
+                .forEach(
+                        (key, text) -> {
+                            TreeSet<String> found = new TreeSet<>();
+                            PLACE.matcher((String) text)
+                                    .results()
+                                    .forEach(one -> found.add(one.group(1)));
+                            places.put((String) key, found);
+                        });
+        return places;
+    }
+
+    private static Properties texts(String file) throws IOException {
+        Properties texts = new Properties();
+        try (var in =
+                new InputStreamReader(
+                        Message.class.getResourceAsStream(file), StandardCharsets.UTF_8)) {
+            texts.load(in);
+        }
+        return texts;
+    }
+}
