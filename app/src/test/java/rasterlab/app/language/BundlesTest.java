@@ -22,17 +22,34 @@ import rasterlab.engine.study.Method;
 
 class BundlesTest {
     private static final Path ROOT = Path.of("src/main/resources/rasterlab/app");
-    private static final Pattern PLACEHOLDER = Pattern.compile("\\{(\\d+)");
+
+    /** {@code {0}} of a MessageFormat and {@code %d} of a Formatter, whose order counts. */
+    private static final Pattern PLACEHOLDER =
+            Pattern.compile("\\{(\\d+)|%[-#+0,(]*\\d*(?:\\.\\d+)?([a-zA-Z])");
+
     private static final List<String> PARTS =
             List.of("formula", "invariant", "cost", "failures", "source");
 
     /** Every English file that must say the same as its Russian one. */
     static List<Path> englishFiles() throws IOException {
         try (Stream<Path> files = Files.walk(ROOT)) {
-            return files.filter(file -> file.getFileName().toString().equals("messages.properties"))
+            return files.filter(file -> file.toString().endsWith(".properties"))
+                    .filter(file -> !file.toString().endsWith("_ru.properties"))
+                    .filter(file -> !isToldByTheEngine(file))
                     .sorted()
                     .toList();
         }
+    }
+
+    /** Their English is in the engine, whose sentences have no placeholders. */
+    static List<Path> filesWhoseEnglishIsInTheEngine() throws IOException {
+        try (Stream<Path> files = Files.walk(ROOT)) {
+            return files.filter(BundlesTest::isToldByTheEngine).sorted().toList();
+        }
+    }
+
+    private static boolean isToldByTheEngine(Path file) {
+        return file.getFileName().toString().equals("topic.properties");
     }
 
     @ParameterizedTest(name = "a text is missing in one language: {0}")
@@ -54,6 +71,15 @@ class BundlesTest {
                                         placeholders((String) text),
                                         placeholders(translated.getProperty((String) key)),
                                         "key " + key));
+    }
+
+    @ParameterizedTest(name = "a sentence of the engine gets a placeholder: {0}")
+    @MethodSource("filesWhoseEnglishIsInTheEngine")
+    void hasNoPlaceholderThatNothingFills(Path english) throws IOException {
+        read(russian(english))
+                .forEach(
+                        (key, text) ->
+                                assertEquals(List.of(), placeholders((String) text), "key " + key));
     }
 
     @ParameterizedTest(name = "a text was left in English: {0}")
@@ -99,15 +125,23 @@ class BundlesTest {
         assertTrue(texts.has(key), "no Russian text for " + key);
     }
 
-    private static TreeSet<String> placeholders(String text) {
-        var found = new TreeSet<String>();
+    /**
+     * Those with numbers once each, in the order of their numbers; then the others as they come.
+     */
+    private static List<String> placeholders(String text) {
+        var numbered = new TreeSet<String>();
+        var inOrder = new ArrayList<String>();
         var matcher = PLACEHOLDER.matcher(text);
-        while (matcher.find()) found.add(matcher.group(1));
-        return found;
+        while (matcher.find()) {
+            if (matcher.group(1) != null) numbered.add(matcher.group(1));
+            else inOrder.add(matcher.group());
+        }
+        return Stream.concat(numbered.stream(), inOrder.stream()).toList();
     }
 
     private static Path russian(Path english) {
-        return english.resolveSibling("messages_ru.properties");
+        String name = english.getFileName().toString();
+        return english.resolveSibling(name.replace(".properties", "_ru.properties"));
     }
 
     private static Properties read(Path file) throws IOException {

@@ -6,6 +6,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
@@ -32,12 +33,13 @@ class ClippedTextTest {
             throws InterruptedException {
         var tabs = new AtomicReference<LabTabs>();
         var models = new AtomicReference<LabModels>();
+        var failures = new CopyOnWriteArrayList<Throwable>();
         OffscreenPainter.onEventThread(
                 () -> {
                     LabTheme.LIGHT.install();
-                    models.set(LabModels.first(Throwable::printStackTrace));
+                    models.set(LabModels.first(failures::add));
                     models.get().line().compareWith("naive-textbook");
-                    tabs.set(LabTabs.create(models.get(), language, Throwable::printStackTrace));
+                    tabs.set(LabTabs.create(models.get(), language, failures::add));
                 });
         for (LabTab tab : tabs.get().all()) {
             OffscreenPainter.paint(tab.panel(), width, height);
@@ -48,6 +50,7 @@ class ClippedTextTest {
                     tabs.get().close();
                     models.get().close();
                 });
+        assertEquals(List.of(), failures, "what a lab could not do");
     }
 
     private static List<String> clipped(Container container) {

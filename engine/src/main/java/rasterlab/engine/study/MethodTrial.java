@@ -136,7 +136,7 @@ final class MethodTrial<C, I, O> {
     }
 
     /** The value at {@code share} of the way through the sorted values, between them linearly. */
-    private static double quantile(double[] sorted, double share) {
+    static double quantile(double[] sorted, double share) {
         double place = share * (sorted.length - 1);
         int below = (int) place;
         int above = Math.min(below + 1, sorted.length - 1);

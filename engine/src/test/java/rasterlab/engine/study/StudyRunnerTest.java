@@ -97,15 +97,6 @@ class StudyRunnerTest {
     }
 
     @Test
-    void costIsTheMedianBetweenTheQuartiles() {
-        for (Measurement m :
-                measure(List.of(LinesOf.method("right", HazardTrialTest.right()))).measurements()) {
-            assertTrue(m.cost().lowNanos() <= m.cost().medianNanos(), m.toString());
-            assertTrue(m.cost().medianNanos() <= m.cost().highNanos(), m.toString());
-        }
-    }
-
-    @Test
     void unknownTopicNamesTheKnownOnes() {
         var refusal = assertThrows(IllegalArgumentException.class, () -> Topics.named("circle"));
         assertTrue(refusal.getMessage().contains("[line"), refusal.getMessage());

@@ -160,5 +160,8 @@ final class Child implements AutoCloseable {
         process.destroyForcibly();
         waitFor(Duration.ofSeconds(2));
         threads.shutdownNow();
+        // The reader may have been stopped before it could tell one who waits for an answer.
+        frames.clear();
+        frames.offer(END);
     }
 }

@@ -18,7 +18,6 @@ import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.Database
-import rasterlab.grader.submission.Reports
 import java.nio.file.Path
 import java.time.Duration
 import java.time.Instant
@@ -168,26 +167,6 @@ class AttemptsTest {
             assertTrue(graded.await(30, SECONDS), "after 30 s ${graded.count} of 2 are not graded")
         }
         assertEquals(listOf(State.DONE, State.DONE), listOf(left, waiting).map { submissions.find(it)?.state })
-    }
-
-    @Test
-    fun forgetsNothingOfAReport() {
-        val id = submission()
-        leases.finish(checkNotNull(leases.claim(id)), "r1", Classroom.wrongReport())
-        val found = checkNotNull(reports.of(id)).report
-        val expected = Classroom.wrongReport()
-        assertEquals(expected.points(), found.points())
-        assertEquals(expected.isolation() to expected.nanosPerItem(), found.isolation() to found.nanosPerItem())
-        assertEquals(expected.cases().map { it.name() to it.scene() }, found.cases().map { it.name() to it.scene() })
-        assertEquals(
-            "#+-.",
-            found
-                .cases()
-                .first()
-                .pictures()
-                .get()
-                .text(),
-        )
     }
 
     private fun attempts(

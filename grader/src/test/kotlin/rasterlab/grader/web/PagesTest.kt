@@ -159,11 +159,22 @@ class PagesTest {
         }
     }
 
-    private fun texts(file: String) =
+    @Test
+    fun fillsTheSamePlacesInEveryLanguage() {
+        val russian = texts("texts_ru.properties")
+        for ((key, text) in texts("texts.properties")) {
+            assertEquals(places(text), places(russian.getValue(key)), key)
+        }
+    }
+
+    private fun places(text: String) = Regex("""\{(\d+)""").findAll(text).map { it.groupValues[1] }.toSortedSet()
+
+    private fun texts(file: String): Map<String, String> =
         Properties()
             .apply {
                 Texts::class.java.getResourceAsStream(file).use { load(it?.reader(Charsets.UTF_8)) }
-            }.mapKeys { it.key.toString() }
+            }.entries
+            .associate { (key, text) -> key.toString() to text.toString() }
 
     private suspend fun Visit.form(
         path: String,

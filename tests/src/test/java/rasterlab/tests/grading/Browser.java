@@ -7,6 +7,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.openqa.selenium.By;
 import org.openqa.selenium.OutputType;
@@ -83,8 +85,19 @@ record Browser(ChromeDriver driver, Path profile) implements AutoCloseable {
                 .orElse(null);
     }
 
+    /** Returns when no process of it is left that could still write to the profile. */
     @Override
     public void close() {
+        var processes = processes();
         driver.quit();
+        for (var process : processes)
+            process.onExit().orTimeout(PATIENCE.toSeconds(), TimeUnit.SECONDS).join();
+    }
+
+    private static List<ProcessHandle> processes() {
+        return ProcessHandle.current()
+                .descendants()
+                .filter(each -> each.info().command().orElse("").contains("chrom"))
+                .toList();
     }
 }

@@ -71,14 +71,19 @@ record GraderClient(HttpClient http, URI address, String token) {
 
     /** Follows the submission's events until it is done, then reads its result. */
     JsonNode result(String id) throws IOException, InterruptedException {
+        awaitEvent(id, "event: done");
+        return get("/submissions/" + id);
+    }
+
+    /** Follows the submission's events up to the first line that has these words. */
+    void awaitEvent(String id, String words) throws IOException, InterruptedException {
         HttpResponse<Stream<String>> events =
                 http.send(
                         request("/submissions/" + id + "/events").build(), BodyHandlers.ofLines());
         try (var lines = events.body()) {
-            if (lines.noneMatch(line -> line.equals("event: done")))
-                throw new AssertionError("events of " + id + " ended without 'done'");
+            if (lines.noneMatch(line -> line.contains(words)))
+                throw new AssertionError("events of " + id + " ended without '" + words + "'");
         }
-        return get("/submissions/" + id);
     }
 
     static JsonNode expect(int status, HttpResponse<String> response) throws IOException {

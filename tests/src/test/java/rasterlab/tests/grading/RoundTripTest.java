@@ -15,6 +15,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.exercises.Catalogue;
 
 class RoundTripTest {
     private static final String EXERCISE = "line-bresenham";
@@ -40,13 +41,16 @@ class RoundTripTest {
     void aRightSolutionIsOk() throws Exception {
         var result = graded(Solutions.RIGHT);
         assertEquals("ok", result.path("verdict").asText(), result.toString());
+        var plan = Catalogue.builtIn().named(EXERCISE).points();
         var points = result.path("points");
-        assertTrue(points.path("accuracy").asInt() > 0, points.toString());
+        assertEquals(plan.accuracy(), points.path("accuracy").asInt(), points.toString());
+        assertEquals(plan.stability(), points.path("stability").asInt(), points.toString());
+        assertEquals(plan.total(), points.path("of").asInt(), points.toString());
+        // The measured speed differs from run to run.
         assertEquals(
+                plan.accuracy() + plan.stability() + points.path("speed").asInt(),
                 points.path("total").asInt(),
-                points.path("accuracy").asInt()
-                        + points.path("stability").asInt()
-                        + points.path("speed").asInt());
+                points.toString());
     }
 
     @Test
@@ -104,6 +108,8 @@ class RoundTripTest {
             assertTrue(each.path("scene").asText("").isEmpty(), each.toString());
             assertTrue(
                     each.path("pictures").path("expected").asText("").isEmpty(), each.toString());
+            // Coordinates, sizes and counts are told in digits only.
+            assertFalse(each.path("message").asText().matches("(?s).*\\d.*"), each.toString());
         }
     }
 

@@ -25,7 +25,10 @@ record ServerProcess(Process process, URI address, String token, Path log)
     static ServerProcess start(Path data) throws IOException {
         var isNew = !Files.exists(data);
         var log = Files.createTempFile("rasterlab-server", ".log");
-        var process = new ProcessBuilder(command(data)).redirectError(log.toFile()).start();
+        var process =
+                new ProcessBuilder(command(data, "--port", "0"))
+                        .redirectError(log.toFile())
+                        .start();
         var out = process.inputReader(StandardCharsets.UTF_8);
         try {
             var address = lineAfter(LISTENING, out, log);
@@ -37,7 +40,8 @@ record ServerProcess(Process process, URI address, String token, Path log)
         }
     }
 
-    private static List<String> command(Path data) {
+    /** The call of the server on that data folder, with more options. */
+    static List<String> command(Path data, String... options) {
         var command =
                 new ArrayList<>(
                         List.of(
@@ -48,7 +52,8 @@ record ServerProcess(Process process, URI address, String token, Path log)
                 System.getProperty(
                         "surefire.test.class.path", System.getProperty("java.class.path"));
         command.addAll(List.of("-Xmx400m", "-cp", classPath, "rasterlab.grader.MainKt"));
-        command.addAll(List.of("serve", "--port", "0", "--data", data.toString()));
+        command.addAll(List.of("serve", "--data", data.toString()));
+        command.addAll(List.of(options));
         return command;
     }
 

@@ -13,7 +13,6 @@ import java.util.logging.Level;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.CleanupMode;
 import org.junit.jupiter.api.io.TempDir;
 import org.openqa.selenium.By;
 
@@ -22,9 +21,7 @@ class StudentPageTest {
     private static ServerProcess server;
     private static String code;
 
-    // Chromium's last processes may still write to their profile while the test ends.
-    @TempDir(cleanup = CleanupMode.NEVER)
-    private Path profile;
+    @TempDir private Path profile;
 
     @BeforeAll
     static void startServer() throws Exception {

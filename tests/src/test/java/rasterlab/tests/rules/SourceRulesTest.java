@@ -1,6 +1,7 @@
 package rasterlab.tests.rules;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.source.tree.MethodTree;
@@ -15,6 +16,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
@@ -61,15 +63,27 @@ class SourceRulesTest {
     }
 
     @Test
-    void functionsAreShort() throws IOException {
-        var lengths = functions();
+    void functionsInJavaAreShort() throws IOException {
+        assertShort(functions());
+    }
+
+    @Test
+    void functionsInKotlinAreShort() {
+        assertShort(
+                Repository.sources(".kt").stream()
+                        .flatMap(file -> KotlinFunctions.of(file).stream())
+                        .toList());
+    }
+
+    private static void assertShort(List<SourceFunction> functions) {
+        assertFalse(functions.isEmpty(), "no function was found to measure");
         var tooLong =
-                lengths.stream()
-                        .filter(function -> function.lines > LARGEST_FUNCTION)
-                        .map(function -> function.place + " has " + function.lines + " lines")
+                functions.stream()
+                        .filter(function -> function.lines() > LARGEST_FUNCTION)
+                        .map(function -> function.place() + " has " + function.lines() + " lines")
                         .toList();
         assertEquals(List.of(), tooLong);
-        var sorted = lengths.stream().mapToInt(Function::lines).sorted().toArray();
+        var sorted = functions.stream().mapToInt(SourceFunction::lines).sorted().toArray();
         var usual = sorted[sorted.length * 9 / 10];
         assertTrue(usual <= USUAL_FUNCTION, "nine of ten functions have up to " + usual + " lines");
     }
@@ -100,6 +114,30 @@ class SourceRulesTest {
         assertEquals(List.of(), silent);
     }
 
+    /** In Kotlin the word stands before the package's name, in the file to read first. */
+    @Test
+    void everyKotlinPackageIntroducesItself() {
+        var files =
+                Repository.sources(".kt").stream()
+                        .filter(file -> name(file).contains("/src/main/"))
+                        .collect(Collectors.partitioningBy(SourceRulesTest::introduces));
+        var introduced = files.get(true).stream().map(Path::getParent).toList();
+        var silent =
+                files.get(false).stream()
+                        .map(Path::getParent)
+                        .distinct()
+                        .filter(folder -> !introduced.contains(folder))
+                        .map(this::name)
+                        .toList();
+        assertEquals(List.of(), silent);
+        assertFalse(introduced.isEmpty(), "no Kotlin was found to look at");
+    }
+
+    private static boolean introduces(Path file) {
+        var text = Repository.text(file);
+        return text.startsWith("//") || text.startsWith("/*");
+    }
+
     @Test
     void noFolderIsNamedAfterNothing() throws IOException {
         var vague = List.of("util", "utils", "common", "impl", "manager", "helpers", "misc");
@@ -114,11 +152,9 @@ class SourceRulesTest {
         }
     }
 
-    private record Function(String place, int lines) {}
-
-    private List<Function> functions() throws IOException {
+    private List<SourceFunction> functions() throws IOException {
         var compiler = ToolProvider.getSystemJavaCompiler();
-        var found = new ArrayList<Function>();
+        var found = new ArrayList<SourceFunction>();
         try (var manager = compiler.getStandardFileManager(null, null, null)) {
             var sources = manager.getJavaFileObjectsFromPaths(Repository.sources(".java"));
             var task = (JavacTask) compiler.getTask(null, manager, d -> {}, null, null, sources);
@@ -133,7 +169,7 @@ class SourceRulesTest {
                                 var end = positions.getEndPosition(unit, method);
                                 if (method.getBody() != null && start >= 0 && !isTable(method))
                                     found.add(
-                                            new Function(
+                                            new SourceFunction(
                                                     Path.of(unit.getSourceFile().getName())
                                                                     .getFileName()
                                                             + "#"

@@ -1,0 +1,139 @@
+package rasterlab.grader.submission
+
+import org.junit.jupiter.api.AfterEach
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.BeforeEach
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.EnumSource
+import rasterlab.exercises.Visibility
+import rasterlab.exercises.score.CasePictures
+import rasterlab.exercises.score.CaseReport
+import rasterlab.exercises.score.Diagnostic
+import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Message
+import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.Report
+import rasterlab.grader.Classroom
+import rasterlab.grader.course.Accounts
+import rasterlab.grader.course.Courses
+import rasterlab.grader.course.Identity
+import rasterlab.grader.course.Name
+import rasterlab.grader.storage.Database
+import java.nio.file.Path
+import java.time.Instant
+import java.time.InstantSource
+import java.util.Optional
+import kotlin.jvm.optionals.getOrNull
+
+/** A report comes back as it was written; no two values are equal, so a column taken for another is seen. */
+class ReportsTest {
+    @TempDir
+    lateinit var folder: Path
+    private lateinit var database: Database
+    private val now = Instant.parse("2026-03-29T00:59:59.123Z")
+    private val clock = InstantSource { now }
+
+    @BeforeEach
+    fun open() {
+        database = Database.open(folder.resolve("test.db"))
+    }
+
+    @AfterEach
+    fun close() = database.close()
+
+    @ParameterizedTest(name = "the verdict {0} is not read back")
+    @EnumSource
+    fun keepsTheWhole(verdict: GradingVerdict) {
+        val written = Report(verdict, Points(11, 7, 3, 23), emptyList(), emptyList(), "bubblewrap «ящик»", 12.625)
+        val found = recorded(written)
+        assertEquals(verdict, found.report.verdict())
+        assertEquals(written.points(), found.report.points())
+        assertEquals(written.isolation(), found.report.isolation())
+        assertEquals(written.nanosPerItem(), found.report.nanosPerItem())
+        assertEquals(now, found.gradedAt)
+    }
+
+    @Test
+    fun keepsEachCaseInItsPlace() {
+        val written =
+            GradingVerdict.entries.mapIndexed { number, verdict ->
+                CaseReport(
+                    "case-${9 - number}",
+                    Visibility.entries[number % Visibility.entries.size],
+                    verdict,
+                    number,
+                    100 + number,
+                    Message.quoted("pixel ($number, −1) is missing, значение"),
+                    pictures(number),
+                    """{"from":[$number,0]}""",
+                )
+            }
+        val found = recorded(report(cases = written)).report.cases()
+        assertEquals(written.map(::columns), found.map(::columns))
+    }
+
+    @Test
+    fun keepsEachDiagnosticInItsPlace() {
+        val written =
+            listOf(
+                Diagnostic(17, 4, Message.quoted("';' expected")),
+                Diagnostic(3, 29, Message.quoted("нет символа")),
+                Diagnostic(0, 0, Message.NONE),
+            )
+        assertEquals(written, recorded(report(diagnostics = written)).report.diagnostics())
+    }
+
+    private fun pictures(number: Int) =
+        Optional
+            .of(number)
+            .filter { it % 3 != 2 }
+            .map { CasePictures("#+-.$it", png(it, 1), png(it, 2), png(it, 3)) }
+
+    private fun png(
+        number: Int,
+        kind: Int,
+    ) = byteArrayOf(number.toByte(), kind.toByte(), 0, -1)
+
+    /** Arrays are equal by their content here. */
+    private fun columns(case: CaseReport): List<Any?> {
+        val pictures = case.pictures().getOrNull()
+        val images = listOf(pictures?.expectedPng(), pictures?.actualPng(), pictures?.differencePng())
+        return listOf(
+            case.name(),
+            case.visibility(),
+            case.verdict(),
+            case.points(),
+            case.of(),
+            case.said(),
+            case.scene(),
+            pictures?.text(),
+        ) + images.map { it?.toList() }
+    }
+
+    private fun report(
+        cases: List<CaseReport> = emptyList(),
+        diagnostics: List<Diagnostic> = emptyList(),
+    ) = Report(GradingVerdict.WRONG, Points(0, 0, 0, 0), cases, diagnostics, "", 0.0)
+
+    private fun recorded(report: Report): Recorded {
+        val reports = Reports(database)
+        val leases = Leases(database, reports, clock)
+        val id = submission()
+        leases.finish(checkNotNull(leases.claim(id)), "r1", report)
+        return checkNotNull(reports.of(id))
+    }
+
+    private fun submission(): String {
+        val courses = Courses(database, clock)
+        val course = courses.create(Identity.Instructor("i"), Name.of("Graphics"), key = null)
+        val token = courses.join(course.code, Name.of("Ada"), key = null).token
+        val student = Accounts(database, clock).holder(token) as Identity.Student
+        return Intake(
+            database,
+            IntakeLimits(),
+            clock,
+        ).accept(student, Classroom.EXERCISE, "class Dot {}", key = null).id
+    }
+}

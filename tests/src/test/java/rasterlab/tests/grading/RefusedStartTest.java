@@ -1,0 +1,87 @@
+package rasterlab.tests.grading;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.tests.ChildProcess;
+
+/**
+ * {@code ./lab grader serve} that must not start: one line with the place and the value, exit 2.
+ */
+class RefusedStartTest {
+    @TempDir private Path folder;
+
+    /** Without programs on the PATH there is no bubblewrap, as on Windows and macOS. */
+    @Test
+    void noExamIsGradedWithoutIsolationByTheSystem() throws IOException {
+        var nothing = Files.createDirectory(folder.resolve("no programs"));
+        assertRefused(
+                "--exam: protected against mistakes and common tricks, not against a determined",
+                Map.of("PATH", nothing.toString()),
+                "--port",
+                "0",
+                "--exam");
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void tellsTheValueAndWhatIsAllowed(String words, List<String> arguments) {
+        assertRefused(words, Map.of(), arguments.toArray(String[]::new));
+    }
+
+    static Stream<Arguments> mistakes() {
+        return Stream.of(
+                argumentSet(
+                        "a port that does not exist is taken",
+                        "--port 65536: expected 0 to 65535",
+                        List.of("--port", "65536")),
+                argumentSet(
+                        "a server without workers grades nothing",
+                        "--workers 0: expected 1 to 64",
+                        List.of("--port", "0", "--workers", "0")),
+                argumentSet(
+                        "an unknown host is shown as a stack trace",
+                        "--host no.such.host.invalid: no such host",
+                        List.of("--port", "0", "--host", "no.such.host.invalid")),
+                argumentSet(
+                        "missing exercises are left out silently",
+                        "--exercises none: no such folder",
+                        List.of("--port", "0", "--exercises", "none")),
+                argumentSet(
+                        "a database of another kind is taken",
+                        "--db postgresql://host/db: only sqlite:FILE",
+                        List.of("--port", "0", "--db", "postgresql://host/db")));
+    }
+
+    @Test
+    void aPortThatIsTakenIsNamed() throws IOException {
+        try (var taken = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
+            var port = String.valueOf(taken.getLocalPort());
+            assertRefused("cannot listen on 127.0.0.1:" + port, Map.of(), "--port", port);
+        }
+    }
+
+    private void assertRefused(String words, Map<String, String> environment, String... options) {
+        var command = ServerProcess.command(folder.resolve("course"), options);
+        var run = ChildProcess.run(folder, environment, Duration.ofMinutes(1), command);
+        assertEquals(2, run.exit(), run.err());
+        assertEquals("", run.out());
+        assertEquals(1, run.err().lines().count(), run.err());
+        assertTrue(run.err().contains(words), run.err());
+    }
+}
