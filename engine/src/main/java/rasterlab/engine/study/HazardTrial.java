@@ -85,7 +85,7 @@ public final class HazardTrial {
     private static <C, I, O> Verdict compared(Topic<C, I, O> topic, I input, O exact, O actual) {
         Deviation deviation = topic.compare(input, exact, actual);
         Verdict.Kind kind =
-                deviation.exact()
+                topic.correct(deviation)
                         ? Verdict.Kind.EXACT
                         : topic.usable(deviation) ? Verdict.Kind.DEGRADED : Verdict.Kind.WRONG;
         return new Verdict(kind, deviation, deviation.first());

@@ -1,0 +1,89 @@
+package rasterlab.tests.bench;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OperationsPerInvocation;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import rasterlab.engine.line.BresenhamLine;
+import rasterlab.engine.raster.Raster;
+
+/** Segments of one length in all directions into a picture of 1280×1280 pixels. */
+@State(Scope.Benchmark)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+public class LineBenchmark {
+    static final List<Goal> GOALS = List.of(goal(16, 5), goal(128, 2.2), goal(1000, 1.2));
+
+    private static final int SIZE = 1280;
+    private static final int SEGMENTS = 256;
+
+    @Param({"16", "128", "1000"})
+    public int pixels;
+
+    private final int[] ends = new int[4 * SEGMENTS];
+    private final BresenhamLine line = new BresenhamLine();
+    private int[] argb;
+    private Graphics2D graphics;
+
+    private static Goal goal(int pixels, double ratio) {
+        return new Goal(
+                "segments of " + pixels + " px",
+                LineBenchmark.class,
+                "bresenham",
+                "graphics2d",
+                Map.of("pixels", String.valueOf(pixels)),
+                ratio);
+    }
+
+    @Setup
+    public void prepare() {
+        var random = new Random(1965);
+        for (int i = 0; i < SEGMENTS; i++) {
+            double angle = random.nextDouble() * 2 * Math.PI;
+            double half = (pixels - 1) / 2.0;
+            double longer = Math.max(Math.abs(Math.cos(angle)), Math.abs(Math.sin(angle)));
+            int dx = (int) Math.round(half * Math.cos(angle) / longer);
+            int dy = (int) Math.round(half * Math.sin(angle) / longer);
+            ends[4 * i] = SIZE / 2 - dx;
+            ends[4 * i + 1] = SIZE / 2 - dy;
+            ends[4 * i + 2] = SIZE / 2 + dx;
+            ends[4 * i + 3] = SIZE / 2 + dy;
+        }
+        argb = new Raster(SIZE, SIZE).argb();
+        graphics = new BufferedImage(SIZE, SIZE, BufferedImage.TYPE_INT_ARGB).createGraphics();
+        graphics.setColor(Color.WHITE);
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(SEGMENTS)
+    public int bresenham() {
+        for (int i = 0; i < ends.length; i += 4)
+            line.draw(
+                    ends[i],
+                    ends[i + 1],
+                    ends[i + 2],
+                    ends[i + 3],
+                    (x, y) -> argb[y * SIZE + x] = 0xFFFFFFFF);
+        return argb[0];
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(SEGMENTS)
+    public Graphics2D graphics2d() {
+        for (int i = 0; i < ends.length; i += 4)
+            graphics.drawLine(ends[i], ends[i + 1], ends[i + 2], ends[i + 3]);
+        return graphics;
+    }
+}
