@@ -2,6 +2,7 @@ package rasterlab.app.outcome;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -34,6 +35,8 @@ public final class PngFile {
         if (Files.isDirectory(file))
             throw Complaint.badInput(file + ": is a folder, not a picture");
         if (!Files.isReadable(file)) throw Complaint.badInput(file + ": no such file to read");
+        if (file.toFile().length() == 0)
+            throw Complaint.badInput(file + ": the file is empty; expected a PNG picture");
         ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
         try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
             if (!reader.getOriginatingProvider().canDecodeInput(in))
@@ -41,6 +44,8 @@ public final class PngFile {
             reader.setInput(in);
             requireSize(file, reader, width, height);
             return reader.read(0);
+        } catch (EOFException e) {
+            throw Complaint.badInput(file + ": is a broken PNG picture: it ends too early");
         } catch (IOException | RuntimeException e) {
             if (e instanceof Complaint complaint) throw complaint;
             throw Complaint.badInput(file + ": is a broken PNG picture: " + e.getMessage());

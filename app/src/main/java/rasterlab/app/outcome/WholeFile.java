@@ -1,6 +1,7 @@
 package rasterlab.app.outcome;
 
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -16,39 +17,42 @@ public final class WholeFile {
      * @throws Complaint if the file cannot be written
      */
     public static void write(Path target, byte[] content) {
-        Path unfinished =
-                folder(target)
-                        .resolve(
-                                "."
-                                        + target.getFileName()
-                                        + "."
-                                        + ProcessHandle.current().pid()
-                                        + ".part");
+        Path unfinished = unfinished(target);
         unfinished.toFile().deleteOnExit();
         try {
             Files.write(unfinished, content, StandardOpenOption.CREATE_NEW);
             Files.move(unfinished, target, StandardCopyOption.REPLACE_EXISTING);
         } catch (IOException e) {
-            throw Complaint.badInput(target + ": cannot be written: " + reason(e));
+            throw cannotWrite(target, reason(e));
         } finally {
             unfinished.toFile().delete();
         }
     }
 
     /**
-     * Passes if the file can probably be written, before long work is begun.
+     * Passes if the file can be written, which is tried beside it before long work is begun: rights
+     * alone do not tell, because not every folder takes files.
      *
-     * @throws Complaint saying what is in the way
+     * @throws Complaint saying what is in the way; the file, or that there is none, stays as it was
      */
     public static void requireWritable(Path target) {
         Path folder = folder(target);
-        if (!Files.isDirectory(folder))
-            throw Complaint.badInput(target + ": cannot be written: no folder " + folder);
-        if (Files.isDirectory(target))
-            throw Complaint.badInput(target + ": cannot be written: it is a folder");
-        if (!Files.isWritable(folder))
-            throw Complaint.badInput(
-                    target + ": cannot be written: no right to write in " + folder);
+        if (!Files.isDirectory(folder)) throw cannotWrite(target, "no folder " + folder);
+        if (Files.isDirectory(target)) throw cannotWrite(target, "it is a folder");
+        if (Files.exists(target) && !Files.isRegularFile(target))
+            throw cannotWrite(target, "it is a device, not a file");
+        Path trial = unfinished(target);
+        try {
+            Files.write(trial, new byte[0], StandardOpenOption.CREATE_NEW);
+            Files.delete(trial);
+        } catch (IOException e) {
+            throw cannotWrite(
+                    target, "a file cannot be made in " + folder + " (" + reason(e) + ")");
+        }
+    }
+
+    private static Complaint cannotWrite(Path target, String reason) {
+        return Complaint.badInput(target + ": cannot be written: " + reason);
     }
 
     /**
@@ -72,11 +76,24 @@ public final class WholeFile {
             case "NoSuchFileException" -> "no such file";
             case "AccessDeniedException" -> "no right to";
             case "FileAlreadyExistsException" -> "a file of that name is in the way";
-            default -> String.valueOf(e.getMessage());
+            default -> other(e);
         };
     }
 
+    private static String other(IOException e) {
+        if (e instanceof FileSystemException file && file.getReason() != null)
+            return file.getReason();
+        return String.valueOf(e.getMessage());
+    }
+
     private static Path folder(Path target) {
-        return target.toAbsolutePath().getParent();
+        Path absolute = target.toAbsolutePath();
+        return absolute.getParent() == null ? absolute : absolute.getParent();
+    }
+
+    /** A name of this process's own in the same folder. */
+    private static Path unfinished(Path target) {
+        long process = ProcessHandle.current().pid();
+        return folder(target).resolve("." + target.getFileName() + "." + process + ".part");
     }
 }

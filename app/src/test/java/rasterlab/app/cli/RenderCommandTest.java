@@ -121,12 +121,26 @@ class RenderCommandTest {
                                 + picture
                                 + ": has 16×12 pixels, the rendered picture 800×600;"
                                 + " sizes must be equal");
-        Path half = folder.resolve("half.png");
-        byte[] whole = Files.readAllBytes(picture);
-        Files.write(half, Arrays.copyOf(whole, whole.length / 2));
-        Ran ran = render("--diff", half.toString(), "--size", "16x12");
-        assertTrue(ran.err().contains("half.png: is a broken PNG picture"), ran.err());
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("broken")
+    void saysHowTheOtherPictureIsBroken(int kept, String reason) throws Exception {
+        byte[] whole = Files.readAllBytes(rendered("zfloat", "16x12"));
+        Path part = folder.resolve("part.png");
+        Files.write(part, Arrays.copyOf(whole, Math.min(kept, whole.length / 2)));
+        Ran ran = render("--diff", part.toString(), "--size", "16x12");
+        assertTrue(ran.err().startsWith("./lab render: " + part + ": " + reason), ran.err());
+        assertFalse(ran.err().contains("null"), ran.err());
         assertEquals(2, ran.exitCode());
+    }
+
+    static Stream<Arguments> broken() {
+        return Stream.of(
+                argumentSet("empty file is broken", 0, "the file is empty; expected a PNG"),
+                argumentSet("sign is cut", 5, "is a broken PNG picture: it ends too early"),
+                argumentSet("header is cut", 20, "is a broken PNG picture: "),
+                argumentSet("pixels are cut", 1 << 20, "is a broken PNG picture: "));
     }
 
     @Test

@@ -1,14 +1,19 @@
 package rasterlab.app.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
+import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class RunInputTest {
+    private static final String[] ARGUMENTS = {"run", "line", "bresenham"};
     private static final String INT = "a whole number from -2147483648 to 2147483647";
 
     @ParameterizedTest(name = "{argumentSetName}")
@@ -56,17 +61,37 @@ class RunInputTest {
                         "{\"from\":[0,1.5],\"to\":[1,1]}",
                         "/from/1: expected " + INT + ", got 1.5"),
                 argumentSet(
-                        "whole number written as a fraction",
-                        "{\"from\":[0,1.0],\"to\":[1,1]}",
-                        "/from/1: expected " + INT + ", got 1.0"),
+                        "fraction is hidden by its exponent",
+                        "{\"from\":[0,15e-1],\"to\":[1,1]}",
+                        "/from/1: expected " + INT + ", got 15e-1"),
                 argumentSet(
-                        "one above the range wraps round",
-                        "{\"from\":[0,0],\"to\":[2147483648,1]}",
-                        "/to/0: expected " + INT + ", got 2147483648"),
+                        "exponent brings it above the range",
+                        "{\"from\":[0,2147483648e0],\"to\":[1,1]}",
+                        "/from/1: expected " + INT + ", got 2147483648e0"),
                 argumentSet(
-                        "long number fills the message",
-                        "{\"from\":[0,0],\"to\":[1," + "9".repeat(500) + "]}",
-                        "/to/1: expected " + INT + ", got " + "9".repeat(40) + "…"),
+                        "exponent overflows",
+                        "{\"from\":[0,1e1111111111111],\"to\":[1,1]}",
+                        "/from/1: expected " + INT + ", got 1e1111111111111"),
+                argumentSet(
+                        "huge number is computed digit by digit",
+                        "{\"from\":[0,1e2147483647],\"to\":[1,1]}",
+                        "/from/1: expected " + INT + ", got 1e2147483647"),
+                argumentSet(
+                        "NaN is 0",
+                        "{\"from\":[0,NaN],\"to\":[1,1]}",
+                        "/from/1: expected " + INT + ", got NaN"),
+                argumentSet(
+                        "number longer than the library takes is a fault",
+                        "{\"from\":[0,0],\"to\":[1," + "9".repeat(1001) + "]}",
+                        "/to/1: expected "
+                                + INT
+                                + " in at most 1000 characters, got "
+                                + "9".repeat(40)
+                                + "…"),
+                argumentSet(
+                        "name longer than the library takes is a fault",
+                        "{\"" + "k".repeat(60_000) + "\":[0,0],\"to\":[1,1]}",
+                        "/" + "k".repeat(39) + "…: unknown field; allowed are [from, to, window]"),
                 argumentSet(
                         "number as a string",
                         "{\"from\":[\"0\",0],\"to\":[1,1]}",
@@ -97,29 +122,71 @@ class RunInputTest {
                         "/window: ymin 9 is greater than ymax 1"));
     }
 
-    @ParameterizedTest(name = "{argumentSetName}")
-    @MethodSource("brokenJson")
-    void saysWhereJsonIsBroken(String json, String start) {
-        Ran ran = Ran.labReading(json, "run", "line", "bresenham");
-        assertEquals("./lab run: " + start, firstOf(ran.err(), start.length() + 11));
-        assertEquals(1, ran.err().lines().count());
-        assertEquals("", ran.out());
+    @ParameterizedTest(name = "{0} is no whole number")
+    @ValueSource(strings = {"1", "1.0", "1e0", "10E-1", "0.1e+1", "1.000000000000000000000000"})
+    void takesANumberThatIsWholeHoweverItIsWritten(String one) {
+        Ran ran = Ran.labReading("{\"from\":[" + one + ",0],\"to\":[1,0]}", ARGUMENTS);
+        assertEquals("{\"pixels\":[[1,0]]}\n", ran.out());
+        ran.assertDone();
+    }
+
+    @Test
+    void refusedLineKeepsTheRestOfTheBatch() {
+        String good = "{\"from\":[3,3],\"to\":[3,3]}";
+        String bad = "{\"from\":[" + "9".repeat(1001) + ",0],\"to\":[1,1]}";
+        Ran ran = Ran.labReading(bad + "\n" + good, "run", "line", "bresenham", "--lines");
+        List<String> answers = ran.out().lines().toList();
+        assertEquals("{\"pixels\":[[3,3]]}", answers.get(1), ran.out());
+        assertTrue(answers.get(0).startsWith("{\"error\":\"/from/0: "), answers.get(0));
+        ran.assertDone();
+    }
+
+    @Test
+    void textLongerThanIsReadIsNoFault() {
+        String json = "{\"from\":\"" + "t".repeat(1 << 21) + "\",\"to\":[1,1]}";
+        Ran ran = Ran.labReading(json, ARGUMENTS);
+        String said = ran.err().replaceFirst("column \\d+", "column N").strip();
+        assertEquals(
+                "./lab run: line 1, column N: a name, text or number of more than 1048576"
+                        + " characters",
+                said);
         assertEquals(2, ran.exitCode());
     }
 
-    private static String firstOf(String text, int length) {
-        return text.substring(0, Math.min(length, text.length()));
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("brokenJson")
+    void saysInPlainWordsWhereJsonIsBroken(String json, String message) {
+        Ran.labReading(json, ARGUMENTS).assertComplains(2, "./lab run: " + message);
     }
 
     static Stream<Arguments> brokenJson() {
         return Stream.of(
-                argumentSet("text", "hello\nworld", "line 1, column 1: not JSON: "),
-                argumentSet("unended", "{\"from\":[0,", "line 1, column 12: not JSON: "),
-                argumentSet("second line", "{\n\"from\" 3", "line 2, column 8: not JSON: "),
-                argumentSet("comment", "{/* */}", "line 1, column 2: not JSON: "),
+                argumentSet(
+                        "text", "hello\nworld", "line 1, column 1: not JSON near 'hello world'"),
+                argumentSet(
+                        "object has no end",
+                        "{",
+                        "line 1, column 2: not JSON: the text ends before the object does"),
+                argumentSet(
+                        "number has no end",
+                        "{\"from\":[0,",
+                        "line 1, column 12: not JSON: the text ends before the object does"),
+                argumentSet(
+                        "second line is counted as the first",
+                        "{\n\"from\" 3",
+                        "line 2, column 8: not JSON near '{ \"from\" 3'"),
+                argumentSet(
+                        "wrong bracket",
+                        "{\"to\":[1}",
+                        "line 1, column 9: not JSON near '{\"to\":[1}'"),
+                argumentSet("comment", "{/* */}", "line 1, column 2: not JSON near '{/* */}'"),
+                argumentSet(
+                        "quotation halves a letter",
+                        "{ййййййййййй: 1}",
+                        "line 1, column 3: not JSON near '{йййййййй'"),
                 argumentSet(
                         "depth",
                         "{\"from\":[" + "[".repeat(100_000),
-                        "/from/0: expected a whole number from "));
+                        "/from/0: expected " + INT + ", got an array"));
     }
 }

@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 class StudyCommandTest {
@@ -65,6 +67,16 @@ class StudyCommandTest {
                                 + nowhere
                                 + ": cannot be written: no folder "
                                 + nowhere.getParent());
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void placeThatCannotBeWrittenIsFoundBeforeMeasuring() {
+        Ran ran = Ran.lab("study", "line", "--quick", "--out", "/proc/a.svg");
+        assertEquals("", ran.out());
+        assertEquals(1, ran.err().lines().count(), ran.err());
+        assertTrue(ran.err().startsWith("./lab study: /proc/a.svg: cannot be written"), ran.err());
+        assertEquals(2, ran.exitCode());
     }
 
     private List<String> names() throws Exception {

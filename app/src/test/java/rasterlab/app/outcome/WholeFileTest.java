@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 class WholeFileTest {
@@ -38,6 +40,34 @@ class WholeFileTest {
         assertThrows(Complaint.class, () -> WholeFile.write(file, new byte[1]));
         assertThrows(Complaint.class, () -> WholeFile.requireWritable(file));
         assertThrows(Complaint.class, () -> WholeFile.requireWritable(folder));
+    }
+
+    @Test
+    void tryingLeavesNothingBehindAndTouchesNothing() throws Exception {
+        Path old = Files.writeString(folder.resolve("old.txt"), "old");
+        WholeFile.requireWritable(old);
+        WholeFile.requireWritable(folder.resolve("new.txt"));
+        assertEquals(List.of("old.txt"), names());
+        assertEquals("old", Files.readString(old));
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void folderThatTakesNoFilesWhateverTheRightsIsRefused() {
+        var complaint =
+                assertThrows(
+                        Complaint.class, () -> WholeFile.requireWritable(Path.of("/proc/a.txt")));
+        assertTrue(
+                complaint
+                        .getMessage()
+                        .startsWith("/proc/a.txt: cannot be written: a file cannot be made in"),
+                complaint.getMessage());
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void deviceIsNotReplacedByAFile() {
+        assertThrows(Complaint.class, () -> WholeFile.requireWritable(Path.of("/dev/null")));
     }
 
     private List<String> names() throws Exception {

@@ -2,11 +2,12 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JacksonException;
 import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonParser;
-import com.fasterxml.jackson.core.JsonParser.NumberType;
 import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.core.json.JsonReadFeature;
 import java.io.IOException;
+import java.math.BigDecimal;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,7 +20,26 @@ import rasterlab.app.outcome.Complaint;
  * <p>Every complaint names the place as a JSON pointer (RFC 6901), the value and what is allowed.
  */
 final class StrictJson {
-    private static final JsonFactory FACTORY = new JsonFactory();
+    /** The most characters of one name, text or number that is read, to be complained about. */
+    static final int LONGEST_TOKEN = 1 << 20;
+
+    /** NaN is read as a number, so that the complaint about it can name its place. */
+    private static final JsonFactory FACTORY =
+            JsonFactory.builder()
+                    .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
+                    .streamReadConstraints(
+                            StreamReadConstraints.builder()
+                                    .maxNameLength(LONGEST_TOKEN)
+                                    .maxStringLength(LONGEST_TOKEN)
+                                    .maxNumberLength(LONGEST_TOKEN)
+                                    .build())
+                    .build();
+
+    /**
+     * The most characters of an accepted number; the time to convert one grows with their square.
+     */
+    private static final int LONGEST_NUMBER = 1000;
+
     private static final int LONGEST_QUOTE = 40;
 
     private final JsonParser parser;
@@ -40,12 +60,23 @@ final class StrictJson {
     static <T> Map<String, T> object(
             byte[] text, int length, Map<String, Field<T>> fields, List<String> required) {
         try (JsonParser parser = FACTORY.createParser(text, 0, length)) {
-            return new StrictJson(parser).object(fields, required);
-        } catch (JacksonException e) {
-            throw Complaint.badInput(
-                    place(e.getLocation()) + ": not JSON: " + e.getOriginalMessage());
+            return read(new StrictJson(parser), text, length, fields, required);
         } catch (IOException e) {
             throw new AssertionError("reading from memory failed", e);
+        }
+    }
+
+    private static <T> Map<String, T> read(
+            StrictJson json,
+            byte[] text,
+            int length,
+            Map<String, Field<T>> fields,
+            List<String> required)
+            throws IOException {
+        try {
+            return json.object(fields, required);
+        } catch (JacksonException e) {
+            throw new NotJson(text, length).complaint(e, json.parser.currentLocation());
         }
     }
 
@@ -73,7 +104,7 @@ final class StrictJson {
             if (!values.containsKey(name)) throw Complaint.badInput("/" + name + ": missing");
         if (parser.nextToken() != null)
             throw Complaint.badInput(
-                    place(parser.currentTokenLocation())
+                    NotJson.place(parser.currentTokenLocation())
                             + ": "
                             + quoted()
                             + " follows the object; expected nothing more");
@@ -106,11 +137,17 @@ final class StrictJson {
         return values;
     }
 
+    /** A number that is whole however it is written: 1, 1.0 and 1e0 are the same. */
     private int integer() throws IOException {
         String allowed = "a whole number from " + Integer.MIN_VALUE + " to " + Integer.MAX_VALUE;
-        if (parser.currentToken() != JsonToken.VALUE_NUMBER_INT
-                || parser.getNumberType() != NumberType.INT) throw expected(allowed);
-        return parser.getIntValue();
+        if (!parser.currentToken().isNumeric()) throw expected(allowed);
+        if (parser.getTextLength() > LONGEST_NUMBER)
+            throw expected(allowed + " in at most " + LONGEST_NUMBER + " characters");
+        try {
+            return new BigDecimal(parser.getText()).intValueExact();
+        } catch (ArithmeticException | NumberFormatException notWhole) {
+            throw expected(allowed);
+        }
     }
 
     private Complaint expected(String what) throws IOException {
@@ -137,9 +174,5 @@ final class StrictJson {
 
     private static String shortened(String text) {
         return text.length() <= LONGEST_QUOTE ? text : text.substring(0, LONGEST_QUOTE) + "…";
-    }
-
-    private static String place(JsonLocation at) {
-        return "line " + at.getLineNr() + ", column " + at.getColumnNr();
     }
 }
