@@ -2,9 +2,6 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
-import java.util.Arrays;
-import java.util.List;
-import java.util.Map;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.LineTopic;
@@ -16,12 +13,11 @@ import rasterlab.engine.study.Topic;
 
 /** Topic {@code line}: {@code from}, {@code to}, optional {@code window}; {@code pixels} out. */
 public final class LineRun implements TopicRun {
-    private static final List<String> REQUIRED = List.of("from", "to");
-    private static final Map<String, StrictJson.Field<int[]>> FIELDS =
-            Map.of(
-                    "from", json -> json.integers(2),
-                    "to", json -> json.integers(2),
-                    "window", json -> json.integers(4));
+    private static final JsonField<int[]> FROM =
+            JsonField.required("from", json -> json.integers(2));
+    private static final JsonField<int[]> TO = JsonField.required("to", json -> json.integers(2));
+    private static final JsonField<int[]> WINDOW =
+            JsonField.optional("window", json -> json.integers(4));
 
     private final Topic<LineRasterizer, Segment, PixelRecording> topic = new LineTopic();
     private final Watch watch;
@@ -48,14 +44,14 @@ public final class LineRun implements TopicRun {
     private record Input(Segment segment, PixelWindow window) {}
 
     private static Input input(byte[] text, int length) {
-        Map<String, int[]> given = StrictJson.object(text, length, FIELDS, REQUIRED);
-        int[] from = given.get("from");
-        int[] to = given.get("to");
-        return new Input(new Segment(from[0], from[1], to[0], to[1]), window(given.get("window")));
+        Given given = StrictJson.object(text, length, FROM, TO, WINDOW);
+        int[] from = given.get(FROM);
+        int[] to = given.get(TO);
+        PixelWindow window = given.find(WINDOW).map(LineRun::window).orElse(PixelWindow.EVERYTHING);
+        return new Input(new Segment(from[0], from[1], to[0], to[1]), window);
     }
 
     private static PixelWindow window(int[] given) {
-        if (given == null) return PixelWindow.EVERYTHING;
         try {
             return new PixelWindow(given[0], given[1], given[2], given[3]);
         } catch (IllegalArgumentException e) {
@@ -75,11 +71,12 @@ public final class LineRun implements TopicRun {
         if (!(line instanceof SteppedLine steppedLine))
             throw Complaint.badInput("--steps: method '" + method + "' has no steps");
         LineWalk walk = steppedLine.walk(s.x0(), s.y0(), s.x1(), s.y1());
-        var decisions = new Decisions();
+        var decisions = new Doubles();
         while (walk.advance()) if (sink.keep(walk.x(), walk.y())) decisions.add(walk.decision());
         return json -> {
             writePixels(json, sink.kept());
-            decisions.write(json, steppedLine.decisionFormula(), sink.kept());
+            json.writeStringField("decision", steppedLine.decisionFormula());
+            writeSteps(json, sink.kept(), decisions);
         };
     }
 
@@ -94,28 +91,16 @@ public final class LineRun implements TopicRun {
         json.writeEndArray();
     }
 
-    /** The decision value of each kept step. */
-    private static final class Decisions {
-        private double[] values = new double[64];
-        private int size;
-
-        void add(double value) {
-            if (size == values.length) values = Arrays.copyOf(values, 2 * size);
-            values[size++] = value;
+    private static void writeSteps(JsonGenerator json, PixelRecording pixels, Doubles decisions)
+            throws IOException {
+        json.writeArrayFieldStart("steps");
+        for (int i = 0; i < decisions.size(); i++) {
+            json.writeStartObject();
+            json.writeNumberField("x", pixels.x(i));
+            json.writeNumberField("y", pixels.y(i));
+            JsonNumbers.writeField(json, "decision", decisions.get(i));
+            json.writeEndObject();
         }
-
-        void write(JsonGenerator json, String formula, PixelRecording pixels) throws IOException {
-            json.writeStringField("decision", formula);
-            json.writeArrayFieldStart("steps");
-            for (int i = 0; i < size; i++) {
-                json.writeStartObject();
-                json.writeNumberField("x", pixels.x(i));
-                json.writeNumberField("y", pixels.y(i));
-                if (Double.isFinite(values[i])) json.writeNumberField("decision", values[i]);
-                else json.writeNullField("decision");
-                json.writeEndObject();
-            }
-            json.writeEndArray();
-        }
+        json.writeEndArray();
     }
 }
