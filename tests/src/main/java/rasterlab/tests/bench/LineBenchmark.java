@@ -17,6 +17,7 @@ import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import rasterlab.engine.line.BresenhamLine;
+import rasterlab.engine.line.RasterLine;
 import rasterlab.engine.raster.Raster;
 
 /** Segments of one length in all directions into a picture of 1280×1280 pixels. */
@@ -34,6 +35,7 @@ public class LineBenchmark {
 
     private final int[] ends = new int[4 * SEGMENTS];
     private final BresenhamLine line = new BresenhamLine();
+    private Raster raster;
     private int[] argb;
     private Graphics2D graphics;
 
@@ -41,7 +43,7 @@ public class LineBenchmark {
         return new Goal(
                 "segments of " + pixels + " px",
                 LineBenchmark.class,
-                "bresenham",
+                "intoThePicture",
                 "graphics2d",
                 Map.of("pixels", String.valueOf(pixels)),
                 ratio);
@@ -61,7 +63,8 @@ public class LineBenchmark {
             ends[4 * i + 2] = SIZE / 2 + dx;
             ends[4 * i + 3] = SIZE / 2 + dy;
         }
-        argb = new Raster(SIZE, SIZE).argb();
+        raster = new Raster(SIZE, SIZE);
+        argb = raster.argb();
         graphics = new BufferedImage(SIZE, SIZE, BufferedImage.TYPE_INT_ARGB).createGraphics();
         graphics.setColor(Color.WHITE);
     }
@@ -77,6 +80,14 @@ public class LineBenchmark {
                     ends[i + 3],
                     (x, y) -> argb[y * SIZE + x] = 0xFFFFFFFF);
         return argb[0];
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(SEGMENTS)
+    public Raster intoThePicture() {
+        for (int i = 0; i < ends.length; i += 4)
+            RasterLine.draw(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], -1, raster);
+        return raster;
     }
 
     @Benchmark

@@ -1,14 +1,19 @@
 package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.contract.CoveragePixels;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.CoverageLine;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.LineWalk;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
+import rasterlab.engine.line.WindowedLine;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Topic;
 
 /** Topic {@code line}: {@code from}, {@code to}, optional {@code window}; {@code pixels} out. */
@@ -60,24 +65,74 @@ public final class LineRun implements TopicRun {
     }
 
     private static Answer draw(String method, LineRasterizer line, Input input, boolean steps) {
-        var sink = new LineSink(method, input.window(), input.segment().steps() + 1);
-        if (steps) return stepped(method, line, input.segment(), sink);
         Segment s = input.segment();
-        line.draw(s.x0(), s.y0(), s.x1(), s.y1(), sink);
-        return json -> writePixels(json, sink.kept());
-    }
-
-    private static Answer stepped(String method, LineRasterizer line, Segment s, LineSink sink) {
-        if (!(line instanceof SteppedLine steppedLine))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
-        LineWalk walk = steppedLine.walk(s.x0(), s.y0(), s.x1(), s.y1());
-        var decisions = new Doubles();
-        while (walk.advance()) if (sink.keep(walk.x(), walk.y())) decisions.add(walk.decision());
+        var sink = new LineSink(method, input.window(), s.steps() + 1);
+        Coverages coverages = null;
+        if (line instanceof CoverageLine shaded) {
+            coverages = new Coverages(sink);
+            shaded.shade(s.x0(), s.y0(), s.x1(), s.y1(), coverages);
+        } else if (line instanceof WindowedLine windowed) {
+            LineWalk walk = windowed.walk(s.x0(), s.y0(), s.x1(), s.y1(), input.window());
+            while (walk.advance()) sink.plot(walk.x(), walk.y());
+        } else {
+            line.draw(s.x0(), s.y0(), s.x1(), s.y1(), sink);
+        }
+        Steps walked = steps ? Steps.of(method, line, input) : null;
+        Coverages levels = coverages;
         return json -> {
             writePixels(json, sink.kept());
-            json.writeStringField("decision", steppedLine.decisionFormula());
-            writeSteps(json, sink.kept(), decisions);
+            if (levels != null) levels.write(json);
+            if (walked != null) walked.write(json);
         };
+    }
+
+    /** The coverage of each pixel that the sink keeps. */
+    private record Coverages(LineSink sink, ByteArrayOutputStream levels)
+            implements CoveragePixels {
+        Coverages(LineSink sink) {
+            this(sink, new ByteArrayOutputStream());
+        }
+
+        @Override
+        public void plot(int x, int y, int coverage) {
+            if (sink.keep(x, y)) levels.write(coverage);
+        }
+
+        void write(JsonGenerator json) throws IOException {
+            json.writeArrayFieldStart("coverage");
+            for (byte level : levels.toByteArray()) json.writeNumber(level & 0xFF);
+            json.writeEndArray();
+        }
+    }
+
+    /** The walk of a line, each step with its decision value. */
+    private record Steps(String decision, PixelRecording pixels, Doubles values) {
+        static Steps of(String method, LineRasterizer line, Input input) {
+            Segment s = input.segment();
+            if (!(line instanceof SteppedLine stepped))
+                throw Complaint.badInput("--steps: method '" + method + "' has no steps");
+            LineWalk walk =
+                    line instanceof WindowedLine windowed
+                            ? windowed.walk(s.x0(), s.y0(), s.x1(), s.y1(), input.window())
+                            : stepped.walk(s.x0(), s.y0(), s.x1(), s.y1());
+            var sink = new LineSink(method, input.window(), s.steps() + 1);
+            var values = new Doubles();
+            while (walk.advance()) if (sink.keep(walk.x(), walk.y())) values.add(walk.decision());
+            return new Steps(stepped.decisionFormula(), sink.kept(), values);
+        }
+
+        void write(JsonGenerator json) throws IOException {
+            json.writeStringField("decision", decision);
+            json.writeArrayFieldStart("steps");
+            for (int i = 0; i < values.size(); i++) {
+                json.writeStartObject();
+                json.writeNumberField("x", pixels.x(i));
+                json.writeNumberField("y", pixels.y(i));
+                JsonNumbers.writeField(json, "decision", values.get(i));
+                json.writeEndObject();
+            }
+            json.writeEndArray();
+        }
     }
 
     private static void writePixels(JsonGenerator json, PixelRecording pixels) throws IOException {
@@ -87,19 +142,6 @@ public final class LineRun implements TopicRun {
             json.writeNumber(pixels.x(i));
             json.writeNumber(pixels.y(i));
             json.writeEndArray();
-        }
-        json.writeEndArray();
-    }
-
-    private static void writeSteps(JsonGenerator json, PixelRecording pixels, Doubles decisions)
-            throws IOException {
-        json.writeArrayFieldStart("steps");
-        for (int i = 0; i < decisions.size(); i++) {
-            json.writeStartObject();
-            json.writeNumberField("x", pixels.x(i));
-            json.writeNumberField("y", pixels.y(i));
-            JsonNumbers.writeField(json, "decision", decisions.get(i));
-            json.writeEndObject();
         }
         json.writeEndArray();
     }
