@@ -2,6 +2,7 @@ package rasterlab.engine.line;
 
 import java.util.List;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.raster.CountingPixels;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;

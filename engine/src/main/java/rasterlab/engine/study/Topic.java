@@ -74,6 +74,14 @@ public interface Topic<C, I, O> {
         return Map.of();
     }
 
+    /**
+     * The most items of an exact answer; a longer one is cut there and compared by its beginning,
+     * which only serves where all methods produce their items in one order.
+     */
+    default int mostItems() {
+        return 20_000;
+    }
+
     /** What {@link #spend} counts, in the singular, for axis labels: "pixel", "segment". */
     String item();
 

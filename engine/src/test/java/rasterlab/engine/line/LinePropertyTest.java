@@ -164,6 +164,26 @@ class LinePropertyTest {
         assertEquals(255 * (s.steps() + 1), sum);
     }
 
+    @Property
+    void thePictureGetsWusCoverages(@ForAll("segments") Segment s) {
+        var picture = new Raster(SIDE, SIDE);
+        picture.clear(0xFF000000);
+        ShadedRasterLine.draw(s.x0(), s.y0(), s.x1(), s.y1(), 0xFFFFFFFF, picture);
+        var expected = new int[SIDE][SIDE];
+        new WuLine()
+                .shade(
+                        s.x0(),
+                        s.y0(),
+                        s.x1(),
+                        s.y1(),
+                        (x, y, c) -> {
+                            if (picture.contains(x, y)) expected[y][x] = c;
+                        });
+        for (int y = 0; y < SIDE; y++)
+            for (int x = 0; x < SIDE; x++)
+                assertEquals(expected[y][x], picture.argb(x, y) & 0xFF, 2, x + ", " + y);
+    }
+
     private static double exactAcross(int at, int from, int to, int acrossFrom, int acrossTo) {
         if (from == to) return acrossFrom;
         return acrossFrom + (double) (at - from) * (acrossTo - acrossFrom) / (to - from);

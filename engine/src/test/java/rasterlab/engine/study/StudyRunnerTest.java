@@ -107,7 +107,7 @@ class StudyRunnerTest {
 
     @Test
     void unknownTopicNamesTheKnownOnes() {
-        var refusal = assertThrows(IllegalArgumentException.class, () -> Topics.named("circle"));
+        var refusal = assertThrows(IllegalArgumentException.class, () -> Topics.named("spiral"));
         assertTrue(refusal.getMessage().contains("[line"), refusal.getMessage());
         assertEquals("line", Topics.named("line").name());
     }

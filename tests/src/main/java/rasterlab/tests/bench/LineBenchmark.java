@@ -2,7 +2,7 @@ package rasterlab.tests.bench;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.image.BufferedImage;
+import java.awt.RenderingHints;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -16,8 +16,8 @@ import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
 import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
-import rasterlab.engine.line.BresenhamLine;
 import rasterlab.engine.line.RasterLine;
+import rasterlab.engine.line.ShadedRasterLine;
 import rasterlab.engine.raster.Raster;
 
 /** Segments of one length in all directions into a picture of 1280×1280 pixels. */
@@ -25,7 +25,19 @@ import rasterlab.engine.raster.Raster;
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
 public class LineBenchmark {
-    static final List<Goal> GOALS = List.of(goal(16, 5), goal(128, 2.2), goal(1000, 1.2));
+    static final List<Goal> GOALS =
+            List.of(
+                    goal("segments of 16 px", "intoThePicture", "graphics2d", 16, 5),
+                    goal("segments of 128 px", "intoThePicture", "graphics2d", 128, 2.2),
+                    goal("segments of 1000 px", "intoThePicture", "graphics2d", 1000, 1.2),
+                    goal("anti-aliased segments of 16 px", "shaded", "graphics2dShaded", 16, 12),
+                    goal("anti-aliased segments of 128 px", "shaded", "graphics2dShaded", 128, 10),
+                    goal(
+                            "anti-aliased segments of 1000 px",
+                            "shaded",
+                            "graphics2dShaded",
+                            1000,
+                            9));
 
     private static final int SIZE = 1280;
     private static final int SEGMENTS = 256;
@@ -34,17 +46,16 @@ public class LineBenchmark {
     public int pixels;
 
     private final int[] ends = new int[4 * SEGMENTS];
-    private final BresenhamLine line = new BresenhamLine();
     private Raster raster;
-    private int[] argb;
     private Graphics2D graphics;
+    private Graphics2D shadingGraphics;
 
-    private static Goal goal(int pixels, double ratio) {
+    private static Goal goal(String work, String ours, String peer, int pixels, double ratio) {
         return new Goal(
-                "segments of " + pixels + " px",
+                work,
                 LineBenchmark.class,
-                "intoThePicture",
-                "graphics2d",
+                ours,
+                peer,
                 Map.of("pixels", String.valueOf(pixels)),
                 ratio);
     }
@@ -64,22 +75,9 @@ public class LineBenchmark {
             ends[4 * i + 3] = SIZE / 2 + dy;
         }
         raster = new Raster(SIZE, SIZE);
-        argb = raster.argb();
-        graphics = new BufferedImage(SIZE, SIZE, BufferedImage.TYPE_INT_ARGB).createGraphics();
-        graphics.setColor(Color.WHITE);
-    }
-
-    @Benchmark
-    @OperationsPerInvocation(SEGMENTS)
-    public int bresenham() {
-        for (int i = 0; i < ends.length; i += 4)
-            line.draw(
-                    ends[i],
-                    ends[i + 1],
-                    ends[i + 2],
-                    ends[i + 3],
-                    (x, y) -> argb[y * SIZE + x] = 0xFFFFFFFF);
-        return argb[0];
+        raster.clear(0xFF000000);
+        graphics = graphics(RenderingHints.VALUE_ANTIALIAS_OFF);
+        shadingGraphics = graphics(RenderingHints.VALUE_ANTIALIAS_ON);
     }
 
     @Benchmark
@@ -88,6 +86,31 @@ public class LineBenchmark {
         for (int i = 0; i < ends.length; i += 4)
             RasterLine.draw(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], -1, raster);
         return raster;
+    }
+
+    private static Graphics2D graphics(Object antialiasing) {
+        var picture = new Raster(SIZE, SIZE);
+        picture.clear(0xFF000000);
+        Graphics2D graphics = picture.image().createGraphics();
+        graphics.setColor(Color.WHITE);
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, antialiasing);
+        return graphics;
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(SEGMENTS)
+    public Raster shaded() {
+        for (int i = 0; i < ends.length; i += 4)
+            ShadedRasterLine.draw(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], -1, raster);
+        return raster;
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(SEGMENTS)
+    public Graphics2D graphics2dShaded() {
+        for (int i = 0; i < ends.length; i += 4)
+            shadingGraphics.drawLine(ends[i], ends[i + 1], ends[i + 2], ends[i + 3]);
+        return shadingGraphics;
     }
 
     @Benchmark
