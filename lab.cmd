@@ -6,6 +6,12 @@ if "%root:~-1%"=="\" set "root=%root:~0,-1%"
 set "state=%root%\target\lab"
 set "log=%state%\build.log"
 set "stamp=%state%\built"
+set "parts=app,grader"
+rem The benchmarks are built only for who measures.
+if "%~1"=="bench" (
+    set "stamp=%state%\built-bench"
+    set "parts=tests"
+)
 
 set "java="
 if defined JAVA_HOME if exist "%JAVA_HOME%\bin\java.exe" set "java=%JAVA_HOME%\bin\java.exe"
@@ -47,8 +53,9 @@ type nul > "%state%\building"
 rem A library of an earlier version must not stay on the class path.
 if exist "%root%\app\target\lib" rmdir /s /q "%root%\app\target\lib"
 if exist "%root%\grader\target\lib" rmdir /s /q "%root%\grader\target\lib"
+if "%parts%"=="tests" if exist "%root%\tests\target\lib" rmdir /s /q "%root%\tests\target\lib"
 set "JAVA_HOME=%home%"
-call "%root%\mvnw.cmd" -B -f "%root%\pom.xml" -pl app,grader -am -Dmaven.test.skip=true package > "%log%" 2>&1 < nul
+call "%root%\mvnw.cmd" -B -f "%root%\pom.xml" -pl %parts% -am -Dmaven.test.skip=true package > "%log%" 2>&1 < nul
 if errorlevel 1 (
     findstr /b /c:"[ERROR] " "%log%" 1>&2
     echo lab: the build failed; its whole log is in "%log%" 1>&2
@@ -61,6 +68,11 @@ echo lab: built 1>&2
 set "module=app"
 set "main=rasterlab.app.Main"
 set "arguments=%*"
+if "%~1"=="bench" (
+    set "module=tests"
+    set "main=rasterlab.tests.bench.Bench"
+    for /f "tokens=1,* delims= " %%A in ("%*") do set "arguments=%%B"
+)
 if "%~1"=="grader" (
     set "module=grader"
     set "main=rasterlab.grader.MainKt"

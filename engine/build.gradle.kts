@@ -4,6 +4,7 @@ plugins {
 
 dependencies {
     implementation(libs.joml)
+    testImplementation(libs.jqwik)
 }
 
 // All that a student's method may see, as a jar of its own.

@@ -1,9 +1,12 @@
 plugins {
-    java
+    application
 }
 
 dependencies {
-    testImplementation(project(":engine"))
+    implementation(project(":engine"))
+    implementation(libs.picocli)
+    implementation(libs.jmh.core)
+    annotationProcessor(libs.jmh.generator.annprocess)
     testImplementation(project(":exercises"))
     testImplementation(project(":app"))
     testImplementation(project(":grader"))
@@ -13,4 +16,8 @@ dependencies {
     testImplementation(libs.assertj.swing.junit)
     testImplementation(libs.selenium.chrome.driver)
     testImplementation(libs.selenium.support)
+}
+
+application {
+    mainClass.set("rasterlab.tests.bench.Bench")
 }

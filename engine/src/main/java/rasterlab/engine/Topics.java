@@ -1,6 +1,8 @@
 package rasterlab.engine;
 
 import java.util.List;
+import rasterlab.engine.circle.CircleTopic;
+import rasterlab.engine.circle.EllipseTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Topic;
 
@@ -10,7 +12,7 @@ public final class Topics {
 
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
-        return List.of(new LineTopic());
+        return List.of(new LineTopic(), new CircleTopic(), new EllipseTopic());
     }
 
     /**

@@ -19,8 +19,11 @@ import rasterlab.app.outcome.ExitCode;
         mixinStandardHelpOptions = true,
         description = {
             "Runs one method on JSON from standard input and prints JSON.",
-            "Topic line: {\"from\":[x,y], \"to\":[x,y], \"window\":[xmin,ymin,xmax,ymax]},",
-            "the window being optional; answers {\"pixels\":[[x,y],...]} in drawing order."
+            "line: {\"from\":[x,y], \"to\":[x,y], \"window\":[xmin,ymin,xmax,ymax]}, the window",
+            "  being optional; answers {\"pixels\":[[x,y],...]} in drawing order, and for wu",
+            "  {\"coverage\":[1..255,...]} beside it.",
+            "circle: {\"center\":[x,y], \"radius\":r}; ellipse: {\"center\":[x,y], \"rx\":a,",
+            "  \"ry\":b}; answers {\"pixels\":[[x,y],...]}."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

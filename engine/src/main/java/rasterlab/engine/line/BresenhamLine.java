@@ -1,6 +1,7 @@
 package rasterlab.engine.line;
 
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.PixelWindow;
 
 /**
  * A straight line in integers only, right for every pair of int ends.
@@ -10,22 +11,29 @@ import rasterlab.contract.Pixels;
  * + 1)·b − (2·j + 1)·n − t}, twice n times how far the exact line will have passed the middle
  * between the two candidates, t sending a tie to the smaller coordinate. Step across when d ≥ 0.
  *
- * <p>At every pixel 2·b − 2·n ≤ d &lt; 2·b, and n &lt; 2³² for int ends, so a long never overflows
- * (an int would from n = 2³⁰ on). The walk begins at i = −1, one step before the first end.
+ * <p>At every pixel 2·b − 2·n ≤ d &lt; 2·b where n ≥ 1 (d = −1 for a single point), and n &lt; 2³²
+ * for int ends, so a long never overflows (an int would from n = 2³⁰ on). The walk begins one step
+ * before its first pixel and beside it, so with d = r − 2·n, r being the {@link
+ * LineSection#remainder}; for the whole line that is −n − t.
  *
  * <p>Source: J. E. Bresenham, Algorithm for computer control of a digital plotter, IBM Systems
  * Journal 4(1), 1965, pp. 25–30.
  */
-public final class BresenhamLine implements SteppedLine {
+public final class BresenhamLine implements WindowedLine {
     @Override
     public void draw(int x0, int y0, int x1, int y1, Pixels out) {
-        var walk = new Walk(x0, y0, x1, y1);
+        var walk = new Walk(x0, y0, LineSection.whole(x0, y0, x1, y1));
         while (walk.advance()) out.plot(walk.x, walk.y);
     }
 
     @Override
     public LineWalk walk(int x0, int y0, int x1, int y1) {
-        return new Walk(x0, y0, x1, y1);
+        return new Walk(x0, y0, LineSection.whole(x0, y0, x1, y1));
+    }
+
+    @Override
+    public LineWalk walk(int x0, int y0, int x1, int y1, PixelWindow window) {
+        return new Walk(x0, y0, LineSection.within(window, x0, y0, x1, y1));
     }
 
     @Override
@@ -33,7 +41,7 @@ public final class BresenhamLine implements SteppedLine {
         return "d = 2·(i + 1)·b − (2·j + 1)·n − t; step across when d ≥ 0";
     }
 
-    private static final class Walk implements LineWalk {
+    static final class Walk implements LineWalk {
         private final int alongX;
         private final int alongY;
         private final int acrossX;
@@ -45,23 +53,17 @@ public final class BresenhamLine implements SteppedLine {
         private long d;
         private long left;
 
-        Walk(int x0, int y0, int x1, int y1) {
-            int signX = x1 < x0 ? -1 : 1;
-            int signY = y1 < y0 ? -1 : 1;
-            long dx = Math.abs((long) x1 - x0);
-            long dy = Math.abs((long) y1 - y0);
-            boolean steep = dy > dx;
-            long n = steep ? dy : dx;
-            alongX = steep ? 0 : signX;
-            alongY = steep ? signY : 0;
-            acrossX = signX - alongX;
-            acrossY = signY - alongY;
-            straight = 2 * (steep ? dx : dy);
-            diagonal = straight - 2 * n;
-            x = x0 - alongX;
-            y = y0 - alongY;
-            d = acrossX + acrossY > 0 ? -n - 1 : -n;
-            left = n + 1;
+        Walk(int x0, int y0, LineSection section) {
+            alongX = section.steep() ? 0 : section.signX();
+            alongY = section.steep() ? section.signY() : 0;
+            acrossX = section.signX() - alongX;
+            acrossY = section.signY() - alongY;
+            straight = 2 * section.b();
+            diagonal = straight - 2 * section.n();
+            x = section.x(x0) - alongX;
+            y = section.y(y0) - alongY;
+            d = section.remainder() - 2 * section.n();
+            left = section.count();
         }
 
         @Override

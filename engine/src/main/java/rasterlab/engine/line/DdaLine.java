@@ -34,6 +34,17 @@ public final class DdaLine implements SteppedLine {
         return "f ← f + k; step across and take 1 off when f ≥ ½; begins at ∓1/(4·n)";
     }
 
+    /**
+     * What f is at the first end: it keeps ties on the side of the smaller coordinate.
+     *
+     * @param direction of the coordinate across, −1 where it falls
+     * @param n steps along the longer axis
+     */
+    static double tie(int direction, long n) {
+        if (n == 0) return 0;
+        return (direction < 0 ? 0.25 : -0.25) / n;
+    }
+
     private static final class Walk implements LineWalk {
         private final int alongX;
         private final int alongY;
@@ -55,8 +66,7 @@ public final class DdaLine implements SteppedLine {
             acrossX = steep ? Long.signum(dx) : 0;
             acrossY = steep ? 0 : Long.signum(dy);
             k = n == 0 ? 0 : (double) Math.abs(steep ? dx : dy) / n;
-            double tie = acrossX + acrossY < 0 ? 0.25 : -0.25;
-            f = n == 0 ? 0 : tie / n - k;
+            f = tie(acrossX + acrossY, n) - k;
             x = x0 - alongX;
             y = y0 - alongY;
             left = n + 1;

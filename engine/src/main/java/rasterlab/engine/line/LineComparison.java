@@ -1,6 +1,5 @@
 package rasterlab.engine.line;
 
-import rasterlab.engine.raster.NearestPixel;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
@@ -21,21 +20,11 @@ final class LineComparison {
         PixelSet missing = difference.missing();
         PixelSet extra = difference.extra();
         return new Deviation(
-                Math.max(farthest(missing, actual), farthest(extra, exact)),
+                difference.worst(exact, actual),
                 missing.size(),
                 extra.size(),
                 exact.size(),
                 difference.isEmpty() ? order(exact, actual) : first(exact, actual, difference));
-    }
-
-    private static double farthest(PixelSet from, PixelRecording to) {
-        if (from.isEmpty()) return 0;
-        if (to.size() == 0) return from.size();
-        var nearest = new NearestPixel(to);
-        long farthest = 0;
-        for (int i = 0; i < from.size(); i++)
-            farthest = Math.max(farthest, nearest.distance(from.x(i), from.y(i)));
-        return farthest;
     }
 
     /** The same pixels, but perhaps repeated or in another order. */

@@ -10,7 +10,15 @@ final class LineMethods {
     private LineMethods() {}
 
     static List<Method<LineRasterizer>> all() {
-        return List.of(naiveTextbook(), naive(), dda(), bresenhamTextbook(), bresenham());
+        return List.of(
+                naiveTextbook(),
+                naive(),
+                floatDda(),
+                dda(),
+                bresenhamTextbook(),
+                bresenham(),
+                midpoint(),
+                wu());
     }
 
     private static Method<LineRasterizer> naiveTextbook() {
@@ -37,6 +45,20 @@ final class LineMethods {
                         "none known up to n = 2²⁴ steps; longer lines are refused",
                         "the definition of the line; error bound in the class's comment"),
                 new NaiveLine());
+    }
+
+    private static Method<LineRasterizer> floatDda() {
+        return new Method<>(
+                "dda-float",
+                new About(
+                        "x ← x + dx/n, y ← y + dy/n, both in floats, both rounded",
+                        "after i steps the rounding errors are up to i²·2⁻²⁵ pixels",
+                        "two float additions and two roundings per pixel",
+                        "leaves its course on long lines and far from the origin; stands still"
+                                + " beyond 2²⁴, where not every pixel has a float",
+                        "J. D. Foley et al., Computer Graphics: Principles and Practice, 2nd"
+                                + " edition, 1990, section 3.2.1"),
+                new FloatDdaLine());
     }
 
     private static Method<LineRasterizer> dda() {
@@ -78,5 +100,34 @@ final class LineMethods {
                         "J. E. Bresenham, Algorithm for computer control of a digital plotter,"
                                 + " IBM Systems Journal 4(1), 1965"),
                 new BresenhamLine());
+    }
+
+    private static Method<LineRasterizer> midpoint() {
+        return new Method<>(
+                "midpoint",
+                new About(
+                        "F(M) = 2·b·(u + 1) − n·(2·v + 1), M midway between the two candidates;"
+                                + " step across when F(M) > 0",
+                        "the sign of F(M) tells on which side of M the line passes",
+                        "one integer addition, a second where the line steps across, and one"
+                                + " comparison per pixel",
+                        "none known for any int coordinates",
+                        "M. L. V. Pitteway, Algorithm for drawing ellipses or hyperbolae with a"
+                                + " digital plotter, Computer Journal 10(3), 1967"),
+                new MidpointLine());
+    }
+
+    private static Method<LineRasterizer> wu() {
+        return new Method<>(
+                "wu",
+                new About(
+                        "coverage 1 − |f| for the nearest pixel, |f| for its neighbour on the"
+                                + " line's side",
+                        "the two coverages of a step add up to 1",
+                        "dda's step, one multiplication and one rounding per pair of pixels",
+                        "none known up to n = 2²⁴ steps; longer lines are refused",
+                        "X. Wu, An efficient antialiasing technique, Computer Graphics 25(4),"
+                                + " 1991"),
+                new WuLine());
     }
 }

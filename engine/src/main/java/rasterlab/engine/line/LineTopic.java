@@ -2,6 +2,7 @@ package rasterlab.engine.line;
 
 import java.util.List;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.raster.CountingPixels;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -14,7 +15,8 @@ import rasterlab.engine.study.Workload;
  * Drawing a straight segment.
  *
  * <p>A line that is not exact is degraded where no exact pixel is farther than one pixel from a
- * drawn one and no drawn pixel farther than one pixel from an exact one; otherwise it is wrong.
+ * drawn one and no drawn pixel farther than one pixel from an exact one; otherwise it is wrong. A
+ * line with coverage is compared by the pixels it covers by at least a half.
  */
 public final class LineTopic implements Topic<LineRasterizer, Segment, PixelRecording> {
     private static final double USABLE_PIXELS = 1;
@@ -59,8 +61,15 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
     @Override
     public long spend(LineRasterizer method, Segment segment) {
         var counting = new CountingPixels(2 * (segment.steps() + 1) + SLACK);
+        if (method instanceof CoverageLine shaded) return shade(shaded, segment, counting);
         method.draw(segment.x0(), segment.y0(), segment.x1(), segment.y1(), counting);
         return counting.count();
+    }
+
+    /** The coverage is the method's work; per step of the line, which is what others draw. */
+    private static long shade(CoverageLine method, Segment s, CountingPixels counting) {
+        method.shade(s.x0(), s.y0(), s.x1(), s.y1(), (x, y, coverage) -> counting.plot(x, y));
+        return s.steps() + 1;
     }
 
     @Override

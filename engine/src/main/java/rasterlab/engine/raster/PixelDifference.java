@@ -35,6 +35,27 @@ public record PixelDifference(PixelSet right, PixelSet missing, PixelSet extra) 
                 drawn.filter((x, y) -> !wanted.contains(x, y) && !forgiven.test(x, y)));
     }
 
+    /**
+     * The largest distance, max(|Δx|, |Δy|), from a missing pixel to a drawn one or from an extra
+     * pixel to an exact one; where nothing is drawn, the number of missing pixels.
+     *
+     * @param exact what {@code missing} was missed from
+     * @param actual what {@code extra} was found in
+     */
+    public double worst(PixelRecording exact, PixelRecording actual) {
+        return Math.max(farthest(missing, actual), farthest(extra, exact));
+    }
+
+    private static double farthest(PixelSet from, PixelRecording to) {
+        if (from.isEmpty()) return 0;
+        if (to.size() == 0) return from.size();
+        var nearest = new NearestPixel(to);
+        long farthest = 0;
+        for (int i = 0; i < from.size(); i++)
+            farthest = Math.max(farthest, nearest.distance(from.x(i), from.y(i)));
+        return farthest;
+    }
+
     /** Neither missing nor extra pixels. */
     public boolean isEmpty() {
         return missing.isEmpty() && extra.isEmpty();

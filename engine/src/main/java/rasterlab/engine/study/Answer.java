@@ -10,14 +10,14 @@ package rasterlab.engine.study;
  *     right number and {@value #SLACK}
  */
 record Answer<O>(O exact, long items, boolean cut, int limit) {
-    private static final int MOST_ITEMS = 20_000;
     private static final int SLACK = 1_000;
 
     static <C, I, O> Answer<O> to(Topic<C, I, O> topic, I input) {
-        O exact = topic.exact(input, MOST_ITEMS + 1);
+        O exact = topic.exact(input, topic.mostItems() + 1);
         long items = topic.compare(input, exact, exact).of();
-        if (items <= MOST_ITEMS)
+        if (items <= topic.mostItems())
             return new Answer<>(exact, items, false, (int) (2 * items + SLACK));
-        return new Answer<>(topic.exact(input, MOST_ITEMS), MOST_ITEMS, true, MOST_ITEMS);
+        return new Answer<>(
+                topic.exact(input, topic.mostItems()), topic.mostItems(), true, topic.mostItems());
     }
 }

@@ -7,9 +7,9 @@ import java.util.List;
 /**
  * Gives a method its verdict on one input: runs it under guard and compares with the exact answer.
  *
- * <p>An exact answer of more than 20,000 items is compared by its first so many. A method is
- * endless when it produces more than twice the exact items and 1,000 more, or goes beyond the wall
- * limit.
+ * <p>An exact answer of more than {@link Topic#mostItems} items is compared by its first so many. A
+ * method is endless when it produces more than twice the exact items and 1,000 more, or goes beyond
+ * the wall limit.
  */
 public final class HazardTrial {
     private HazardTrial() {}
@@ -85,7 +85,7 @@ public final class HazardTrial {
     private static <C, I, O> Verdict compared(Topic<C, I, O> topic, I input, O exact, O actual) {
         Deviation deviation = topic.compare(input, exact, actual);
         Verdict.Kind kind =
-                deviation.exact()
+                topic.correct(deviation)
                         ? Verdict.Kind.EXACT
                         : topic.usable(deviation) ? Verdict.Kind.DEGRADED : Verdict.Kind.WRONG;
         return new Verdict(kind, deviation, deviation.first());

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 
 /** One method on one workload while a study runs: judged once, then timed in rounds. */
 final class MethodTrial<C, I, O> {
@@ -13,6 +14,7 @@ final class MethodTrial<C, I, O> {
     private final StudySettings settings;
     private final List<Answer<O>> answers;
     private final double[] nanosPerItem;
+    private final Map<String, Long> operations = new TreeMap<>();
     private Duration judging = Duration.ZERO;
     private int rounds;
     private long itemsPerPass;
@@ -58,6 +60,25 @@ final class MethodTrial<C, I, O> {
                             answers.get(i),
                             settings.wallLimit()));
         judging = Duration.ofNanos(System.nanoTime() - start);
+        if (answered()) count();
+    }
+
+    /** Counts what the method does, under guard as everything it does. */
+    private void count() {
+        var outcome =
+                Guard.call(
+                        "counting of " + method.name(),
+                        () -> {
+                            var sums = new TreeMap<String, Long>();
+                            for (I input : workload.inputs())
+                                topic.operations(method.implementation(), input)
+                                        .forEach((name, more) -> sums.merge(name, more, Long::sum));
+                            return sums;
+                        },
+                        settings.wallLimit().plus(judging.multipliedBy(4)));
+        if (outcome instanceof Guard.Returned<TreeMap<String, Long>> returned)
+            operations.putAll(returned.value());
+        else take(Verdicts.ofFailure(outcome));
     }
 
     void warmUp() {
@@ -127,7 +148,9 @@ final class MethodTrial<C, I, O> {
     }
 
     private Cost cost() {
-        var counts = Map.of("inputs", (long) workload.inputs().size(), "items", itemsPerPass);
+        var counts = new TreeMap<>(operations);
+        counts.put("inputs", (long) workload.inputs().size());
+        counts.put("items", itemsPerPass);
         if (rounds == 0) return new Cost(0, 0, 0, counts);
         double[] sorted = Arrays.copyOf(nanosPerItem, rounds);
         Arrays.sort(sorted);

@@ -1,6 +1,7 @@
 package rasterlab.engine.study;
 
 import java.util.List;
+import java.util.Map;
 
 /**
  * One task of the course: its contract, the methods that solve it, an exact reference and the
@@ -50,9 +51,35 @@ public interface Topic<C, I, O> {
 
     Deviation compare(I input, O exact, O actual);
 
+    /**
+     * Whether an output counts as exact. A topic whose outputs are real numbers allows for the
+     * rounding that no method in doubles avoids, and says how much.
+     */
+    default boolean correct(Deviation deviation) {
+        return deviation.exact();
+    }
+
     /** Whether an output that is not exact still serves: degraded rather than wrong. */
     default boolean usable(Deviation deviation) {
         return deviation.exact();
+    }
+
+    /**
+     * What a method does on one input, counted instead of timed and so free of noise.
+     *
+     * @return name in the plural, such as "multiplications", to their number; empty where nothing
+     *     is counted
+     */
+    default Map<String, Long> operations(C method, I input) {
+        return Map.of();
+    }
+
+    /**
+     * The most items of an exact answer; a longer one is cut there and compared by its beginning,
+     * which only serves where all methods produce their items in one order.
+     */
+    default int mostItems() {
+        return 20_000;
     }
 
     /** What {@link #spend} counts, in the singular, for axis labels: "pixel", "segment". */

@@ -16,7 +16,8 @@ import rasterlab.engine.study.Deviation;
 /** The right methods against the exact line and against each other. */
 class LineAgreementTest {
     private static final LineTopic TOPIC = new LineTopic();
-    private static final List<String> RIGHT = List.of("naive", "dda", "bresenham");
+    private static final List<String> RIGHT =
+            List.of("naive", "dda", "bresenham", "midpoint", "wu");
     private static final long SEED = 20_240_917;
 
     @Test

@@ -51,6 +51,12 @@ class HazardTrialTest {
                         Kind.WRONG,
                         "(0, 0) is missing, (0, 2)"),
                 argumentSet(
+                        "moved by what the topic lets pass",
+                        moved(3),
+                        SEGMENT,
+                        Kind.EXACT,
+                        "(0, 0) is missing, (0, 3)"),
+                argumentSet(
                         "wrong on a line longer than the limit",
                         moved(2),
                         LONG,

@@ -54,7 +54,7 @@ class StudyRunnerTest {
         Measurement right = study.measurements().get(0);
         assertEquals("short", right.workload());
         assertEquals(4, right.size());
-        assertEquals(Map.of("inputs", 2L, "items", 8L), right.cost().counts());
+        assertEquals(Map.of("ends", 4L, "inputs", 2L, "items", 8L), right.cost().counts());
         assertTrue(right.cost().timed());
         assertEquals(new Deviation(0, 0, 0, 8, ""), right.error());
         Measurement nothing = study.measurements().get(1);
@@ -98,7 +98,7 @@ class StudyRunnerTest {
 
     @Test
     void unknownTopicNamesTheKnownOnes() {
-        var refusal = assertThrows(IllegalArgumentException.class, () -> Topics.named("circle"));
+        var refusal = assertThrows(IllegalArgumentException.class, () -> Topics.named("spiral"));
         assertTrue(refusal.getMessage().contains("[line"), refusal.getMessage());
         assertEquals("line", Topics.named("line").name());
     }

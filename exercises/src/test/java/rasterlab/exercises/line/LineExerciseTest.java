@@ -20,6 +20,7 @@ import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Catalogue;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
@@ -34,11 +35,28 @@ class LineExerciseTest {
     private static final long[] SEEDS = {0, 1, 42, -7, Long.MAX_VALUE};
 
     static Stream<Method<LineRasterizer>> right() {
-        return new LineTopic().methods().stream().filter(method -> !method.faulty());
+        return new LineTopic().methods().stream().filter(method -> !failsSomewhere(method));
     }
 
     static Stream<Method<LineRasterizer>> faulty() {
         return new LineTopic().methods().stream().filter(Method::faulty);
+    }
+
+    private static boolean failsSomewhere(Method<LineRasterizer> method) {
+        return new LineTopic()
+                .hazards().stream()
+                        .map(hazard -> hazard.recorded().get(method.name()))
+                        .anyMatch(
+                                kind -> kind != Verdict.Kind.EXACT && kind != Verdict.Kind.REFUSED);
+    }
+
+    @Test
+    void theFloatDdaFailsWhereFloatsEnd() {
+        LineRasterizer method = new LineTopic().method("dda-float").implementation();
+        for (long seed : SEEDS) {
+            List<String> failed = failed(method, EXERCISE.cases(), seed);
+            assertTrue(failed.contains("long-line-drifts"), () -> "seed " + seed + failed);
+        }
     }
 
     @ParameterizedTest

@@ -31,7 +31,8 @@ record BuildDescription(
     record Module(Map<String, Dependency> dependencies, String mainClass) {}
 
     /**
-     * @param scope {@code compile}, {@code runtime} or {@code test}
+     * @param scope {@code compile}, {@code provided} (while compiling only), {@code runtime} or
+     *     {@code test}
      */
     record Dependency(String version, String scope) {}
 

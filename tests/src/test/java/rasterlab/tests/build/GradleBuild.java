@@ -26,6 +26,7 @@ final class GradleBuild {
                     "\"?(\\w+)\"?\\((?:project\\(\":([a-z]+)\"\\)|(?:rootProject\\.)?libs\\.([\\w.]+))\\)");
     private static final Map<String, String> SCOPES =
             Map.of(
+                    "annotationProcessor", "provided",
                     "api", "compile",
                     "implementation", "compile",
                     "runtimeOnly", "runtime",

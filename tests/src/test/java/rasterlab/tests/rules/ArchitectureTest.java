@@ -25,6 +25,8 @@ class ArchitectureTest {
         classes =
                 new ClassFileImporter()
                         .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+                        // What JMH writes around a benchmark while it is compiled.
+                        .withImportOption(place -> !place.contains("/jmh_generated/"))
                         .importPackages("rasterlab");
     }
 

@@ -1,27 +1,28 @@
 package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.util.Arrays;
-import java.util.List;
-import java.util.Map;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.contract.CoveragePixels;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.CoverageLine;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.LineWalk;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
+import rasterlab.engine.line.WindowedLine;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Topic;
 
 /** Topic {@code line}: {@code from}, {@code to}, optional {@code window}; {@code pixels} out. */
 public final class LineRun implements TopicRun {
-    private static final List<String> REQUIRED = List.of("from", "to");
-    private static final Map<String, StrictJson.Field<int[]>> FIELDS =
-            Map.of(
-                    "from", json -> json.integers(2),
-                    "to", json -> json.integers(2),
-                    "window", json -> json.integers(4));
+    private static final JsonField<int[]> FROM =
+            JsonField.required("from", json -> json.integers(2));
+    private static final JsonField<int[]> TO = JsonField.required("to", json -> json.integers(2));
+    private static final JsonField<int[]> WINDOW =
+            JsonField.optional("window", json -> json.integers(4));
 
     private final Topic<LineRasterizer, Segment, PixelRecording> topic = new LineTopic();
     private final Watch watch;
@@ -48,14 +49,14 @@ public final class LineRun implements TopicRun {
     private record Input(Segment segment, PixelWindow window) {}
 
     private static Input input(byte[] text, int length) {
-        Map<String, int[]> given = StrictJson.object(text, length, FIELDS, REQUIRED);
-        int[] from = given.get("from");
-        int[] to = given.get("to");
-        return new Input(new Segment(from[0], from[1], to[0], to[1]), window(given.get("window")));
+        Given given = StrictJson.object(text, length, FROM, TO, WINDOW);
+        int[] from = given.get(FROM);
+        int[] to = given.get(TO);
+        PixelWindow window = given.find(WINDOW).map(LineRun::window).orElse(PixelWindow.EVERYTHING);
+        return new Input(new Segment(from[0], from[1], to[0], to[1]), window);
     }
 
     private static PixelWindow window(int[] given) {
-        if (given == null) return PixelWindow.EVERYTHING;
         try {
             return new PixelWindow(given[0], given[1], given[2], given[3]);
         } catch (IllegalArgumentException e) {
@@ -64,23 +65,74 @@ public final class LineRun implements TopicRun {
     }
 
     private static Answer draw(String method, LineRasterizer line, Input input, boolean steps) {
-        var sink = new LineSink(method, input.window(), input.segment().steps() + 1);
-        if (steps) return stepped(method, line, input.segment(), sink);
         Segment s = input.segment();
-        line.draw(s.x0(), s.y0(), s.x1(), s.y1(), sink);
-        return json -> writePixels(json, sink.kept());
-    }
-
-    private static Answer stepped(String method, LineRasterizer line, Segment s, LineSink sink) {
-        if (!(line instanceof SteppedLine steppedLine))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
-        LineWalk walk = steppedLine.walk(s.x0(), s.y0(), s.x1(), s.y1());
-        var decisions = new Decisions();
-        while (walk.advance()) if (sink.keep(walk.x(), walk.y())) decisions.add(walk.decision());
+        var sink = new LineSink(method, input.window(), s.steps() + 1);
+        Coverages coverages = null;
+        if (line instanceof CoverageLine shaded) {
+            coverages = new Coverages(sink);
+            shaded.shade(s.x0(), s.y0(), s.x1(), s.y1(), coverages);
+        } else if (line instanceof WindowedLine windowed) {
+            LineWalk walk = windowed.walk(s.x0(), s.y0(), s.x1(), s.y1(), input.window());
+            while (walk.advance()) sink.plot(walk.x(), walk.y());
+        } else {
+            line.draw(s.x0(), s.y0(), s.x1(), s.y1(), sink);
+        }
+        Steps walked = steps ? Steps.of(method, line, input) : null;
+        Coverages levels = coverages;
         return json -> {
             writePixels(json, sink.kept());
-            decisions.write(json, steppedLine.decisionFormula(), sink.kept());
+            if (levels != null) levels.write(json);
+            if (walked != null) walked.write(json);
         };
+    }
+
+    /** The coverage of each pixel that the sink keeps. */
+    private record Coverages(LineSink sink, ByteArrayOutputStream levels)
+            implements CoveragePixels {
+        Coverages(LineSink sink) {
+            this(sink, new ByteArrayOutputStream());
+        }
+
+        @Override
+        public void plot(int x, int y, int coverage) {
+            if (sink.keep(x, y)) levels.write(coverage);
+        }
+
+        void write(JsonGenerator json) throws IOException {
+            json.writeArrayFieldStart("coverage");
+            for (byte level : levels.toByteArray()) json.writeNumber(level & 0xFF);
+            json.writeEndArray();
+        }
+    }
+
+    /** The walk of a line, each step with its decision value. */
+    private record Steps(String decision, PixelRecording pixels, Doubles values) {
+        static Steps of(String method, LineRasterizer line, Input input) {
+            Segment s = input.segment();
+            if (!(line instanceof SteppedLine stepped))
+                throw Complaint.badInput("--steps: method '" + method + "' has no steps");
+            LineWalk walk =
+                    line instanceof WindowedLine windowed
+                            ? windowed.walk(s.x0(), s.y0(), s.x1(), s.y1(), input.window())
+                            : stepped.walk(s.x0(), s.y0(), s.x1(), s.y1());
+            var sink = new LineSink(method, input.window(), s.steps() + 1);
+            var values = new Doubles();
+            while (walk.advance()) if (sink.keep(walk.x(), walk.y())) values.add(walk.decision());
+            return new Steps(stepped.decisionFormula(), sink.kept(), values);
+        }
+
+        void write(JsonGenerator json) throws IOException {
+            json.writeStringField("decision", decision);
+            json.writeArrayFieldStart("steps");
+            for (int i = 0; i < values.size(); i++) {
+                json.writeStartObject();
+                json.writeNumberField("x", pixels.x(i));
+                json.writeNumberField("y", pixels.y(i));
+                JsonNumbers.writeField(json, "decision", values.get(i));
+                json.writeEndObject();
+            }
+            json.writeEndArray();
+        }
     }
 
     private static void writePixels(JsonGenerator json, PixelRecording pixels) throws IOException {
@@ -92,30 +144,5 @@ public final class LineRun implements TopicRun {
             json.writeEndArray();
         }
         json.writeEndArray();
-    }
-
-    /** The decision value of each kept step. */
-    private static final class Decisions {
-        private double[] values = new double[64];
-        private int size;
-
-        void add(double value) {
-            if (size == values.length) values = Arrays.copyOf(values, 2 * size);
-            values[size++] = value;
-        }
-
-        void write(JsonGenerator json, String formula, PixelRecording pixels) throws IOException {
-            json.writeStringField("decision", formula);
-            json.writeArrayFieldStart("steps");
-            for (int i = 0; i < size; i++) {
-                json.writeStartObject();
-                json.writeNumberField("x", pixels.x(i));
-                json.writeNumberField("y", pixels.y(i));
-                if (Double.isFinite(values[i])) json.writeNumberField("decision", values[i]);
-                else json.writeNullField("decision");
-                json.writeEndObject();
-            }
-            json.writeEndArray();
-        }
     }
 }

@@ -3,6 +3,7 @@ package rasterlab.app.cli.run;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelWindow;
 
 /** Keeps the pixels of one segment that lie in a window, and stops a method that never ends. */
 final class LineSink implements Pixels {

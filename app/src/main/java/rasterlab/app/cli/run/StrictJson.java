@@ -8,9 +8,11 @@ import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.json.JsonReadFeature;
 import java.io.IOException;
 import java.math.BigDecimal;
-import java.util.LinkedHashMap;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import rasterlab.app.outcome.Complaint;
 
 /**
@@ -51,103 +53,202 @@ final class StrictJson {
     /**
      * Reads the object that {@code text} holds.
      *
-     * @param text UTF-8
-     * @param fields the allowed fields, each with what reads its value
-     * @param required the fields that must be there
-     * @return the values given, in the order of the text
+     * @param text UTF-8, of which the first {@code length} bytes count
+     * @param fields the allowed fields
      * @throws Complaint if the text is anything else
      */
-    static <T> Map<String, T> object(
-            byte[] text, int length, Map<String, Field<T>> fields, List<String> required) {
+    static Given object(byte[] text, int length, JsonField<?>... fields) {
         try (JsonParser parser = FACTORY.createParser(text, 0, length)) {
-            return read(new StrictJson(parser), text, length, fields, required);
+            return read(new StrictJson(parser), text, length, fields);
         } catch (IOException e) {
             throw new AssertionError("reading from memory failed", e);
         }
     }
 
-    private static <T> Map<String, T> read(
-            StrictJson json,
-            byte[] text,
-            int length,
-            Map<String, Field<T>> fields,
-            List<String> required)
+    private static Given read(StrictJson json, byte[] text, int length, JsonField<?>... fields)
             throws IOException {
         try {
-            return json.object(fields, required);
+            return json.whole(fields);
         } catch (JacksonException e) {
             throw new NotJson(text, length).complaint(e, json.parser.currentLocation());
         }
     }
 
-    /** Reads the value of a field; the parser stands on its first token. */
-    @FunctionalInterface
-    interface Field<T> {
-        T read(StrictJson json) throws IOException;
-    }
-
-    private <T> Map<String, T> object(Map<String, Field<T>> fields, List<String> required)
-            throws IOException {
+    private Given whole(JsonField<?>... fields) throws IOException {
         if (parser.nextToken() == null)
-            throw Complaint.badInput("the input is empty; expected a JSON object" + list(required));
-        if (!parser.isExpectedStartObjectToken()) throw expected("a JSON object" + list(required));
-        Map<String, T> values = new LinkedHashMap<>();
-        while (parser.nextToken() == JsonToken.FIELD_NAME) {
-            String name = parser.currentName();
-            Field<T> field = fields.get(name);
-            if (field == null) throw complaint("unknown field; allowed are " + sorted(fields));
-            if (values.containsKey(name)) throw complaint("the field is given twice");
-            parser.nextToken();
-            values.put(name, field.read(this));
-        }
-        for (String name : required)
-            if (!values.containsKey(name)) throw Complaint.badInput("/" + name + ": missing");
+            throw Complaint.badInput("the input is empty; expected " + anObjectWith(fields));
+        Given given = object(fields);
         if (parser.nextToken() != null)
             throw Complaint.badInput(
                     NotJson.place(parser.currentTokenLocation())
                             + ": "
                             + quoted()
                             + " follows the object; expected nothing more");
+        return given;
+    }
+
+    /** Reads an object inside the input. */
+    Given object(JsonField<?>... fields) throws IOException {
+        if (!startsObject()) throw expected(anObjectWith(fields));
+        var given =
+                new Given(parser.getParsingContext().pathAsPointer().toString(), List.of(fields));
+        while (parser.nextToken() == JsonToken.FIELD_NAME) {
+            String name = parser.currentName();
+            JsonField<?> field =
+                    given.allowed(name)
+                            .orElseThrow(
+                                    () ->
+                                            complaint(
+                                                    "unknown field; allowed are "
+                                                            + sorted(fields)));
+            if (given.has(name)) throw complaint("the field is given twice");
+            parser.nextToken();
+            given.put(field, field.reader().read(this));
+        }
+        given.requireAll();
+        return given;
+    }
+
+    private static String anObjectWith(JsonField<?>... fields) {
+        return "a JSON object with "
+                + Stream.of(fields)
+                        .filter(JsonField::required)
+                        .map(JsonField::name)
+                        .collect(Collectors.joining(", "));
+    }
+
+    private static List<String> sorted(JsonField<?>... fields) {
+        return Stream.of(fields).map(JsonField::name).sorted().toList();
+    }
+
+    boolean startsObject() {
+        return parser.isExpectedStartObjectToken();
+    }
+
+    boolean startsArray() {
+        return parser.isExpectedStartArrayToken();
+    }
+
+    boolean startsText() {
+        return parser.currentToken() == JsonToken.VALUE_STRING;
+    }
+
+    /**
+     * Reads an array of {@code least} to {@code most} values.
+     *
+     * @param what the values in words, for complaints: "points"
+     */
+    <T> List<T> list(String what, JsonField.Reader<T> reader, int least, int most)
+            throws IOException {
+        var values = new ArrayList<T>();
+        each(what, least, most, () -> values.add(reader.read(this)));
         return values;
     }
 
-    private static String list(List<String> required) {
-        return " with " + String.join(", ", required);
+    /** Reads an array of {@code least} to {@code most} finite numbers. */
+    double[] numbers(int least, int most) throws IOException {
+        var values = new Doubles();
+        each("numbers", least, most, () -> values.add(number()));
+        return values.toArray();
     }
 
-    private static List<String> sorted(Map<String, ?> fields) {
-        return fields.keySet().stream().sorted().toList();
+    /**
+     * Reads an array of {@code least} to {@code most} points, each an array of {@code dimension}
+     * finite numbers.
+     *
+     * @return the coordinates, point after point
+     */
+    double[] points(int dimension, int least, int most) throws IOException {
+        var values = new Doubles();
+        String what = "points of " + dimension + " numbers each";
+        each(
+                what,
+                least,
+                most,
+                () -> each("numbers", dimension, dimension, () -> values.add(number())));
+        return values.toArray();
     }
 
     /** Reads an array of exactly {@code length} whole numbers in the range of int. */
     int[] integers(int length) throws IOException {
-        String expected = "an array of " + length + " whole numbers";
-        if (!parser.isExpectedStartArrayToken()) throw expected(expected);
-        String array = pointer();
-        var values = new int[length];
-        int count = 0;
-        for (; parser.nextToken() != JsonToken.END_ARRAY; count++) {
-            if (count == length)
-                throw Complaint.badInput(
-                        array + ": more than " + length + " values; expected " + expected);
-            values[count] = integer();
-        }
-        if (count < length)
-            throw Complaint.badInput(array + ": only " + count + " values; expected " + expected);
-        return values;
+        var values = IntStream.builder();
+        each("whole numbers", length, length, () -> values.add(integer()));
+        return values.build().toArray();
     }
 
-    /** A number that is whole however it is written: 1, 1.0 and 1e0 are the same. */
-    private int integer() throws IOException {
-        String allowed = "a whole number from " + Integer.MIN_VALUE + " to " + Integer.MAX_VALUE;
-        if (!parser.currentToken().isNumeric()) throw expected(allowed);
-        if (parser.getTextLength() > LONGEST_NUMBER)
-            throw expected(allowed + " in at most " + LONGEST_NUMBER + " characters");
+    /** What is done with the value the input stands on. */
+    @FunctionalInterface
+    private interface Step {
+        void take() throws IOException;
+    }
+
+    private void each(String what, int least, int most, Step step) throws IOException {
+        String count = least == most ? "" + least : least + " to " + most;
+        String expected = "an array of " + count + " " + what;
+        if (!startsArray()) throw expected(expected);
+        String array = pointer();
+        int size = 0;
+        for (; parser.nextToken() != JsonToken.END_ARRAY; size++) {
+            if (size == most)
+                throw Complaint.badInput(
+                        array + ": more than " + most + " values; expected " + expected);
+            step.take();
+        }
+        if (size < least)
+            throw Complaint.badInput(array + ": only " + size + " values; expected " + expected);
+    }
+
+    /** Reads a finite number; one too small for a double is 0 or the smallest double. */
+    double number() throws IOException {
+        String allowed = "a number from -1.7976931348623157E308 to 1.7976931348623157E308";
+        requireNumber(allowed);
+        double value = Double.parseDouble(parser.getText());
+        if (!Double.isFinite(value)) throw expected(allowed);
+        return value;
+    }
+
+    /** Reads a whole number in the range of int. */
+    int integer() throws IOException {
+        return integer(Integer.MIN_VALUE, Integer.MAX_VALUE);
+    }
+
+    /** Reads a number that is whole however it is written: 1, 1.0 and 1e0 are the same. */
+    int integer(int least, int most) throws IOException {
+        String allowed = "a whole number from " + least + " to " + most;
+        requireNumber(allowed);
+        int value = whole(allowed);
+        if (value < least || value > most) throw expected(allowed);
+        return value;
+    }
+
+    private int whole(String allowed) throws IOException {
         try {
             return new BigDecimal(parser.getText()).intValueExact();
         } catch (ArithmeticException | NumberFormatException notWhole) {
             throw expected(allowed);
         }
+    }
+
+    private void requireNumber(String allowed) throws IOException {
+        if (!parser.currentToken().isNumeric()) throw expected(allowed);
+        if (parser.getTextLength() > LONGEST_NUMBER)
+            throw expected(allowed + " in at most " + LONGEST_NUMBER + " characters");
+    }
+
+    /** Reads one of the words. */
+    String word(List<String> allowed) throws IOException {
+        if (!startsText() || !allowed.contains(parser.getText()))
+            throw expected("one of " + String.join(", ", allowed));
+        return parser.getText();
+    }
+
+    /** Reads a text of {@code least} to {@code most} characters. */
+    String text(int least, int most) throws IOException {
+        String expected = "a text of " + least + " to " + most + " characters";
+        if (!startsText()) throw expected(expected);
+        String text = parser.getText();
+        if (text.length() < least || text.length() > most) throw expected(expected);
+        return text;
     }
 
     private Complaint expected(String what) throws IOException {

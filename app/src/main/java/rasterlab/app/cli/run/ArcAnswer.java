@@ -1,0 +1,52 @@
+package rasterlab.app.cli.run;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.engine.circle.ArcWalk;
+import rasterlab.engine.raster.PixelRecording;
+
+/**
+ * The pixels of a circle or an ellipse, and its walk where one was asked for.
+ *
+ * @param decision what the walk's decision value is; null where no walk was asked for
+ */
+record ArcAnswer(PixelRecording pixels, String decision, List<Step> steps)
+        implements TopicRun.Answer {
+    /** A pixel counted from the centre, with the value by which the next one is chosen. */
+    private record Step(int u, int v, double decision) {}
+
+    static ArcAnswer of(PixelRecording pixels) {
+        return new ArcAnswer(pixels, null, List.of());
+    }
+
+    static ArcAnswer of(PixelRecording pixels, String decision, ArcWalk walk) {
+        var steps = new ArrayList<Step>();
+        while (walk.advance()) steps.add(new Step(walk.u(), walk.v(), walk.decision()));
+        return new ArcAnswer(pixels, decision, steps);
+    }
+
+    @Override
+    public void write(JsonGenerator json) throws IOException {
+        json.writeArrayFieldStart("pixels");
+        for (int i = 0; i < pixels.size(); i++) {
+            json.writeStartArray();
+            json.writeNumber(pixels.x(i));
+            json.writeNumber(pixels.y(i));
+            json.writeEndArray();
+        }
+        json.writeEndArray();
+        if (decision == null) return;
+        json.writeStringField("decision", decision);
+        json.writeArrayFieldStart("steps");
+        for (Step step : steps) {
+            json.writeStartObject();
+            json.writeNumberField("u", step.u);
+            json.writeNumberField("v", step.v);
+            JsonNumbers.writeField(json, "decision", step.decision);
+            json.writeEndObject();
+        }
+        json.writeEndArray();
+    }
+}

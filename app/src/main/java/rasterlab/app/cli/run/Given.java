@@ -1,0 +1,57 @@
+package rasterlab.app.cli.run;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import rasterlab.app.outcome.Complaint;
+
+/** The fields that one JSON object has. */
+final class Given {
+    private final String place;
+    private final List<JsonField<?>> allowed;
+    private final Map<String, Object> values = new HashMap<>();
+
+    /**
+     * @param place the object's JSON pointer; empty for the whole input
+     */
+    Given(String place, List<JsonField<?>> allowed) {
+        this.place = place;
+        this.allowed = allowed;
+    }
+
+    /** The value of a required field. */
+    <T> T get(JsonField<T> field) {
+        return find(field).orElseThrow(() -> new AssertionError(field.name() + " was let through"));
+    }
+
+    /** The value of an optional field, if it was given. */
+    @SuppressWarnings("unchecked") // the field's own reader made the value
+    <T> Optional<T> find(JsonField<T> field) {
+        return Optional.ofNullable((T) values.get(field.name()));
+    }
+
+    /** The names of the fields that were given. */
+    Set<String> names() {
+        return Set.copyOf(values.keySet());
+    }
+
+    boolean has(String name) {
+        return values.containsKey(name);
+    }
+
+    Optional<JsonField<?>> allowed(String name) {
+        return allowed.stream().filter(field -> field.name().equals(name)).findFirst();
+    }
+
+    void put(JsonField<?> field, Object value) {
+        values.put(field.name(), value);
+    }
+
+    void requireAll() {
+        for (JsonField<?> field : allowed)
+            if (field.required() && !has(field.name()))
+                throw Complaint.badInput(place + "/" + field.name() + ": missing");
+    }
+}

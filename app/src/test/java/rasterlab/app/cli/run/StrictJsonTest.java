@@ -1,0 +1,108 @@
+package rasterlab.app.cli.run;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.outcome.Complaint;
+
+class StrictJsonTest {
+    private static final JsonField<double[]> POINTS =
+            JsonField.required("points", json -> json.points(2, 1, 3));
+    private static final JsonField<String> RULE =
+            JsonField.optional("rule", json -> json.word(List.of("evenodd", "nonzero")));
+    private static final JsonField<Integer> COUNT =
+            JsonField.optional("count", json -> json.integer(1, 9));
+    private static final JsonField<Double> SIZE = JsonField.optional("size", StrictJson::number);
+    private static final JsonField<String> NAME =
+            JsonField.optional("name", json -> json.text(1, 4));
+    private static final JsonField<List<Given>> ITEMS =
+            JsonField.optional(
+                    "items",
+                    json -> json.list("objects", item -> item.object(POINTS, COUNT), 1, 2));
+
+    @Test
+    void readsEachKindOfValue() {
+        Given given =
+                read(
+                        "{\"points\":[[1,2.5],[-0.0,1e-400]],\"rule\":\"nonzero\",\"count\":9,"
+                                + "\"size\":-1.5,\"name\":\"abcd\",\"items\":[{\"points\":[[0,0]]}]}");
+        assertArrayEquals(new double[] {1, 2.5, -0.0, 0}, given.get(POINTS));
+        assertEquals("nonzero", given.find(RULE).orElseThrow());
+        assertEquals(9, given.find(COUNT).orElseThrow());
+        assertEquals(-1.5, given.find(SIZE).orElseThrow());
+        assertEquals("abcd", given.find(NAME).orElseThrow());
+        Given item = given.find(ITEMS).orElseThrow().get(0);
+        assertArrayEquals(new double[] {0, 0}, item.get(POINTS));
+        assertEquals(false, item.find(COUNT).isPresent());
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void refusesByPlaceValueAndWhatIsAllowed(String fields, String message) {
+        var complaint = assertThrows(Complaint.class, () -> read("{" + fields + "}"));
+        assertEquals(message, complaint.getMessage());
+    }
+
+    static Stream<Arguments> mistakes() {
+        String good = "\"points\":[[0,0]],";
+        return Stream.of(
+                argumentSet(
+                        "a point has one coordinate",
+                        "\"points\":[[0,0],[1]]",
+                        "/points/1: only 1 values; expected an array of 2 numbers"),
+                argumentSet(
+                        "a list of points is empty",
+                        "\"points\":[]",
+                        "/points: only 0 values; expected an array of 1 to 3 points of 2 numbers"
+                                + " each"),
+                argumentSet(
+                        "a list of points is too long",
+                        "\"points\":[[0,0],[0,0],[0,0],[0,0]]",
+                        "/points: more than 3 values; expected an array of 1 to 3 points of 2"
+                                + " numbers each"),
+                argumentSet(
+                        "a coordinate is infinite",
+                        "\"points\":[[0,1e400]]",
+                        "/points/0/1: expected a number from -1.7976931348623157E308 to"
+                                + " 1.7976931348623157E308, got 1e400"),
+                argumentSet(
+                        "a coordinate is not a number",
+                        "\"points\":[[0,NaN]]",
+                        "/points/0/1: expected a number from -1.7976931348623157E308 to"
+                                + " 1.7976931348623157E308, got NaN"),
+                argumentSet(
+                        "a word is unknown",
+                        good + "\"rule\":\"odd\"",
+                        "/rule: expected one of evenodd, nonzero, got the string \"odd\""),
+                argumentSet(
+                        "a whole number is out of range",
+                        good + "\"count\":10",
+                        "/count: expected a whole number from 1 to 9, got 10"),
+                argumentSet(
+                        "a text is too long",
+                        good + "\"name\":\"abcde\"",
+                        "/name: expected a text of 1 to 4 characters, got the string \"abcde\""),
+                argumentSet(
+                        "an inner object lacks a field",
+                        good + "\"items\":[{\"count\":1}]",
+                        "/items/0/points: missing"),
+                argumentSet(
+                        "an inner object has an unknown field",
+                        good + "\"items\":[{\"size\":1}]",
+                        "/items/0/size: unknown field; allowed are [count, points]"));
+    }
+
+    private static Given read(String text) {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        return StrictJson.object(bytes, bytes.length, POINTS, RULE, COUNT, SIZE, NAME, ITEMS);
+    }
+}

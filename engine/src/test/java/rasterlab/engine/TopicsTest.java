@@ -1,0 +1,122 @@
+package rasterlab.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.time.Duration;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.Workload;
+
+/** What holds for every topic, whatever it is about. */
+class TopicsTest {
+    private static final Duration AMPLE = Duration.ofSeconds(20);
+
+    static Stream<Topic<?, ?, ?>> topics() {
+        return Topics.all().stream();
+    }
+
+    static Stream<Cell> cells() {
+        return topics().flatMap(topic -> HazardTrial.table(topic, AMPLE).stream());
+    }
+
+    @ParameterizedTest
+    @MethodSource("cells")
+    void everyVerdictIsTheRecordedOneAndSaysInOneLineWhatHappened(Cell cell) {
+        assertEquals(cell.recorded(), cell.verdict().kind(), cell.toString());
+        String detail = cell.verdict().detail();
+        assertTrue(detail.lines().count() <= 1, detail);
+        if (cell.verdict().kind() != Verdict.Kind.EXACT)
+            assertFalse(detail.isEmpty(), cell.hazard());
+    }
+
+    @ParameterizedTest
+    @MethodSource("topics")
+    void everyHazardRecordsEveryMethod(Topic<?, ?, ?> topic) {
+        Set<String> names = names(topic.methods());
+        for (var hazard : topic.hazards())
+            assertEquals(names, new TreeSet<>(hazard.recorded().keySet()), hazard.name());
+    }
+
+    @ParameterizedTest
+    @MethodSource("topics")
+    void everyTextbookMethodFailsOnSomeHazard(Topic<?, ?, ?> topic) {
+        for (Method<?> method : topic.methods())
+            if (method.faulty())
+                assertTrue(
+                        topic.hazards().stream()
+                                .map(hazard -> hazard.recorded().get(method.name()))
+                                .anyMatch(kind -> kind.compareTo(Verdict.Kind.DEGRADED) >= 0),
+                        method.name());
+    }
+
+    @ParameterizedTest
+    @MethodSource("topics")
+    void someMethodIsRightOnEveryHazardItDoesNotRefuse(Topic<?, ?, ?> topic) {
+        assertTrue(
+                topic.methods().stream()
+                        .anyMatch(
+                                method ->
+                                        topic.hazards().stream()
+                                                .map(h -> h.recorded().get(method.name()))
+                                                .allMatch(TopicsTest::harmless)),
+                topic.name());
+    }
+
+    private static boolean harmless(Verdict.Kind kind) {
+        return kind == Verdict.Kind.EXACT || kind == Verdict.Kind.REFUSED;
+    }
+
+    @ParameterizedTest
+    @MethodSource("topics")
+    void everyMethodTellsAboutItself(Topic<?, ?, ?> topic) {
+        for (Method<?> method : topic.methods()) {
+            Method.About about = method.about();
+            for (String text :
+                    List.of(
+                            about.formula(),
+                            about.invariant(),
+                            about.cost(),
+                            about.failures(),
+                            about.source()))
+                assertFalse(text.isBlank(), topic.name() + " " + method.name());
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("topics")
+    void workloadsGrowAndNoNameStandsTwice(Topic<?, ?, ?> topic) {
+        List<Integer> sizes = topic.workloads().stream().map(w -> w.size()).toList();
+        assertEquals(sizes.stream().sorted().toList(), sizes, topic.name());
+        assertUnique(topic.workloads().stream().map(Workload::name));
+        assertUnique(topic.methods().stream().map(Method::name));
+        assertUnique(topic.hazards().stream().map(hazard -> hazard.name()));
+    }
+
+    @Test
+    void noTwoTopicsHaveOneName() {
+        assertUnique(topics().map(Topic::name));
+    }
+
+    private static void assertUnique(Stream<String> names) {
+        var seen = new HashSet<String>();
+        names.forEach(name -> assertTrue(seen.add(name), name + " stands twice"));
+    }
+
+    private static Set<String> names(List<? extends Method<?>> methods) {
+        return methods.stream().map(Method::name).collect(Collectors.toCollection(TreeSet::new));
+    }
+}

@@ -1,0 +1,110 @@
+package rasterlab.tests.bench;
+
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import java.util.function.Supplier;
+import java.util.regex.Pattern;
+import org.openjdk.jmh.results.RunResult;
+import org.openjdk.jmh.runner.Runner;
+import org.openjdk.jmh.runner.RunnerException;
+import org.openjdk.jmh.runner.options.ChainedOptionsBuilder;
+import org.openjdk.jmh.runner.options.OptionsBuilder;
+import org.openjdk.jmh.runner.options.TimeValue;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** Measures the engine's methods beside their peers and prints the ratios. */
+@Command(
+        name = "lab bench",
+        mixinStandardHelpOptions = true,
+        description = {
+            "Times our methods and what a user would pick instead, in one run, and prints",
+            "both with the ratio and the goal. A goal that is missed is no error."
+        })
+public final class Bench implements Callable<Integer> {
+    private static final Map<String, Supplier<List<Goal>>> GROUPS =
+            new TreeMap<>(Map.of("raster", RasterGoals::all));
+
+    @Spec private CommandSpec spec;
+
+    @Parameters(paramLabel = "GROUP", description = "raster")
+    private String group;
+
+    @Option(
+            names = "--only",
+            paramLabel = "TEXT",
+            description = "only the goals whose work has this text, such as \"segments\"")
+    private String only = "";
+
+    @Option(names = "--quick", description = "short rounds: a first look, no figure to quote")
+    private boolean quick;
+
+    public static void main(String[] arguments) {
+        var command = new CommandLine(new Bench());
+        command.setParameterExceptionHandler(
+                (wrong, given) -> {
+                    System.err.println("lab bench: " + wrong.getMessage());
+                    return CommandLine.ExitCode.USAGE;
+                });
+        System.exit(command.execute(arguments));
+    }
+
+    @Override
+    public Integer call() throws RunnerException {
+        List<Goal> goals = goals();
+        var results = new Runner(options(goals).build()).run();
+        System.out.println();
+        new GoalTable(goals, timings(results)).print(System.out);
+        return 0;
+    }
+
+    private List<Goal> goals() {
+        if (!GROUPS.containsKey(group))
+            throw wrong("unknown group '" + group + "'; allowed are " + GROUPS.keySet());
+        List<Goal> all = GROUPS.get(group).get();
+        List<Goal> goals = all.stream().filter(goal -> goal.work().contains(only)).toList();
+        if (goals.isEmpty())
+            throw wrong(
+                    "no goal has '"
+                            + only
+                            + "' in its work; there are "
+                            + all.stream().map(Goal::work).toList());
+        return goals;
+    }
+
+    private ParameterException wrong(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+
+    private ChainedOptionsBuilder options(List<Goal> goals) {
+        ChainedOptionsBuilder options =
+                new OptionsBuilder()
+                        .forks(1)
+                        .shouldFailOnError(true)
+                        .warmupIterations(quick ? 2 : 5)
+                        .warmupTime(TimeValue.milliseconds(quick ? 200 : 500))
+                        .measurementIterations(quick ? 3 : 10)
+                        .measurementTime(TimeValue.milliseconds(quick ? 200 : 500));
+        var names = new LinkedHashSet<String>();
+        for (Goal goal : goals)
+            for (String method : List.of(goal.ours(), goal.peer()))
+                names.add(Pattern.quote(goal.benchmark().getName() + "." + method) + "$");
+        names.forEach(options::include);
+        return options;
+    }
+
+    private static Map<Timing.Key, Timing> timings(Iterable<RunResult> results) {
+        var timings = new HashMap<Timing.Key, Timing>();
+        for (RunResult result : results) timings.put(Timing.key(result), Timing.of(result));
+        return timings;
+    }
+}

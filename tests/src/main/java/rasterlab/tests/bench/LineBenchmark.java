@@ -1,0 +1,123 @@
+package rasterlab.tests.bench;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OperationsPerInvocation;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import rasterlab.engine.line.RasterLine;
+import rasterlab.engine.line.ShadedRasterLine;
+import rasterlab.engine.raster.Raster;
+
+/** Segments of one length in all directions into a picture of 1280×1280 pixels. */
+@State(Scope.Benchmark)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.NANOSECONDS)
+public class LineBenchmark {
+    static final List<Goal> GOALS =
+            List.of(
+                    goal("segments of 16 px", "intoThePicture", "graphics2d", 16, 5),
+                    goal("segments of 128 px", "intoThePicture", "graphics2d", 128, 2.2),
+                    goal("segments of 1000 px", "intoThePicture", "graphics2d", 1000, 1.2),
+                    goal("anti-aliased segments of 16 px", "shaded", "graphics2dShaded", 16, 12),
+                    goal("anti-aliased segments of 128 px", "shaded", "graphics2dShaded", 128, 10),
+                    goal(
+                            "anti-aliased segments of 1000 px",
+                            "shaded",
+                            "graphics2dShaded",
+                            1000,
+                            9));
+
+    private static final int SIZE = 1280;
+    private static final int SEGMENTS = 256;
+
+    @Param({"16", "128", "1000"})
+    public int pixels;
+
+    private final int[] ends = new int[4 * SEGMENTS];
+    private Raster raster;
+    private Graphics2D graphics;
+    private Graphics2D shadingGraphics;
+
+    private static Goal goal(String work, String ours, String peer, int pixels, double ratio) {
+        return new Goal(
+                work,
+                LineBenchmark.class,
+                ours,
+                peer,
+                Map.of("pixels", String.valueOf(pixels)),
+                ratio);
+    }
+
+    @Setup
+    public void prepare() {
+        var random = new Random(1965);
+        for (int i = 0; i < SEGMENTS; i++) {
+            double angle = random.nextDouble() * 2 * Math.PI;
+            double half = (pixels - 1) / 2.0;
+            double longer = Math.max(Math.abs(Math.cos(angle)), Math.abs(Math.sin(angle)));
+            int dx = (int) Math.round(half * Math.cos(angle) / longer);
+            int dy = (int) Math.round(half * Math.sin(angle) / longer);
+            ends[4 * i] = SIZE / 2 - dx;
+            ends[4 * i + 1] = SIZE / 2 - dy;
+            ends[4 * i + 2] = SIZE / 2 + dx;
+            ends[4 * i + 3] = SIZE / 2 + dy;
+        }
+        raster = new Raster(SIZE, SIZE);
+        raster.clear(0xFF000000);
+        graphics = graphics(RenderingHints.VALUE_ANTIALIAS_OFF);
+        shadingGraphics = graphics(RenderingHints.VALUE_ANTIALIAS_ON);
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(SEGMENTS)
+    public Raster intoThePicture() {
+        for (int i = 0; i < ends.length; i += 4)
+            RasterLine.draw(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], -1, raster);
+        return raster;
+    }
+
+    private static Graphics2D graphics(Object antialiasing) {
+        var picture = new Raster(SIZE, SIZE);
+        picture.clear(0xFF000000);
+        Graphics2D graphics = picture.image().createGraphics();
+        graphics.setColor(Color.WHITE);
+        graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, antialiasing);
+        return graphics;
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(SEGMENTS)
+    public Raster shaded() {
+        for (int i = 0; i < ends.length; i += 4)
+            ShadedRasterLine.draw(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], -1, raster);
+        return raster;
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(SEGMENTS)
+    public Graphics2D graphics2dShaded() {
+        for (int i = 0; i < ends.length; i += 4)
+            shadingGraphics.drawLine(ends[i], ends[i + 1], ends[i + 2], ends[i + 3]);
+        return shadingGraphics;
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(SEGMENTS)
+    public Graphics2D graphics2d() {
+        for (int i = 0; i < ends.length; i += 4)
+            graphics.drawLine(ends[i], ends[i + 1], ends[i + 2], ends[i + 3]);
+        return graphics;
+    }
+}

@@ -1,0 +1,62 @@
+package rasterlab.tests.bench;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.Param;
+
+class RasterGoalsTest {
+    @Test
+    void everyGoalNamesTwoBenchmarksAndEachParameterOfTheirClass() throws Exception {
+        for (Goal goal : RasterGoals.all()) {
+            for (String name : List.of(goal.ours(), goal.peer()))
+                assertTrue(
+                        List.of(goal.benchmark().getMethods()).stream()
+                                .filter(method -> method.getName().equals(name))
+                                .allMatch(method -> method.isAnnotationPresent(Benchmark.class)),
+                        goal + ": " + name + " is no benchmark");
+            for (var field : goal.benchmark().getFields()) {
+                var values = field.getAnnotation(Param.class);
+                if (values == null) continue;
+                String wanted = goal.parameters().get(field.getName());
+                assertTrue(List.of(values.value()).contains(wanted), goal + ": " + field);
+            }
+        }
+    }
+
+    @Test
+    void noTwoGoalsHaveOneName() {
+        var works = RasterGoals.all().stream().map(Goal::work).toList();
+        assertEquals(works.stream().distinct().toList(), works);
+    }
+
+    @Test
+    void theRatioIsThePeersTimeByOurs() {
+        Goal goal = RasterGoals.all().get(0);
+        var timings = new HashMap<Timing.Key, Timing>();
+        timings.put(key(goal, goal.ours()), new Timing(10, 9, 11));
+        timings.put(key(goal, goal.peer()), new Timing(45, 44, 46));
+        var bytes = new ByteArrayOutputStream();
+        new GoalTable(List.of(goal), timings).print(new PrintStream(bytes, true));
+        assertTrue(bytes.toString().contains(" | 4.50 | "), bytes.toString());
+    }
+
+    @Test
+    void aGoalWithoutItsBenchmarkIsRefused() {
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> new Goal("work", LineBenchmark.class, "none", "graphics2d", Map.of(), 1));
+    }
+
+    private static Timing.Key key(Goal goal, String method) {
+        return Timing.Key.of(goal.benchmark(), method, goal.parameters());
+    }
+}
