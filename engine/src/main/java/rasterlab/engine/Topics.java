@@ -2,6 +2,7 @@ package rasterlab.engine;
 
 import java.util.List;
 import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.study.Topic;
 
 /** The list of every topic there is. */
@@ -10,7 +11,7 @@ public final class Topics {
 
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
-        return List.of(new LineTopic());
+        return List.of(new LineTopic(), new SplineFunctionTopic());
     }
 
     /**
