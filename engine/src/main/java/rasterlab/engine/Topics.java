@@ -2,6 +2,7 @@ package rasterlab.engine;
 
 import java.util.List;
 import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.spline.CurveTopic;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.study.Topic;
 
@@ -11,7 +12,7 @@ public final class Topics {
 
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
-        return List.of(new LineTopic(), new SplineFunctionTopic());
+        return List.of(new LineTopic(), new SplineFunctionTopic(), new CurveTopic());
     }
 
     /**
