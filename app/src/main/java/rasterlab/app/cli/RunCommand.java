@@ -20,7 +20,13 @@ import rasterlab.app.outcome.ExitCode;
         description = {
             "Runs one method on JSON from standard input and prints JSON.",
             "Topic line: {\"from\":[x,y], \"to\":[x,y], \"window\":[xmin,ymin,xmax,ymax]},",
-            "the window being optional; answers {\"pixels\":[[x,y],...]} in drawing order."
+            "the window being optional; answers {\"pixels\":[[x,y],...]} in drawing order.",
+            "Topic spline-function: {\"x\":[...], \"y\":[...], \"ends\":{\"kind\":KIND}, \"at\":[...]},",
+            "KIND being natural, not-a-knot, periodic, or slopes with \"left\" and \"right\"; answers",
+            "{\"y\":[...], \"coefficients\":[[a,b,c,d],...]}, a + b*s + c*s^2 + d*s^3 for each piece.",
+            "Topic curve: {\"kind\":KIND, \"points\":[[x,y],...]} with \"at\":[t,...] from 0 to 1 or",
+            "\"flatness\" in pixels, KIND being bezier, hermite (start, end, derivatives at both),",
+            "catmull-rom or b-spline; answers {\"points\":[[x,y],...], \"segments\":n}."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

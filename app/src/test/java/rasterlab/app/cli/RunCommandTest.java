@@ -133,7 +133,9 @@ class RunCommandTest {
     @Test
     void unknownNamesListTheKnownOnes() {
         Ran.lab("run", "circle", "midpoint")
-                .assertComplains(2, "./lab run: unknown topic 'circle'; allowed are [line]");
+                .assertComplains(
+                        2,
+                        "./lab run: unknown topic 'circle'; allowed are [line, spline-function, curve]");
         Ran ran = Ran.lab("run", "line", "bresenhem");
         assertTrue(ran.err().contains("no method 'bresenhem'; allowed are ["), ran.err());
         assertEquals(2, ran.exitCode());

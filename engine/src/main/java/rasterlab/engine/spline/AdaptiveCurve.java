@@ -55,33 +55,32 @@ public final class AdaptiveCurve implements SteppedCurve {
     }
 
     private static final class Walk implements CurveWalk {
-        /** Wang's count is below 2²⁴ steps, and a power of two reaches it. */
-        private static final int DEEPEST = 26;
+        /** Numbers of one waiting piece: its end, B″ there, |B″|² there, its width h. */
+        private static final int NUMBERS = 6;
 
         private final BezierPoints points;
         private final int spans;
         private final double enough;
-        private final double[] endX = new double[DEEPEST];
-        private final double[] endY = new double[DEEPEST];
-        private final double[] endBendX = new double[DEEPEST];
-        private final double[] endBendY = new double[DEEPEST];
-        private final double[] endWidth = new double[DEEPEST];
+        private final double[] waiting;
+        private int top = -NUMBERS;
         private double x;
         private double y;
         private double bendX;
         private double bendY;
+        private double bend;
         private double u = 1;
         private double decision;
         private int span = -1;
-        private int top = -1;
         private long splits;
 
         Walk(Curve curve, double flatness) {
             points = new BezierPoints(curve);
-            double left = Flatness.left(curve, flatness, 1);
-            WangCount.ofAll(curve, points, left);
-            enough = 64 * left * left;
             spans = curve.spans();
+            double left = Flatness.left(curve, flatness, 1);
+            enough = 64 * left * left;
+            int steps = WangCount.largest(curve, points, left);
+            int halvings = 32 - Integer.numberOfLeadingZeros(steps);
+            waiting = new double[NUMBERS * (halvings + 2)];
         }
 
         @Override
@@ -92,44 +91,55 @@ public final class AdaptiveCurve implements SteppedCurve {
                 if (span == 0) return true;
             }
             while (true) {
-                double width = endWidth[top];
-                double here = bendX * bendX + bendY * bendY;
-                double there = endBendX[top] * endBendX[top] + endBendY[top] * endBendY[top];
-                double square = Math.max(here, there) * (width * width) * (width * width);
-                if (square <= enough) {
-                    decision = square;
-                    moveTo(top--, width);
+                double square = waiting[top + 5] * waiting[top + 5];
+                double bound = Math.max(bend, waiting[top + 4]) * square * square;
+                if (bound <= enough) {
+                    decision = bound;
+                    pass();
                     return true;
                 }
-                split(width);
+                split(square / 16);
             }
         }
 
-        private void moveTo(int end, double width) {
-            x = endX[end];
-            y = endY[end];
-            bendX = endBendX[end];
-            bendY = endBendY[end];
-            u += width;
+        private void pass() {
+            x = waiting[top];
+            y = waiting[top + 1];
+            bendX = waiting[top + 2];
+            bendY = waiting[top + 3];
+            bend = waiting[top + 4];
+            u += waiting[top + 5];
+            top -= NUMBERS;
         }
 
-        private void split(double width) {
-            int end = top++;
-            double sixteenth = width * width / 16;
-            double middleX = bendX + endBendX[end];
-            double middleY = bendY + endBendY[end];
-            endX[top] = 0.5 * (x + endX[end]) - sixteenth * middleX;
-            endY[top] = 0.5 * (y + endY[end]) - sixteenth * middleY;
-            endBendX[top] = 0.5 * middleX;
-            endBendY[top] = 0.5 * middleY;
-            endWidth[end] = 0.5 * width;
-            endWidth[top] = 0.5 * width;
+        private void split(double sixteenth) {
+            int end = top;
+            double sumX = bendX + waiting[end + 2];
+            double sumY = bendY + waiting[end + 3];
+            double half = 0.5 * waiting[end + 5];
+            waiting[end + 5] = half;
+            top += NUMBERS;
+            put(
+                    0.5 * (x + waiting[end]) - sixteenth * sumX,
+                    0.5 * (y + waiting[end + 1]) - sixteenth * sumY,
+                    0.5 * sumX,
+                    0.5 * sumY,
+                    half);
             splits++;
+        }
+
+        private void put(double endX, double endY, double endBendX, double endBendY, double width) {
+            waiting[top] = endX;
+            waiting[top + 1] = endY;
+            waiting[top + 2] = endBendX;
+            waiting[top + 3] = endBendY;
+            waiting[top + 4] = endBendX * endBendX + endBendY * endBendY;
+            waiting[top + 5] = width;
         }
 
         private void nextSpan() {
             span++;
-            points.load(span);
+            if (span > 0) points.load(span);
             double[] px = points.x;
             double[] py = points.y;
             x = px[0];
@@ -137,12 +147,11 @@ public final class AdaptiveCurve implements SteppedCurve {
             u = 0;
             bendX = 6 * (px[0] - 2 * px[1] + px[2]);
             bendY = 6 * (py[0] - 2 * py[1] + py[2]);
+            bend = bendX * bendX + bendY * bendY;
             top = 0;
-            endX[0] = px[3];
-            endY[0] = py[3];
-            endBendX[0] = 6 * (px[1] - 2 * px[2] + px[3]);
-            endBendY[0] = 6 * (py[1] - 2 * py[2] + py[3]);
-            endWidth[0] = 1;
+            double endBendX = 6 * (px[1] - 2 * px[2] + px[3]);
+            double endBendY = 6 * (py[1] - 2 * py[2] + py[3]);
+            put(px[3], py[3], endBendX, endBendY, 1);
         }
 
         @Override

@@ -2,6 +2,7 @@ package rasterlab.engine.spline;
 
 import java.util.List;
 import java.util.Map;
+import rasterlab.contract.Curve;
 import rasterlab.contract.CurvePoints;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.study.Deviation;
@@ -20,7 +21,7 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
     private static final double ALLOWED = 1 + 1e-9;
     private static final double USABLE = 4;
 
-    /** Chords of the reference for each that Wang's count asks, 4⁻⁴ of the flatness off. */
+    /** Chords of the reference for each that the control polygon's length could ask for. */
     private static final int DENSER = 16;
 
     private static final int FEWEST = 256;
@@ -80,14 +81,13 @@ public final class CurveTopic implements Topic<CurveTracer, CurveTask, Polyline>
     }
 
     private static Polyline dense(CurveTask task, int limit) {
-        var points = new BezierPoints(task.curve());
-        long chords = 0;
-        for (int i = 0; i < task.curve().spans(); i++) {
-            points.load(i);
-            chords += WangCount.of(points, task.flatness());
-        }
-        long most = Math.min(MOST, limit - task.curve().spans());
-        long wanted = Math.max(FEWEST, Math.min(most, DENSER * chords));
+        Curve curve = task.curve();
+        double length = 0;
+        for (int i = 1; i < curve.x().length; i++)
+            length += Math.hypot(curve.x()[i] - curve.x()[i - 1], curve.y()[i] - curve.y()[i - 1]);
+        double chords = curve.degree() * Math.sqrt(curve.spans() * length / (4 * task.flatness()));
+        long most = Math.min(MOST, limit - curve.spans());
+        long wanted = Math.max(FEWEST, Math.min(most, (long) (DENSER * chords)));
         return new DenseCurve(task.curve()).sampled((int) wanted);
     }
 

@@ -40,7 +40,7 @@ public final class UniformCurve implements SteppedCurve {
 
     private static final class Walk implements CurveWalk {
         private final BezierPoints points;
-        private final int[] steps;
+        private final double flatness;
         private final int spans;
         private int span = -1;
         private int step;
@@ -57,8 +57,9 @@ public final class UniformCurve implements SteppedCurve {
 
         Walk(Curve curve, double flatness) {
             points = new BezierPoints(curve);
-            steps = WangCount.ofAll(curve, points, Flatness.left(curve, flatness, 1));
-            spans = steps.length;
+            this.flatness = Flatness.left(curve, flatness, 1);
+            spans = curve.spans();
+            if (spans > 1) WangCount.ofAll(curve, points, this.flatness);
         }
 
         @Override
@@ -90,7 +91,7 @@ public final class UniformCurve implements SteppedCurve {
             ax = px[3] - px[0] - 3 * (px[2] - px[1]);
             ay = py[3] - py[0] - 3 * (py[2] - py[1]);
             step = 0;
-            last = steps[span];
+            last = WangCount.of(points, flatness);
             width = 1.0 / last;
             if (span > 0) return advance();
             x = px[0];

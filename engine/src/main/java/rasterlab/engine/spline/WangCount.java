@@ -19,11 +19,26 @@ final class WangCount {
      * At least 1.
      *
      * @param flatness pixels, above 0
+     * @throws IllegalArgumentException if it is above {@value Flatness#MOST_SEGMENTS}
      */
     static int of(BezierPoints points, double flatness) {
         double d = points.degree();
         double steps = Math.ceil(Math.sqrt(d * (d - 1) / 8 * points.bend() / flatness));
-        return (int) Math.min(Math.max(1, steps), Integer.MAX_VALUE);
+        if (steps > Flatness.MOST_SEGMENTS) throw tooMany(flatness, steps);
+        return steps < 1 ? 1 : (int) steps;
+    }
+
+    /**
+     * The largest number of steps of a span.
+     *
+     * @param points of the curve; the first span again when this returns
+     * @throws IllegalArgumentException if all spans together take too many
+     */
+    static int largest(Curve curve, BezierPoints points, double flatness) {
+        if (curve.spans() == 1) return of(points, flatness);
+        int largest = 0;
+        for (int steps : ofAll(curve, points, flatness)) largest = Math.max(largest, steps);
+        return largest;
     }
 
     /**
@@ -40,10 +55,13 @@ final class WangCount {
             sum += steps[i];
         }
         points.load(0);
-        if (sum > Flatness.MOST_SEGMENTS)
-            throw new IllegalArgumentException(
-                    "flatness: %s takes %d segments, at most %d are allowed"
-                            .formatted(flatness, sum, Flatness.MOST_SEGMENTS));
+        if (sum > Flatness.MOST_SEGMENTS) throw tooMany(flatness, sum);
         return steps;
+    }
+
+    private static IllegalArgumentException tooMany(double flatness, double segments) {
+        return new IllegalArgumentException(
+                "flatness: %s takes %.0f segments, at most %d are allowed"
+                        .formatted(flatness, segments, Flatness.MOST_SEGMENTS));
     }
 }
