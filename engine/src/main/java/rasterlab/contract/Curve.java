@@ -88,8 +88,8 @@ public record Curve(Kind kind, double[] x, double[] y) {
     /** The largest |coordinate|. */
     public double size() {
         double largest = 0;
-        for (int i = 0; i < x.length; i++)
-            largest = Math.max(largest, Math.max(Math.abs(x[i]), Math.abs(y[i])));
+        for (double each : x) if (Math.abs(each) > largest) largest = Math.abs(each);
+        for (double each : y) if (Math.abs(each) > largest) largest = Math.abs(each);
         return largest;
     }
 }

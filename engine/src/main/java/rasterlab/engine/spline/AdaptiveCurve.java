@@ -92,7 +92,8 @@ public final class AdaptiveCurve implements SteppedCurve {
             }
             while (true) {
                 double square = waiting[top + 5] * waiting[top + 5];
-                double bound = Math.max(bend, waiting[top + 4]) * square * square;
+                double there = waiting[top + 4];
+                double bound = (bend > there ? bend : there) * square * square;
                 if (bound <= enough) {
                     decision = bound;
                     pass();

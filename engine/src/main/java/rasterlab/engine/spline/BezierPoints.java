@@ -100,7 +100,8 @@ final class BezierPoints {
         for (int i = 0; i + 2 < x.length; i++) {
             double dx = x[i] - 2 * x[i + 1] + x[i + 2];
             double dy = y[i] - 2 * y[i + 1] + y[i + 2];
-            largest = Math.max(largest, dx * dx + dy * dy);
+            double square = dx * dx + dy * dy;
+            if (square > largest) largest = square;
         }
         return Math.sqrt(largest);
     }
