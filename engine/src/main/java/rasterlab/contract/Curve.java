@@ -3,8 +3,9 @@ package rasterlab.contract;
 /**
  * A plane curve by its control points, in pixels.
  *
- * <p>A curve has one or more spans, each of them a polynomial of u in [0, 1]; t in [0, 1] runs over
- * all spans evenly: span ⌊t·spans⌋, and u is what is left.
+ * <p>The arrays it hands out are its own and must not be changed. A curve has one or more spans,
+ * each of them a polynomial of u in [0, 1]; t in [0, 1] runs over all spans evenly: span ⌊t·spans⌋,
+ * and u is what is left.
  *
  * @param x 1 to 1,000,000 coordinates within ±10¹⁰⁰
  * @param y as many
