@@ -4,6 +4,8 @@ import java.util.List;
 import rasterlab.engine.circle.CircleTopic;
 import rasterlab.engine.circle.EllipseTopic;
 import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.spline.CurveTopic;
+import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.study.Topic;
 
 /** The list of every topic there is. */
@@ -12,7 +14,12 @@ public final class Topics {
 
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
-        return List.of(new LineTopic(), new CircleTopic(), new EllipseTopic());
+        return List.of(
+                new LineTopic(),
+                new CircleTopic(),
+                new EllipseTopic(),
+                new SplineFunctionTopic(),
+                new CurveTopic());
     }
 
     /**

@@ -23,7 +23,13 @@ import rasterlab.app.outcome.ExitCode;
             "  being optional; answers {\"pixels\":[[x,y],...]} in drawing order, and for wu",
             "  {\"coverage\":[1..255,...]} beside it.",
             "circle: {\"center\":[x,y], \"radius\":r}; ellipse: {\"center\":[x,y], \"rx\":a,",
-            "  \"ry\":b}; answers {\"pixels\":[[x,y],...]}."
+            "  \"ry\":b}; answers {\"pixels\":[[x,y],...]}.",
+            "spline-function: {\"x\":[...], \"y\":[...], \"ends\":{\"kind\":KIND}, \"at\":[...]},",
+            "  KIND being natural, not-a-knot, periodic, or slopes with \"left\" and \"right\"; answers",
+            "  {\"y\":[...], \"coefficients\":[[a,b,c,d],...]}, a + b*s + c*s^2 + d*s^3 for each piece.",
+            "curve: {\"kind\":KIND, \"points\":[[x,y],...]} with \"at\":[t,...] from 0 to 1 or",
+            "  \"flatness\" in pixels, KIND being bezier, hermite (start, end, derivatives at both),",
+            "  catmull-rom or b-spline; answers {\"points\":[[x,y],...], \"segments\":n}."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

@@ -93,7 +93,7 @@ class LabTest {
                         new String[] {"run", "line"}),
                 argumentSet(
                         "topic is unknown",
-                        "./lab methods: no topic 'cricle'; there are [line]",
+                        "./lab methods: no topic 'cricle'; there are [line, spline-function, curve]",
                         new String[] {"methods", "cricle"}),
                 argumentSet(
                         "server is asked of the wrong program",

@@ -8,7 +8,7 @@ final class RasterGoals {
     private RasterGoals() {}
 
     static List<Goal> all() {
-        return Stream.of(LineBenchmark.GOALS, ClippedLineBenchmark.GOALS)
+        return Stream.of(LineBenchmark.GOALS, ClippedLineBenchmark.GOALS, CurveBenchmark.GOALS)
                 .flatMap(List::stream)
                 .toList();
     }

@@ -19,7 +19,12 @@ public final class Runs {
     public static TopicRun named(String topic) {
         var watch = new Watch(LONGEST);
         List<TopicRun> all =
-                List.of(new LineRun(watch), new CircleRun(watch), new EllipseRun(watch));
+                List.of(
+                        new LineRun(watch),
+                        new CircleRun(watch),
+                        new EllipseRun(watch),
+                        new SplineFunctionRun(watch),
+                        new CurveRun(watch));
         return all.stream()
                 .filter(run -> run.topic().name().equals(topic))
                 .findFirst()

@@ -1,0 +1,127 @@
+package rasterlab.app.cli.run;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.contract.Curve;
+import rasterlab.contract.CurveTracer;
+import rasterlab.engine.spline.CurveTopic;
+import rasterlab.engine.spline.CurveWalk;
+import rasterlab.engine.spline.SteppedCurve;
+import rasterlab.engine.study.Topic;
+
+/**
+ * Topic {@code curve}: {@code kind}, {@code points} and either {@code at} or {@code flatness};
+ * {@code points} out, and {@code segments}, how many lie between them.
+ */
+public final class CurveRun implements TopicRun {
+    private static final int MOST = 1_000_000;
+    private static final double SMALLEST = 1e-100;
+    private static final double LARGEST = 1e100;
+    private static final JsonField<String> KIND =
+            JsonField.required("kind", json -> json.word(kinds()));
+    private static final JsonField<double[]> POINTS =
+            JsonField.required("points", json -> json.points(2, 1, MOST));
+    private static final JsonField<double[]> AT =
+            JsonField.optional("at", json -> json.numbers(1, MOST));
+    private static final JsonField<Double> FLATNESS =
+            JsonField.optional("flatness", StrictJson::number);
+
+    private final Topic<CurveTracer, ?, ?> topic = new CurveTopic();
+    private final Watch watch;
+
+    /**
+     * @param watch gives up a method that does not end
+     */
+    CurveRun(Watch watch) {
+        this.watch = watch;
+    }
+
+    private static List<String> kinds() {
+        return Stream.of(Curve.Kind.values()).map(Curve.Kind::code).toList();
+    }
+
+    @Override
+    public Topic<?, ?, ?> topic() {
+        return topic;
+    }
+
+    @Override
+    public Answer answer(String method, byte[] text, int length, boolean steps) {
+        Given given = StrictJson.object(text, length, KIND, POINTS, AT, FLATNESS);
+        if (given.has("at") == given.has("flatness"))
+            throw Complaint.badInput("/: expected either at or flatness, got both or none");
+        given.find(AT).ifPresent(CurveRun::requireInside);
+        given.find(FLATNESS).ifPresent(CurveRun::requireFlatness);
+        Curve curve = curve(given.get(KIND), given.get(POINTS));
+        CurveTracer tracer = topic.method(method).implementation();
+        if (steps && !(tracer instanceof SteppedCurve))
+            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
+        if (steps && given.has("at"))
+            throw Complaint.badInput("--steps: points at given t have none; give a flatness");
+        return watch.call(method, () -> traced(tracer, curve, given, steps));
+    }
+
+    private static void requireInside(double[] at) {
+        for (int i = 0; i < at.length; i++)
+            if (at[i] < 0 || at[i] > 1)
+                throw Complaint.badInput(
+                        "/at/" + i + ": expected a number from 0 to 1, got " + at[i]);
+    }
+
+    private static void requireFlatness(double flatness) {
+        if (flatness < SMALLEST || flatness > LARGEST)
+            throw Complaint.badInput(
+                    "/flatness: expected a number of pixels from %s to %s, got %s"
+                            .formatted(SMALLEST, LARGEST, flatness));
+    }
+
+    private static Curve curve(String code, double[] points) {
+        var x = new double[points.length / 2];
+        var y = new double[points.length / 2];
+        Arrays.setAll(x, i -> points[2 * i]);
+        Arrays.setAll(y, i -> points[2 * i + 1]);
+        try {
+            return new Curve(Curve.Kind.values()[kinds().indexOf(code)], x, y);
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput("/" + e.getMessage());
+        }
+    }
+
+    private static Answer traced(CurveTracer tracer, Curve curve, Given given, boolean steps) {
+        var points = new Doubles();
+        if (given.has("at")) tracer.at(curve, given.get(AT), (x, y) -> add(points, x, y));
+        else tracer.flatten(curve, given.get(FLATNESS), (x, y) -> add(points, x, y));
+        return json -> {
+            json.writeFieldName("points");
+            JsonNumbers.writePoints(json, points.toArray(), 2);
+            json.writeNumberField("segments", points.size() / 2 - 1);
+            if (steps) writeSteps(json, (SteppedCurve) tracer, curve, given.get(FLATNESS));
+        };
+    }
+
+    private static void add(Doubles points, double x, double y) {
+        points.add(x);
+        points.add(y);
+    }
+
+    private static void writeSteps(
+            JsonGenerator json, SteppedCurve stepped, Curve curve, double flatness)
+            throws IOException {
+        json.writeStringField("decision", stepped.decisionFormula());
+        json.writeArrayFieldStart("steps");
+        CurveWalk walk = stepped.walk(curve, flatness);
+        while (walk.advance()) {
+            json.writeStartObject();
+            JsonNumbers.writeField(json, "t", walk.t());
+            JsonNumbers.writeField(json, "x", walk.x());
+            JsonNumbers.writeField(json, "y", walk.y());
+            JsonNumbers.writeField(json, "decision", walk.decision());
+            json.writeEndObject();
+        }
+        json.writeEndArray();
+    }
+}

@@ -1,0 +1,112 @@
+package rasterlab.app.cli.run;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.contract.SplineEnds;
+import rasterlab.contract.SplineFunction;
+import rasterlab.engine.spline.PiecewiseCubic;
+import rasterlab.engine.spline.SplineFunctionTopic;
+import rasterlab.engine.spline.SplineWalk;
+import rasterlab.engine.spline.SteppedSpline;
+import rasterlab.engine.study.Topic;
+
+/**
+ * Topic {@code spline-function}: {@code x}, {@code y}, {@code ends}, {@code at}; {@code y} and
+ * {@code coefficients} out, those of 1, s, s², s³ for each piece, s counted from the piece's knot.
+ */
+public final class SplineFunctionRun implements TopicRun {
+    private static final int MOST = 1_000_000;
+    private static final Map<String, SplineEnds.Kind> KINDS =
+            new TreeMap<>(
+                    Map.of(
+                            "slopes", SplineEnds.Kind.SLOPES,
+                            "natural", SplineEnds.Kind.NATURAL,
+                            "not-a-knot", SplineEnds.Kind.NOT_A_KNOT,
+                            "periodic", SplineEnds.Kind.PERIODIC));
+    private static final JsonField<double[]> X =
+            JsonField.required("x", json -> json.numbers(0, MOST));
+    private static final JsonField<double[]> Y =
+            JsonField.required("y", json -> json.numbers(0, MOST));
+    private static final JsonField<double[]> AT =
+            JsonField.required("at", json -> json.numbers(0, MOST));
+    private static final JsonField<String> KIND =
+            JsonField.required("kind", json -> json.word(List.copyOf(KINDS.keySet())));
+    private static final JsonField<Double> LEFT = JsonField.optional("left", StrictJson::number);
+    private static final JsonField<Double> RIGHT = JsonField.optional("right", StrictJson::number);
+    private static final JsonField<SplineEnds> ENDS =
+            JsonField.required("ends", json -> ends(json.object(KIND, LEFT, RIGHT)));
+
+    private final Topic<SplineFunction, ?, ?> topic = new SplineFunctionTopic();
+    private final Watch watch;
+
+    /**
+     * @param watch gives up a method that does not end
+     */
+    SplineFunctionRun(Watch watch) {
+        this.watch = watch;
+    }
+
+    @Override
+    public Topic<?, ?, ?> topic() {
+        return topic;
+    }
+
+    @Override
+    public Answer answer(String method, byte[] text, int length, boolean steps) {
+        Given given = StrictJson.object(text, length, X, Y, ENDS, AT);
+        if (given.get(X).length != given.get(Y).length)
+            throw Complaint.badInput(
+                    "/y: expected as many values as /x has, %d, got %d"
+                            .formatted(given.get(X).length, given.get(Y).length));
+        SplineFunction function = topic.method(method).implementation();
+        if (steps && !(function instanceof SteppedSpline))
+            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
+        return watch.call(method, () -> solved(function, given, steps));
+    }
+
+    private static SplineEnds ends(Given given) {
+        SplineEnds.Kind kind = KINDS.get(given.get(KIND));
+        for (JsonField<Double> slope : List.of(LEFT, RIGHT))
+            if (kind == SplineEnds.Kind.SLOPES && !given.has(slope.name()))
+                throw Complaint.badInput("/ends/" + slope.name() + ": missing");
+            else if (kind != SplineEnds.Kind.SLOPES && given.find(slope).orElse(0.0) != 0)
+                throw Complaint.badInput(
+                        "/ends/%s: only ends of kind slopes have one, got %s"
+                                .formatted(slope.name(), given.get(slope)));
+        return new SplineEnds(kind, given.find(LEFT).orElse(0.0), given.find(RIGHT).orElse(0.0));
+    }
+
+    private static Answer solved(SplineFunction function, Given given, boolean steps) {
+        double[] x = given.get(X);
+        SplineEnds ends = given.get(ENDS);
+        double[] coefficients = function.coefficients(x, given.get(Y), ends);
+        double[] values = new PiecewiseCubic(x, coefficients, ends).at(given.get(AT));
+        return json -> {
+            json.writeFieldName("y");
+            JsonNumbers.write(json, values);
+            json.writeFieldName("coefficients");
+            JsonNumbers.writePoints(json, coefficients, 4);
+            if (steps) writeSteps(json, (SteppedSpline) function, x, given.get(Y), ends);
+        };
+    }
+
+    private static void writeSteps(
+            JsonGenerator json, SteppedSpline stepped, double[] x, double[] y, SplineEnds ends)
+            throws IOException {
+        json.writeStringField("decision", stepped.decisionFormula());
+        json.writeArrayFieldStart("steps");
+        SplineWalk walk = stepped.walk(x, y, ends);
+        while (walk.advance()) {
+            json.writeStartObject();
+            json.writeStringField("phase", walk.phase());
+            json.writeNumberField("index", walk.index());
+            JsonNumbers.writeField(json, "decision", walk.decision());
+            json.writeEndObject();
+        }
+        json.writeEndArray();
+    }
+}

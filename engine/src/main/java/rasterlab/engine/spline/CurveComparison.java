@@ -1,0 +1,89 @@
+package rasterlab.engine.spline;
+
+import rasterlab.engine.study.Deviation;
+
+/**
+ * How far points or a polyline are from the curve, as a multiple of what is allowed.
+ *
+ * <p>Allowed are 2⁻³⁰ of the largest |coordinate| for points at given t, and the flatness for a
+ * polyline: the larger of the farthest curve point from the polyline and the farthest polyline
+ * point from the curve.
+ */
+final class CurveComparison {
+    private static final double ROUNDING = 0x1p-30;
+    private static final int BETWEEN = 4;
+
+    private CurveComparison() {}
+
+    static Deviation compare(CurveTask task, Polyline exact, Polyline actual) {
+        if (task.flatness() > 0)
+            return actual == exact
+                    ? new Deviation(0, 0, 0, exact.size(), "")
+                    : flat(task, exact, actual);
+        double allowed = task.curve().size() * ROUNDING;
+        int shared = Math.min(exact.size(), actual.size());
+        double worst = 0;
+        String first = "";
+        for (int i = 0; i < shared; i++) {
+            double error = Math.hypot(exact.x(i) - actual.x(i), exact.y(i) - actual.y(i));
+            if (Double.isNaN(error)) error = Double.POSITIVE_INFINITY;
+            if (error > worst) {
+                worst = error;
+                first =
+                        "at[%d]: (%s, %s) instead of (%s, %s)"
+                                .formatted(i, actual.x(i), actual.y(i), exact.x(i), exact.y(i));
+            }
+        }
+        int missing = exact.size() - shared;
+        int extra = actual.size() - shared;
+        double multiple = worst == 0 ? 0 : worst / allowed;
+        return new Deviation(multiple, missing, extra, exact.size(), first);
+    }
+
+    private static Deviation flat(CurveTask task, Polyline exact, Polyline actual) {
+        if (actual.size() < 2)
+            return new Deviation(
+                    Double.POSITIVE_INFINITY, 1, 0, exact.size(), "the polyline has no segment");
+        double off = distance(exact, actual, 1, task.flatness());
+        double back = distance(actual, exact, BETWEEN, task.flatness()) - unseen(exact);
+        double worst = Math.max(off, back);
+        String first =
+                worst == 0
+                        ? ""
+                        : "%s px off in %d segments, %s px are allowed"
+                                .formatted(worst, actual.size() - 1, task.flatness());
+        return new Deviation(worst / task.flatness(), 0, 0, exact.size(), first);
+    }
+
+    /**
+     * @param steps how many places of each segment are looked at
+     */
+    private static double distance(Polyline from, Polyline to, int steps, double allowed) {
+        var distance = new PolylineDistance(to, allowed);
+        double worst = distance.add(from.x(0), from.y(0));
+        for (int i = 0; i + 1 < from.size(); i++)
+            for (int k = 1; k <= steps; k++) {
+                double share = (double) k / steps;
+                worst =
+                        distance.add(
+                                from.x(i) + share * (from.x(i + 1) - from.x(i)),
+                                from.y(i) + share * (from.y(i + 1) - from.y(i)));
+            }
+        return worst;
+    }
+
+    /**
+     * How far the curve is from its dense chords: about an eighth of the largest second difference.
+     */
+    private static double unseen(Polyline dense) {
+        double largest = 0;
+        for (int i = 0; i + 2 < dense.size(); i++)
+            largest =
+                    Math.max(
+                            largest,
+                            Math.hypot(
+                                    dense.x(i) - 2 * dense.x(i + 1) + dense.x(i + 2),
+                                    dense.y(i) - 2 * dense.y(i + 1) + dense.y(i + 2)));
+        return largest / 7;
+    }
+}

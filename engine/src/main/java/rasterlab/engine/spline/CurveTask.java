@@ -1,0 +1,32 @@
+package rasterlab.engine.spline;
+
+import rasterlab.contract.Curve;
+
+/**
+ * One input of the topic.
+ *
+ * @param at where points are wanted; empty where a polyline is
+ * @param flatness of the polyline, in pixels; 0 where points are wanted
+ */
+public record CurveTask(Curve curve, double[] at, double flatness) {
+    public CurveTask {
+        at = at.clone();
+        if (at.length > 0 == flatness > 0)
+            throw new IllegalArgumentException(
+                    "a task has either at or flatness, got " + at.length + " and " + flatness);
+    }
+
+    static CurveTask at(Curve curve, double... at) {
+        return new CurveTask(curve, at, 0);
+    }
+
+    static CurveTask flat(Curve curve, double flatness) {
+        return new CurveTask(curve, new double[0], flatness);
+    }
+
+    @Override
+    public String toString() {
+        String wanted = flatness > 0 ? "flatness " + flatness : at.length + " points";
+        return curve.kind().code() + " of " + curve.x().length + ", " + wanted;
+    }
+}

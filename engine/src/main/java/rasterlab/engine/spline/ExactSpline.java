@@ -1,0 +1,155 @@
+package rasterlab.engine.spline;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeMap;
+import rasterlab.contract.SplineEnds;
+
+/**
+ * The cubic spline to {@value #DIGITS} digits, slow and plain.
+ *
+ * <p>The unknowns are the second derivatives M at the knots, the equations {@code h[i−1]·M[i−1] +
+ * 2·(h[i−1] + h[i])·M[i] + h[i]·M[i+1] = 6·(δ[i] − δ[i−1])} and those of the ends, each kept as a
+ * list of its numbers that are not 0 and eliminated in order. Widths and values are exact, and so
+ * many digits leave enough where neighbouring widths differ by a factor of 10³⁰.
+ */
+final class ExactSpline {
+    private static final int DIGITS = 100;
+    private static final MathContext PRECISE = new MathContext(DIGITS);
+    private static final int VALUE = Integer.MAX_VALUE;
+
+    private final SplineProblem problem;
+    private final int pieces;
+    private final BigDecimal[] width;
+    private final BigDecimal[] secant;
+    private final BigDecimal[] curvature;
+
+    /**
+     * @param problem its knots increase and all its numbers are finite
+     */
+    ExactSpline(SplineProblem problem) {
+        this.problem = problem;
+        pieces = problem.x().length - 1;
+        width = new BigDecimal[pieces];
+        secant = new BigDecimal[pieces];
+        for (int i = 0; i < pieces; i++) {
+            width[i] = x(i + 1).subtract(x(i));
+            secant[i] = y(i + 1).subtract(y(i)).divide(width[i], PRECISE);
+        }
+        curvature = solved(rows());
+    }
+
+    /** The values at all places of the problem, each rounded once. */
+    double[] values() {
+        var values = new double[problem.at().length];
+        for (int i = 0; i < values.length; i++) values[i] = value(problem.at()[i]);
+        return values;
+    }
+
+    private double value(double place) {
+        BigDecimal at = new BigDecimal(place);
+        if (problem.ends().kind() == SplineEnds.Kind.PERIODIC) at = wrapped(at);
+        int i = problem.piece(at.doubleValue());
+        BigDecimal s = at.subtract(x(i));
+        BigDecimal sum = curvature[i].multiply(number(2)).add(curvature[i + 1]);
+        BigDecimal b = secant[i].subtract(width[i].multiply(sum).divide(number(6), PRECISE));
+        BigDecimal c = curvature[i].divide(number(2), PRECISE);
+        BigDecimal d =
+                curvature[i + 1]
+                        .subtract(curvature[i])
+                        .divide(width[i].multiply(number(6)), PRECISE);
+        return y(i).add(s.multiply(b.add(s.multiply(c.add(s.multiply(d), PRECISE), PRECISE))))
+                .doubleValue();
+    }
+
+    private BigDecimal wrapped(BigDecimal at) {
+        if (at.compareTo(x(0)) >= 0 && at.compareTo(x(pieces)) <= 0) return at;
+        BigDecimal period = x(pieces).subtract(x(0));
+        BigDecimal rest = at.subtract(x(0)).remainder(period);
+        return x(0).add(rest.signum() < 0 ? rest.add(period) : rest);
+    }
+
+    private List<TreeMap<Integer, BigDecimal>> rows() {
+        boolean periodic = problem.ends().kind() == SplineEnds.Kind.PERIODIC;
+        var rows = new ArrayList<TreeMap<Integer, BigDecimal>>();
+        for (int i = periodic ? 0 : 1; i < pieces; i++) {
+            int before = (i + pieces - 1) % pieces;
+            var row = new TreeMap<Integer, BigDecimal>();
+            add(row, periodic ? before : i - 1, width[before]);
+            add(row, i, width[before].add(width[i]).multiply(number(2)));
+            add(row, periodic ? (i + 1) % pieces : i + 1, width[i]);
+            add(row, VALUE, secant[i].subtract(secant[before]).multiply(number(6)));
+            rows.add(row);
+        }
+        if (!periodic) {
+            rows.add(0, end(problem.ends().left(), 0, 0, 1));
+            rows.add(end(problem.ends().right(), pieces, pieces - 1, -1));
+        }
+        return rows;
+    }
+
+    private TreeMap<Integer, BigDecimal> end(double slope, int knot, int piece, int inward) {
+        var row = new TreeMap<Integer, BigDecimal>();
+        if (problem.ends().kind() == SplineEnds.Kind.SLOPES) {
+            BigDecimal bend = secant[piece].subtract(new BigDecimal(slope));
+            add(row, knot, width[piece].multiply(number(2)));
+            add(row, knot + inward, width[piece]);
+            add(row, VALUE, bend.multiply(number(6 * inward)));
+        } else if (problem.ends().kind() == SplineEnds.Kind.NATURAL || pieces == 1) {
+            add(row, knot, BigDecimal.ONE);
+        } else if (pieces == 2) {
+            add(row, knot, BigDecimal.ONE);
+            add(row, knot + inward, BigDecimal.ONE.negate());
+        } else {
+            BigDecimal outer = width[piece];
+            BigDecimal inner = width[piece + inward];
+            add(row, knot, inner);
+            add(row, knot + inward, outer.add(inner).negate());
+            add(row, knot + 2 * inward, outer);
+        }
+        return row;
+    }
+
+    private static void add(TreeMap<Integer, BigDecimal> row, int column, BigDecimal number) {
+        row.merge(column, number, (a, b) -> a.add(b, PRECISE));
+    }
+
+    private BigDecimal[] solved(List<TreeMap<Integer, BigDecimal>> rows) {
+        for (int r = 0; r < rows.size(); r++) {
+            TreeMap<Integer, BigDecimal> row = rows.get(r);
+            while (row.firstKey() < r) eliminate(row, row.firstKey(), rows);
+        }
+        var found = new BigDecimal[pieces + 1];
+        for (int r = rows.size() - 1; r >= 0; r--) {
+            TreeMap<Integer, BigDecimal> row = rows.get(r);
+            BigDecimal rest = row.getOrDefault(VALUE, BigDecimal.ZERO);
+            for (int column : row.subMap(r + 1, VALUE).keySet())
+                rest = rest.subtract(row.get(column).multiply(found[column]), PRECISE);
+            found[r] = rest.divide(row.get(r), PRECISE);
+        }
+        if (found[pieces] == null) found[pieces] = found[0];
+        return found;
+    }
+
+    private static void eliminate(
+            TreeMap<Integer, BigDecimal> row, int column, List<TreeMap<Integer, BigDecimal>> rows) {
+        TreeMap<Integer, BigDecimal> pivot = rows.get(column);
+        BigDecimal factor = row.get(column).divide(pivot.get(column), PRECISE).negate();
+        pivot.forEach((key, number) -> add(row, key, number.multiply(factor, PRECISE)));
+        row.remove(column);
+    }
+
+    private BigDecimal x(int i) {
+        return new BigDecimal(problem.x()[i]);
+    }
+
+    private BigDecimal y(int i) {
+        return new BigDecimal(problem.y()[i]);
+    }
+
+    private static BigDecimal number(int n) {
+        return BigDecimal.valueOf(n);
+    }
+}
