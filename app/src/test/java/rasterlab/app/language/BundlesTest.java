@@ -1,7 +1,6 @@
 package rasterlab.app.language;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -12,19 +11,12 @@ import java.util.Properties;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.engine.line.LineTopic;
-import rasterlab.engine.pipeline.Renderer;
-import rasterlab.engine.study.Hazard;
-import rasterlab.engine.study.Method;
 
 class BundlesTest {
     private static final Path ROOT = Path.of("src/main/resources/rasterlab/app");
     private static final Pattern PLACEHOLDER = Pattern.compile("\\{(\\d+)");
-    private static final List<String> PARTS =
-            List.of("formula", "invariant", "cost", "failures", "source");
 
     /** Every English file that must say the same as its Russian one. */
     static List<Path> englishFiles() throws IOException {
@@ -71,32 +63,6 @@ class BundlesTest {
                         });
         same.remove("title");
         assertEquals(List.of(), same);
-    }
-
-    @Test
-    void explainsEveryLineMethodAndHazardInRussian() {
-        Texts texts = Texts.of("line", "topic", Language.RUSSIAN);
-        Texts labels = Texts.of("line", Language.RUSSIAN);
-        var topic = new LineTopic();
-        for (Method<?> method : topic.methods()) {
-            for (String part : PARTS) mustHave(texts, method.name() + "." + part);
-            mustHave(texts, "decision." + method.name());
-        }
-        for (Hazard<?> hazard : topic.hazards()) {
-            mustHave(texts, "hazard." + hazard.name());
-            mustHave(labels, "hazard." + hazard.name());
-        }
-    }
-
-    @Test
-    void explainsEveryVisibilityMethodInRussian() {
-        Texts texts = Texts.of("visibility", "topic", Language.RUSSIAN);
-        for (Method<?> method : Renderer.visibilityMethods())
-            for (String part : PARTS) mustHave(texts, method.name() + "." + part);
-    }
-
-    private static void mustHave(Texts texts, String key) {
-        assertTrue(texts.has(key), "no Russian text for " + key);
     }
 
     private static TreeSet<String> placeholders(String text) {
