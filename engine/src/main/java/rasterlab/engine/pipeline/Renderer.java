@@ -18,6 +18,9 @@ import rasterlab.engine.visibility.Visibility;
  * keeps working memory between frames.
  */
 public final class Renderer {
+    /** The visibility method that the others are held against: one ray for each pixel. */
+    public static final String REFERENCE = "raycast";
+
     private final Visibilities visibilities = newVisibilities();
 
     /** Names of the visibility methods, in teaching order. */
