@@ -1,6 +1,7 @@
 package rasterlab.app.language;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -14,10 +15,13 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 
 /** The Russian of what the engine says in English about methods and hazards. */
@@ -60,9 +64,27 @@ class TopicTextsTest {
                         : Renderer.visibilityMethods().stream();
         methods.forEach(method -> about(method, said));
         if (topic.equals("line"))
-            for (Hazard<?> hazard : new LineTopic().hazards())
+            for (Hazard<Segment> hazard : new LineTopic().hazards()) {
                 said.put("hazard." + hazard.name(), hazard.description());
+                refusals(hazard.input(), said);
+            }
         return said;
+    }
+
+    /** What methods say when they refuse, as a pattern with the number of steps left open. */
+    private static void refusals(Segment segment, Map<String, String> said) {
+        var topic = new LineTopic();
+        for (Method<LineRasterizer> method : topic.methods())
+            try {
+                topic.record(method.implementation(), segment, 100);
+            } catch (IllegalArgumentException refusal) {
+                String steps = String.valueOf(segment.steps());
+                said.put(
+                        method.name() + ".refusal",
+                        refusal.getMessage().replace(steps, "{0,number,#}"));
+            } catch (LimitReached longer) {
+                assertNotNull(longer.recorded(), method.name());
+            }
     }
 
     private static void about(Method<?> method, Map<String, String> said) {
