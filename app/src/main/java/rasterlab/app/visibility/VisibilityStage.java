@@ -21,6 +21,7 @@ import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.scene.Vase;
 
 /** Shows the finished picture and turns the eye by keys, drag and wheel. */
 final class VisibilityStage extends SelfDrawn implements Settling {
@@ -59,10 +60,10 @@ final class VisibilityStage extends SelfDrawn implements Settling {
                         repaint();
                     }
                 });
-        bind(KeyEvent.VK_UP, 0, Cameras.PHI_STEP);
-        bind(KeyEvent.VK_DOWN, 0, -Cameras.PHI_STEP);
-        bind(KeyEvent.VK_LEFT, -Cameras.THETA_STEP, 0);
-        bind(KeyEvent.VK_RIGHT, Cameras.THETA_STEP, 0);
+        bind(KeyEvent.VK_UP, 0, Vase.PHI_STEP);
+        bind(KeyEvent.VK_DOWN, 0, -Vase.PHI_STEP);
+        bind(KeyEvent.VK_LEFT, -Vase.THETA_STEP, 0);
+        bind(KeyEvent.VK_RIGHT, Vase.THETA_STEP, 0);
         for (String key : new String[] {"typed +", "typed ="})
             KeyBinding.whenFocused(
                     this,
