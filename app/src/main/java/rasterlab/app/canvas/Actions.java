@@ -13,7 +13,7 @@ public final class Actions extends JPanel {
     private static final long serialVersionUID = 1L;
 
     /** Narrower than usual, so that the longest Russian text fits half the inspector. */
-    private static final Insets MARGIN = new Insets(2, 6, 2, 6);
+    private static final Insets MARGIN = new Insets(2, 4, 2, 4);
 
     private final transient Texts texts;
     private final Map<String, JButton> buttons = new HashMap<>();
