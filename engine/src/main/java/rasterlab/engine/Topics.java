@@ -2,6 +2,7 @@ package rasterlab.engine;
 
 import java.util.List;
 import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Topic;
 
 /** The list of every topic there is. */
@@ -19,15 +20,6 @@ public final class Topics {
      * @throws IllegalArgumentException if there is none; lists those there are
      */
     public static Topic<?, ?, ?> named(String name) {
-        return all().stream()
-                .filter(topic -> topic.name().equals(name))
-                .findFirst()
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        "no topic '"
-                                                + name
-                                                + "'; there are "
-                                                + all().stream().map(Topic::name).toList()));
+        return Named.find("topic", name, all(), Topic::name);
     }
 }

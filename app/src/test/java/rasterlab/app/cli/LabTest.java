@@ -48,6 +48,7 @@ class LabTest {
     @Test
     void versionNamesTheJava() {
         Ran ran = Ran.lab("--version");
+        assertTrue(ran.out().matches("(?s)Rasterlab \\d+\\.\\d+\\.\\d+\\R.*"), ran.out());
         assertTrue(ran.out().contains("Java " + System.getProperty("java.version")), ran.out());
         ran.assertDone();
     }
@@ -93,7 +94,7 @@ class LabTest {
                         new String[] {"run", "line"}),
                 argumentSet(
                         "topic is unknown",
-                        "./lab methods: no topic 'cricle'; there are [line]",
+                        "./lab methods: no topic 'cricle'; there are line",
                         new String[] {"methods", "cricle"}),
                 argumentSet(
                         "server is asked of the wrong program",

@@ -133,9 +133,11 @@ class RunCommandTest {
     @Test
     void unknownNamesListTheKnownOnes() {
         Ran.lab("run", "circle", "midpoint")
-                .assertComplains(2, "./lab run: unknown topic 'circle'; allowed are [line]");
+                .assertComplains(2, "./lab run: no topic 'circle'; there are line");
         Ran ran = Ran.lab("run", "line", "bresenhem");
-        assertTrue(ran.err().contains("no method 'bresenhem'; allowed are ["), ran.err());
+        assertTrue(
+                ran.err().contains("no line method 'bresenhem'; there are naive-textbook, "),
+                ran.err());
         assertEquals(2, ran.exitCode());
     }
 }

@@ -1,6 +1,7 @@
 package rasterlab.engine.study;
 
 import java.util.List;
+import rasterlab.engine.naming.Named;
 
 /**
  * One task of the course: its contract, the methods that solve it, an exact reference and the
@@ -61,19 +62,12 @@ public interface Topic<C, I, O> {
     /** Unit of {@link Deviation#worst}. */
     String errorUnit();
 
-    /** The method of that name. */
+    /**
+     * The method of that name.
+     *
+     * @throws IllegalArgumentException if there is none; the message lists those there are
+     */
     default Method<C> method(String name) {
-        return methods().stream()
-                .filter(method -> method.name().equals(name))
-                .findFirst()
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        "topic '"
-                                                + name()
-                                                + "' has no method '"
-                                                + name
-                                                + "'; it has "
-                                                + methods().stream().map(Method::name).toList()));
+        return Named.find(name() + " method", name, methods(), Method::name);
     }
 }
