@@ -4,6 +4,7 @@ import java.util.List;
 import rasterlab.engine.circle.CircleTopic;
 import rasterlab.engine.circle.EllipseTopic;
 import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.naming.Named;
 import rasterlab.engine.spline.CurveTopic;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.study.Topic;
@@ -28,15 +29,6 @@ public final class Topics {
      * @throws IllegalArgumentException if there is none; lists those there are
      */
     public static Topic<?, ?, ?> named(String name) {
-        return all().stream()
-                .filter(topic -> topic.name().equals(name))
-                .findFirst()
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        "no topic '"
-                                                + name
-                                                + "'; there are "
-                                                + all().stream().map(Topic::name).toList()));
+        return Named.find("topic", name, all(), Topic::name);
     }
 }

@@ -12,7 +12,6 @@ import java.awt.Point;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
@@ -37,10 +36,9 @@ class WindowTest extends WindowHarness {
 
     @Test
     void showsLitPixelsOnTheStage() {
-        robot.waitForIdle();
-        Set<Integer> colours = colours("stage");
-        assertTrue(colours.contains(MethodColours.of("bresenham").getRGB()), "no lit pixel");
-        assertTrue(colours.size() > 3, "blank stage");
+        int lit = MethodColours.of("bresenham").getRGB();
+        await("lit pixels are shown", () -> colours("stage").contains(lit));
+        assertTrue(colours("stage").size() > 3, "blank stage");
     }
 
     @Test

@@ -1,5 +1,6 @@
 package rasterlab.app.canvas;
 
+import java.awt.Insets;
 import java.util.HashMap;
 import java.util.Map;
 import javax.swing.JButton;
@@ -10,6 +11,9 @@ import rasterlab.app.language.Texts;
 /** The buttons below the inspector: undo, reset, copy. */
 public final class Actions extends JPanel {
     private static final long serialVersionUID = 1L;
+
+    /** Narrower than usual, so that the longest Russian text fits half the inspector. */
+    private static final Insets MARGIN = new Insets(2, 4, 2, 4);
 
     private final transient Texts texts;
     private final Map<String, JButton> buttons = new HashMap<>();
@@ -28,6 +32,7 @@ public final class Actions extends JPanel {
         button.setName(key);
         button.setMnemonic(texts.mnemonic("action." + key));
         button.setDisplayedMnemonicIndex(texts.mnemonicIndex("action." + key));
+        button.setMargin(MARGIN);
         button.setToolTipText(texts.text("action." + key + ".hint"));
         button.addActionListener(e -> action.run());
         buttons.put(key, button);

@@ -23,7 +23,7 @@ public final class Copying {
 
     /** Copies what a component shows, at the screen's own resolution. */
     public static void picture(JComponent shown, Consumer<Throwable> onFailure) {
-        double scale = deviceScale(shown);
+        double scale = DevicePixels.scale(shown);
         var picture =
                 new BufferedImage(
                         (int) Math.max(1, Math.round(shown.getWidth() * scale)),
@@ -34,12 +34,6 @@ public final class Copying {
         shown.paint(g);
         g.dispose();
         put(new PictureSelection(picture), onFailure);
-    }
-
-    /** Device dots per view unit of the screen that shows the component; 1 off screen. */
-    public static double deviceScale(JComponent component) {
-        var configuration = component.getGraphicsConfiguration();
-        return configuration == null ? 1 : configuration.getDefaultTransform().getScaleX();
     }
 
     private static void put(Transferable content, Consumer<Throwable> onFailure) {

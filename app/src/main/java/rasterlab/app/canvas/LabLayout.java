@@ -15,7 +15,7 @@ public final class LabLayout extends JPanel {
     private static final long serialVersionUID = 1L;
 
     /** Width of the inspector in view units, enough for the longest Russian row. */
-    public static final int INSPECTOR = 340;
+    public static final int INSPECTOR = 352;
 
     /**
      * @param actions buttons that stay in sight below the inspector

@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -9,7 +10,9 @@ import java.util.function.Consumer;
  * Answers the newest question on a thread of its own; older ones are cancelled, none pile up.
  *
  * <p>So that a fast drag still shows pictures, a question is let finish when the one before it was
- * cancelled: at least every second question that was begun is answered.
+ * cancelled: at least every second question that was begun is answered. Each question has a sign of
+ * its own for being cancelled, and it is set too when the work ends: threads that the work left
+ * behind stop, whatever is asked next.
  *
  * @param <Q> an immutable question
  * @param <A> its answer
@@ -34,7 +37,7 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
     private boolean busy;
     private boolean closed;
     private boolean lastWasCancelled;
-    private volatile boolean cancelled;
+    private AtomicBoolean cancelled = new AtomicBoolean();
 
     /**
      * @param answered told each answer, on the worker's thread
@@ -56,14 +59,14 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
     /** Puts this question in place of the one that waits, and cancels the one being answered. */
     public synchronized void ask(Q question) {
         waiting = question;
-        if (busy && !lastWasCancelled) cancelled = true;
+        if (busy && !lastWasCancelled) cancelled.set(true);
         notifyAll();
     }
 
     /** Drops the question that waits and cancels the one being answered. */
     public synchronized void cancel() {
         waiting = null;
-        cancelled = true;
+        cancelled.set(true);
     }
 
     /** Waits until every question asked so far is answered or dropped. */
@@ -79,21 +82,28 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
     }
 
     private void run() {
-        for (Q question = next(); question != null; question = next()) {
-            try {
-                A answer = work.answer(question, () -> cancelled);
-                if (!cancelled) answered.accept(question, answer);
-            } catch (CancellationException e) {
-                if (!cancelled) failed.accept(e);
-            } catch (Throwable e) {
-                failed.accept(e);
-            }
+        for (Q question = next(); question != null; question = next())
+            answer(question, currentSign());
+    }
+
+    private synchronized AtomicBoolean currentSign() {
+        return cancelled;
+    }
+
+    private void answer(Q question, AtomicBoolean sign) {
+        try {
+            A answer = work.answer(question, sign::get);
+            if (!sign.get()) answered.accept(question, answer);
+        } catch (CancellationException e) {
+            if (!sign.get()) failed.accept(e);
+        } catch (Throwable e) {
+            failed.accept(e);
         }
     }
 
     /** Ends the last question and waits for the next; null when closed. */
     private synchronized Q next() {
-        lastWasCancelled = busy && cancelled;
+        lastWasCancelled = busy && cancelled.getAndSet(true);
         busy = false;
         notifyAll();
         try {
@@ -106,7 +116,7 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
             return null;
         }
         busy = true;
-        cancelled = false;
+        cancelled = new AtomicBoolean();
         Q question = waiting;
         waiting = null;
         return question;

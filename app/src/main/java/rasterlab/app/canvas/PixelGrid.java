@@ -2,6 +2,7 @@ package rasterlab.app.canvas;
 
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 
 /**
@@ -17,6 +18,9 @@ import java.awt.geom.Point2D;
 public record PixelGrid(double originX, double originY, double cell) {
     public static final double SMALLEST = 0.25;
     public static final double LARGEST = 96;
+
+    /** Beyond this many view units Java2D's own clipping loses precision. */
+    private static final double FAR = 1e5;
 
     public PixelGrid {
         if (!(cell >= SMALLEST && cell <= LARGEST))
@@ -44,6 +48,23 @@ public record PixelGrid(double originX, double originY, double cell) {
 
     public double viewY(double pixelY) {
         return originY + cell * pixelY;
+    }
+
+    /**
+     * The view line between the centres of two pixels. Of one longer than {@value #FAR} view units
+     * only the stretch is given that lies within so many of the point nearest to view (0, 0).
+     */
+    public Line2D line(int pixelX0, int pixelY0, int pixelX1, int pixelY1) {
+        double x = viewX(pixelX0);
+        double y = viewY(pixelY0);
+        double length = Math.hypot(viewX(pixelX1) - x, viewY(pixelY1) - y);
+        if (length <= FAR) return new Line2D.Double(x, y, viewX(pixelX1), viewY(pixelY1));
+        double dx = (viewX(pixelX1) - x) / length;
+        double dy = (viewY(pixelY1) - y) / length;
+        double near = Math.max(0, Math.min(length, -(x * dx + y * dy)));
+        double from = Math.max(0, near - FAR);
+        double to = Math.min(length, near + FAR);
+        return new Line2D.Double(x + dx * from, y + dy * from, x + dx * to, y + dy * to);
     }
 
     /** The pixel whose square holds that view point. */

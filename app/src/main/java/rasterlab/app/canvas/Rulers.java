@@ -8,7 +8,6 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
-import javax.swing.UIManager;
 
 /** Grid lines between pixels, the axes, and the coordinates along the upper and left margin. */
 public final class Rulers {
@@ -18,11 +17,16 @@ public final class Rulers {
     private final PixelGrid grid;
     private final Dimension view;
     private final StageColours colours;
+    private final Font font;
 
-    public Rulers(PixelGrid grid, Dimension view, StageColours colours) {
+    /**
+     * @param font of a label; the numbers are smaller
+     */
+    public Rulers(PixelGrid grid, Dimension view, StageColours colours, Font font) {
         this.grid = grid;
         this.view = view;
         this.colours = colours;
+        this.font = font.deriveFont(Font.PLAIN, UIScale.scale(11f));
     }
 
     /** Height of the upper margin in view units. */
@@ -63,7 +67,7 @@ public final class Rulers {
         g.setColor(colours.axis());
         g.drawLine(left(), top(), view.width, top());
         g.drawLine(left(), top(), left(), view.height);
-        g.setFont(UIManager.getFont("Label.font").deriveFont(Font.PLAIN, UIScale.scale(11f)));
+        g.setFont(font);
         g.setColor(colours.ink());
         paintNumbers(g);
         g.setColor(colours.margin());

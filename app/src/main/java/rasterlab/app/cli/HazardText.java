@@ -38,7 +38,7 @@ final class HazardText {
                         cell.method(),
                         cell.hazard(),
                         cell.verdict().kind().code(),
-                        HazardMatrix.recorded(cell).orElse("nothing"),
+                        cell.recorded().code(),
                         detail.isEmpty() ? "" : "; " + detail);
     }
 }

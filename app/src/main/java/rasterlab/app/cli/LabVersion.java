@@ -1,15 +1,17 @@
 package rasterlab.app.cli;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import picocli.CommandLine.IVersionProvider;
 
-/** What {@code ./lab --version} prints: ours and the Java it runs on. */
+/** What {@code ./lab --version} prints: ours, written by the build, and the Java it runs on. */
 final class LabVersion implements IVersionProvider {
     @Override
     public String[] getVersion() {
-        String packaged = Lab.class.getPackage().getImplementationVersion();
-        String version = packaged == null ? "(built from source)" : packaged;
         return new String[] {
-            "Rasterlab " + version,
+            "Rasterlab " + version(),
             "Java "
                     + System.getProperty("java.version")
                     + " ("
@@ -19,5 +21,13 @@ final class LabVersion implements IVersionProvider {
                     + " "
                     + System.getProperty("os.arch")
         };
+    }
+
+    private static String version() {
+        try (InputStream in = LabVersion.class.getResourceAsStream("version.txt")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8).strip();
+        } catch (IOException e) {
+            throw new UncheckedIOException("version.txt cannot be read", e);
+        }
     }
 }

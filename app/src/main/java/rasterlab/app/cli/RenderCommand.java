@@ -35,32 +35,36 @@ import rasterlab.engine.transform.SphericalView;
             "         ./lab render vase --reference --diff vase.png"
         })
 final class RenderCommand implements Callable<Integer> {
-    /** The exact picture's method: one ray for each pixel. */
-    static final String REFERENCE = "raycast";
-
     private final Console console;
 
-    @Parameters(index = "0", paramLabel = "SCENE", description = "such as vase or house")
+    @Parameters(
+            index = "0",
+            paramLabel = "SCENE",
+            description = "${COMPLETION-CANDIDATES}",
+            completionCandidates = EngineNames.OfScenes.class)
     private String sceneName;
 
     @Option(
             names = "--visibility",
             paramLabel = "METHOD",
-            description = "painter-textbook, painter, zfloat, raycast; default: ${DEFAULT-VALUE}",
+            description = "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}",
+            completionCandidates = EngineNames.OfVisibilities.class,
             defaultValue = "zfloat")
     private String visibility;
 
     @Option(
             names = "--shading",
             paramLabel = "METHOD",
-            description = "tone, flat; default: ${DEFAULT-VALUE}",
+            description = "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}",
+            completionCandidates = EngineNames.OfShadings.class,
             defaultValue = "flat")
     private String shading;
 
     @Option(
             names = "--projection",
             paramLabel = "NAME",
-            description = "perspective, parallel; default: ${DEFAULT-VALUE}",
+            description = "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}",
+            completionCandidates = EngineNames.OfProjections.class,
             defaultValue = "perspective")
     private String projection;
 
@@ -79,6 +83,16 @@ final class RenderCommand implements Callable<Integer> {
                     "eye in spherical coordinates, radians (0.25pi works too); default: the scene's",
             converter = CameraOption.class)
     private SphericalView camera;
+
+    @Option(
+            names = "--zoom",
+            paramLabel = "FACTOR",
+            description = "the scene's size in the picture, times this; default: ${DEFAULT-VALUE}",
+            defaultValue = "1")
+    private double zoom;
+
+    @Option(names = "--outline", description = "draws the faces' edges; painters only")
+    private boolean outline;
 
     @Option(names = "--reference", description = "the exact picture, whatever --visibility says")
     private boolean reference;
@@ -115,15 +129,16 @@ final class RenderCommand implements Callable<Integer> {
 
     private RenderRequest request() {
         try {
-            Scene scene = Scenes.named(sceneName);
+            Scene scene = Scenes.named(sceneName).zoomed(zoom);
             return new RenderRequest(
                     scene,
-                    reference ? REFERENCE : visibility,
+                    reference ? Renderer.REFERENCE : visibility,
                     shading,
                     projection,
                     camera == null ? scene.defaultCamera() : camera,
                     size.width(),
-                    size.height());
+                    size.height(),
+                    outline);
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());
         }

@@ -47,6 +47,8 @@ record RenderReport(
         json.writeNumberField("phi", request.camera().phiRadians());
         json.writeNumberField("rho", request.camera().rho());
         json.writeEndObject();
+        json.writeNumberField("pictureScale", request.scene().pictureScale());
+        json.writeBooleanField("outline", request.outline());
         json.writeNumberField("width", request.width());
         json.writeNumberField("height", request.height());
     }

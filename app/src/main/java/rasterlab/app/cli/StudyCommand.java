@@ -43,6 +43,12 @@ final class StudyCommand implements Callable<Integer> {
     @Option(names = "--quick", description = "fewer and shorter rounds, for a first look")
     private boolean quick;
 
+    @Option(
+            names = "--lang",
+            paramLabel = "LANGUAGE",
+            description = "of the chart: en or ru; default: en")
+    private ReportLanguage language = ReportLanguage.EN;
+
     StudyCommand(Console console) {
         this.console = console;
     }
@@ -57,7 +63,7 @@ final class StudyCommand implements Callable<Integer> {
         Study study = measured(chosen);
         table(study).lines().forEach(console.out()::println);
         for (Path file : files) {
-            StudyFile.write(study, file);
+            StudyFile.write(study, file, language.inWindow());
             console.err().println("wrote " + file);
         }
         return ExitCode.DONE;

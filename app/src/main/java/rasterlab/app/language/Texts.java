@@ -1,5 +1,6 @@
 package rasterlab.app.language;
 
+import java.awt.event.KeyEvent;
 import java.text.MessageFormat;
 import java.util.Locale;
 import java.util.MissingResourceException;
@@ -83,9 +84,13 @@ public final class Texts {
         return text(key).indexOf('&');
     }
 
-    /** The letter to press with Alt, the one behind {@code &}; 0 where there is none. */
-    public char mnemonic(String key) {
+    /**
+     * The key to press with Alt, that of the letter behind {@code &}; 0 where there is none.
+     *
+     * @return a key code of {@link KeyEvent}, which for letters beyond a–z is an extended one
+     */
+    public int mnemonic(String key) {
         int mark = mnemonicIndex(key);
-        return mark < 0 ? 0 : Character.toUpperCase(text(key).charAt(mark + 1));
+        return mark < 0 ? 0 : KeyEvent.getExtendedKeyCodeForChar(text(key).charAt(mark + 1));
     }
 }

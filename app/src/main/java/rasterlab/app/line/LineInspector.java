@@ -102,10 +102,13 @@ final class LineInspector {
                 : "";
     }
 
-    /** The method's own words when it refused the segment. */
-    private static String refusal(LineLabState state) {
-        return state.drawing().trace().ending() == LineTrace.Ending.REFUSED
-                ? state.drawing().trace().message()
-                : "";
+    /** Why the method refused the segment; its own words where they are not translated. */
+    private String refusal(LineLabState state) {
+        LineTrace trace = state.drawing().trace();
+        if (trace.ending() != LineTrace.Ending.REFUSED) return "";
+        String key = state.drawing().method() + ".refusal";
+        return translations.has(key)
+                ? translations.text(key, state.drawings().choice().segment().steps())
+                : trace.message();
     }
 }

@@ -2,9 +2,10 @@ package rasterlab.app.line;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.Segment;
@@ -16,22 +17,44 @@ import rasterlab.engine.study.Topic;
 /**
  * The line lab without its window: which segment, which methods, which step.
  *
- * <p>Used from one thread; each change publishes a new immutable {@link LineLabState}.
+ * <p>Drawing runs on a thread of the model's own; answers and commands all run on the thread of the
+ * executor it is given. Each change publishes a new immutable {@link LineLabState}, first with the
+ * choice, then with what it draws.
  */
-public final class LineLabModel implements Steps {
+public final class LineLabModel implements Steps, AutoCloseable {
     private static final Segment FIRST_SEGMENT = new Segment(2, 3, 17, 9);
 
     private final Topic<LineRasterizer, Segment, PixelRecording> topic;
     private final LineChoice first;
+    private final LatestOnly<Question, LineDrawings> drawings;
     private final History<LineChoice> history = new History<>();
     private final List<Consumer<LineLabState>> listeners = new ArrayList<>();
     private LineLabState state;
 
-    public LineLabModel(Topic<LineRasterizer, Segment, PixelRecording> topic) {
+    /**
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what drawing threw, on any thread
+     */
+    public LineLabModel(
+            Topic<LineRasterizer, Segment, PixelRecording> topic,
+            Executor events,
+            Consumer<Throwable> onFailure) {
         this.topic = topic;
         first = new LineChoice(FIRST_SEGMENT, firstMethod(), "");
-        state = drawn(first, 0);
+        LineDrawings drawn = LineDrawings.of(topic, first);
+        state = new LineLabState(first, drawn, drawn.drawing().pixels(), false, 0);
+        drawings =
+                new LatestOnly<>(
+                        "line",
+                        (asked, cancelled) -> asked.shown().next(topic, asked.choice(), cancelled),
+                        (asked, answer) -> events.execute(() -> accept(answer)),
+                        onFailure);
     }
+
+    /**
+     * @param shown what is drawn already and may serve again
+     */
+    private record Question(LineChoice choice, LineDrawings shown) {}
 
     public LineLabState state() {
         return state;
@@ -95,12 +118,23 @@ public final class LineLabModel implements Steps {
     }
 
     public void undo() {
-        history.undo().ifPresent(choice -> publish(drawn(choice, state.arrangement() + 1)));
+        history.undo().ifPresent(choice -> draw(choice, state.arrangement() + 1));
     }
 
     /** Back to the first segment and method; can be undone. */
     public void reset() {
         change(first, true);
+    }
+
+    /** Waits until every choice so far is drawn or dropped. Any other thread. */
+    public void settle() throws InterruptedException {
+        drawings.settle();
+    }
+
+    /** Ends the thread. */
+    @Override
+    public void close() {
+        drawings.close();
     }
 
     @Override
@@ -132,27 +166,24 @@ public final class LineLabModel implements Steps {
     private void change(LineChoice next, boolean arrange) {
         if (next.equals(state.choice()) && !arrange) return;
         if (!next.equals(state.choice())) history.remember(state.choice());
-        publish(drawn(next, state.arrangement() + (arrange ? 1 : 0)));
+        draw(next, state.arrangement() + (arrange ? 1 : 0));
     }
 
-    private LineLabState drawn(LineChoice choice, int arrangement) {
-        LineDrawing drawing = LineDrawing.of(topic, choice.method(), choice.segment());
-        Optional<LineDrawing> other =
-                Optional.of(choice.comparison())
-                        .filter(name -> !name.isEmpty())
-                        .map(name -> LineDrawing.of(topic, name, choice.segment()));
-        return new LineLabState(
-                choice, drawing, other, drawing.pixels(), !history.isEmpty(), arrangement);
+    private void draw(LineChoice choice, int arrangement) {
+        publish(state(choice, state.drawings(), state.step(), arrangement));
+        drawings.ask(new Question(choice, state.drawings()));
+    }
+
+    private void accept(LineDrawings drawn) {
+        publish(state(state.choice(), drawn, drawn.drawing().pixels(), state.arrangement()));
     }
 
     private LineLabState at(int step) {
-        return new LineLabState(
-                state.choice(),
-                state.drawing(),
-                state.other(),
-                step,
-                !history.isEmpty(),
-                state.arrangement());
+        return state(state.choice(), state.drawings(), step, state.arrangement());
+    }
+
+    private LineLabState state(LineChoice choice, LineDrawings drawn, int step, int arrangement) {
+        return new LineLabState(choice, drawn, step, !history.isEmpty(), arrangement);
     }
 
     private void publish(LineLabState next) {

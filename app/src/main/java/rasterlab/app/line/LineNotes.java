@@ -7,8 +7,8 @@ import rasterlab.app.language.Texts;
 final class LineNotes {
     private LineNotes() {}
 
-    static Optional<String> about(LineLabState state, Texts texts) {
-        LineDrawing drawing = state.drawing();
+    static Optional<String> about(LineDrawings drawings, Texts texts) {
+        LineDrawing drawing = drawings.drawing();
         String method = drawing.method();
         return switch (drawing.trace().ending()) {
             case ENDED ->
@@ -19,7 +19,7 @@ final class LineNotes {
                     Optional.of(
                             texts.text(
                                     "note.cut",
-                                    state.choice().segment().steps() + 1,
+                                    drawings.choice().segment().steps() + 1,
                                     LineDrawing.LIMIT));
             case ENDLESS -> Optional.of(texts.text("note.endless", method, LineDrawing.LIMIT));
             case REFUSED -> Optional.of(texts.text("note.refused", method));

@@ -5,33 +5,55 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.PixelMark;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.line.Segment;
 
-/** Draws one state of the line lab onto a zoomed pixel grid. */
+/** Draws what the methods drew onto a zoomed pixel grid. */
 final class LinePainter {
-    /** Beyond this many view units Java2D's own clipping loses precision. */
-    private static final double FAR = 1e5;
-
     private final Graphics2D g;
     private final PixelGrid grid;
     private final StageColours colours;
+    private final BooleanSupplier cancelled;
 
-    LinePainter(Graphics2D g, PixelGrid grid, StageColours colours) {
+    /**
+     * @param cancelled asked at each pixel
+     */
+    LinePainter(Graphics2D g, PixelGrid grid, StageColours colours, BooleanSupplier cancelled) {
         this.g = g;
         this.grid = grid;
         this.colours = colours;
+        this.cancelled = cancelled;
     }
 
-    void paint(LineLabState state) {
-        paintPixels(state.drawing(), state.step());
-        state.other().ifPresent(other -> paintOther(other, state));
-        paintMarks(state);
-        paintExactLine(state.choice().segment());
-        if (state.step() > 0) paintCurrent(state.drawing(), state.step());
+    /**
+     * @param step pixels of the first drawing lit so far
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    void paint(LineDrawings drawings, int step) {
+        LineDrawing drawing = drawings.drawing();
+        boolean finished = step == drawing.pixels();
+        paintPixels(drawing, step);
+        drawings.other()
+                .ifPresent(
+                        other ->
+                                paintOther(
+                                        other,
+                                        finished
+                                                ? other.pixels()
+                                                : Math.min(step, other.pixels())));
+        drawing.marks().missing(step, (x, y) -> mark(PixelMark.MISSING, x, y));
+        drawing.marks().extra(step, (x, y) -> mark(PixelMark.EXTRA, x, y));
+        paintExactLine(drawings.choice().segment());
+        if (step > 0) paintCurrent(drawing, step);
+    }
+
+    private void requireUse() {
+        if (cancelled.getAsBoolean()) throw new CancellationException("a newer frame is asked for");
     }
 
     private void paintPixels(LineDrawing drawing, int step) {
@@ -39,6 +61,7 @@ final class LinePainter {
         Color edge = MethodColours.edgeOn(colours.ground(), fill);
         double gap = grid.cell() >= 6 ? 1 : 0;
         for (int i = 1; i <= step; i++) {
+            requireUse();
             Rectangle2D square = square(drawing.x(i), drawing.y(i), gap);
             if (!g.hitClip(
                     (int) square.getX() - 1,
@@ -55,12 +78,12 @@ final class LinePainter {
     }
 
     /** The second method's pixels as smaller squares inside the first one's. */
-    private void paintOther(LineDrawing other, LineLabState state) {
+    private void paintOther(LineDrawing other, int step) {
         Color fill = MethodColours.of(other.method());
         Color edge = MethodColours.inkOn(fill);
-        int step = state.finished() ? other.pixels() : Math.min(state.step(), other.pixels());
         double inset = grid.cell() * 0.28;
         for (int i = 1; i <= step; i++) {
+            requireUse();
             Rectangle2D square = square(other.x(i), other.y(i), inset);
             g.setColor(fill);
             g.fill(square);
@@ -71,45 +94,20 @@ final class LinePainter {
         }
     }
 
-    private void paintMarks(LineLabState state) {
-        LineMarks marks = LineMarks.of(state);
-        marks.missing((x, y) -> mark(PixelMark.MISSING, x, y));
-        marks.extra((x, y) -> mark(PixelMark.EXTRA, x, y));
-    }
-
     private void mark(PixelMark mark, int pixelX, int pixelY) {
+        requireUse();
         double size = Math.max(7, grid.cell());
         mark.paint(g, grid.viewX(pixelX) - size / 2, grid.viewY(pixelY) - size / 2, size);
     }
 
     private void paintExactLine(Segment segment) {
-        var line =
-                new Line2D.Double(
-                        grid.viewX(segment.x0()),
-                        grid.viewY(segment.y0()),
-                        grid.viewX(segment.x1()),
-                        grid.viewY(segment.y1()));
-        shorten(line);
+        Line2D line = grid.line(segment.x0(), segment.y0(), segment.x1(), segment.y1());
         g.setColor(colours.ground());
         g.setStroke(new BasicStroke(3.6f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(line);
         g.setColor(colours.ink());
         g.setStroke(new BasicStroke(1.6f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(line);
-    }
-
-    /** Brings an end that is far outside the view nearer, along the line. */
-    private static void shorten(Line2D.Double line) {
-        double length = Math.hypot(line.x2 - line.x1, line.y2 - line.y1);
-        if (length <= FAR) return;
-        double dx = (line.x2 - line.x1) / length;
-        double dy = (line.y2 - line.y1) / length;
-        // The view is near (0, 0): keep the stretch around the line's point nearest to that.
-        double near = Math.max(0, Math.min(length, -(line.x1 * dx + line.y1 * dy)));
-        double from = Math.max(0, near - FAR);
-        double to = Math.min(length, near + FAR);
-        line.setLine(
-                line.x1 + dx * from, line.y1 + dy * from, line.x1 + dx * to, line.y1 + dy * to);
     }
 
     /** A frame around the pixel that the last step lit. */

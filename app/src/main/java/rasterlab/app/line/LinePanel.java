@@ -28,14 +28,14 @@ public final class LinePanel extends JPanel implements AutoCloseable {
     private final transient Runnable unsubscribe;
 
     /**
-     * @param onFailure told what a control could not do
+     * @param onFailure told what a control could not do or painting threw, on any thread
      */
     public LinePanel(LineLabModel model, Language language, Consumer<Throwable> onFailure) {
         super(new BorderLayout());
         this.model = model;
         setName("line");
         texts = Texts.of("line", language);
-        stage = new LineStage(model, texts);
+        stage = new LineStage(model, texts, onFailure);
         inspector = new LineInspector(model, texts);
         player =
                 new StepPlayer(
@@ -66,6 +66,7 @@ public final class LinePanel extends JPanel implements AutoCloseable {
     public void close() {
         player.stop();
         unsubscribe.run();
+        stage.close();
     }
 
     private void refresh() {

@@ -42,11 +42,11 @@ final class LineReadings {
 
     String missing() {
         if (!state.finished()) return texts.text("missing.later");
-        return texts.text("pixels", LineMarks.of(state).missingCount());
+        return texts.text("pixels", drawing().marks().missingCount(state.step()));
     }
 
     String extra() {
-        return texts.text("pixels", LineMarks.of(state).extraCount());
+        return texts.text("pixels", drawing().marks().extraCount(state.step()));
     }
 
     String worst() {

@@ -1,40 +1,45 @@
 package rasterlab.app.line;
 
-import com.formdev.flatlaf.util.UIScale;
-import java.awt.Color;
 import java.awt.Dimension;
-import java.awt.Font;
-import java.awt.FontMetrics;
+import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.geom.Point2D;
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
+import javax.swing.JLabel;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
+import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.SelfDrawn;
+import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.Segment;
 
-/** The zoomed pixel grid on which the segment is drawn and its ends are moved. */
-final class LineStage extends SelfDrawn {
+/**
+ * The zoomed pixel grid on which the segment is drawn and its ends are moved.
+ *
+ * <p>Pictures are painted on a thread of the stage's own; this component only shows the newest.
+ */
+final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     private static final long serialVersionUID = 1L;
 
     private static final double ZOOM = 1.25;
@@ -43,15 +48,27 @@ final class LineStage extends SelfDrawn {
     private final transient Texts texts;
     private final List<EndHandle> handles;
     private final ZoomButtons zoom;
+    private final JLabel pointed = new JLabel();
+    private final transient LatestOnly<LineFrame, BufferedImage> frames;
+    private transient Optional<LineFrame> asked = Optional.empty();
+    private transient Optional<BufferedImage> shown = Optional.empty();
     private transient Optional<PixelGrid> chosen = Optional.empty();
-    private transient Optional<Point> pointed = Optional.empty();
     private End keyed = End.A;
     private int arrangement;
 
-    LineStage(LineLabModel model, Texts texts) {
+    /**
+     * @param onFailure told what painting threw, on any thread
+     */
+    LineStage(LineLabModel model, Texts texts, Consumer<Throwable> onFailure) {
         super(AccessibleRole.CANVAS);
         this.model = model;
         this.texts = texts;
+        frames =
+                new LatestOnly<>(
+                        "line picture",
+                        LineFrame::painted,
+                        (frame, image) -> EventQueue.invokeLater(() -> show(image)),
+                        onFailure);
         setName("stage");
         setBorder(BorderFactory.createLineBorder(UIManager.getColor("Component.borderColor")));
         getAccessibleContext().setAccessibleName(texts.text("stage"));
@@ -63,6 +80,12 @@ final class LineStage extends SelfDrawn {
                         this::zoomOut,
                         this::fit);
         add(zoom);
+        pointed.setOpaque(true);
+        pointed.setBackground(StageColours.now().ground());
+        pointed.setForeground(StageColours.now().ink());
+        pointed.setBorder(BorderFactory.createEmptyBorder(2, 5, 2, 5));
+        pointed.setVisible(false);
+        add(pointed);
         var mouse = new Pan();
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
@@ -72,6 +95,18 @@ final class LineStage extends SelfDrawn {
         KeyBinding.within(this, KeyStroke.getKeyStroke("typed -"), this::zoomOut);
         KeyBinding.within(this, KeyStroke.getKeyStroke("typed 0"), this::fit);
         arrangement = model.state().arrangement();
+    }
+
+    @Override
+    public void settle() throws InterruptedException {
+        model.settle();
+        frames.settle();
+    }
+
+    /** Ends the thread that paints. */
+    @Override
+    public void close() {
+        frames.close();
     }
 
     private EndHandle handle(End end) {
@@ -107,7 +142,6 @@ final class LineStage extends SelfDrawn {
         if (state.arrangement() != arrangement) fit();
         arrangement = state.arrangement();
         revalidate();
-        repaint();
     }
 
     private void zoomIn() {
@@ -122,13 +156,11 @@ final class LineStage extends SelfDrawn {
     private void fit() {
         chosen = Optional.empty();
         revalidate();
-        repaint();
     }
 
     private void zoom(double factor, Point2D view) {
         chosen = Optional.of(grid().zoomed(factor, view));
         revalidate();
-        repaint();
     }
 
     private PixelGrid grid() {
@@ -140,7 +172,10 @@ final class LineStage extends SelfDrawn {
         return new Point2D.Double(inside.getCenterX(), inside.getCenterY());
     }
 
-    /** Puts the handles around their ends; one whose end is out of sight waits at the edge. */
+    /**
+     * Puts the handles around their ends, one whose end is out of sight at the edge, and asks for
+     * the picture when another is due.
+     */
     @Override
     public void doLayout() {
         Dimension corner = zoom.getPreferredSize();
@@ -149,25 +184,40 @@ final class LineStage extends SelfDrawn {
                 getHeight() - corner.height - 8,
                 corner.width,
                 corner.height);
-        PixelGrid grid = grid();
+        Dimension place = pointed.getPreferredSize();
+        pointed.setBounds(
+                Rulers.left() + 5, getHeight() - place.height - 6, place.width, place.height);
         Segment segment = model.state().choice().segment();
-        int size = (int) Math.max(UIScale.scale(26), Math.min(60, grid.cell() * 1.5 + 6));
         for (End end : End.values()) {
             EndHandle handle = handles.get(end.ordinal());
-            handle.setBounds(
-                    within(grid.viewX(end.x(segment)), Rulers.left(), getWidth(), size),
-                    within(grid.viewY(end.y(segment)), Rulers.top(), getHeight(), size),
-                    size,
-                    size);
+            handle.setBounds(LineFrame.around(end, segment, grid(), getWidth(), getHeight()));
             handle.getAccessibleContext()
                     .setAccessibleName(
                             texts.text("end", end.name(), end.x(segment), end.y(segment)));
         }
+        LineFrame due = frame();
+        if (asked.filter(due::equals).isPresent()) return;
+        asked = Optional.of(due);
+        frames.ask(due);
     }
 
-    /** Where a handle of that size begins, so that its middle is at {@code view} if it fits. */
-    private static int within(double view, int from, int to, int size) {
-        return (int) Math.round(Math.max(from, Math.min(to - size, view - size / 2.0)));
+    private LineFrame frame() {
+        LineLabState state = model.state();
+        return new LineFrame(
+                state.drawings(),
+                state.step(),
+                grid(),
+                getWidth(),
+                getHeight(),
+                DevicePixels.scale(this),
+                StageColours.now(),
+                UIManager.getFont("Label.font"),
+                LineNotes.about(state.drawings(), texts).orElse(""));
+    }
+
+    private void show(BufferedImage image) {
+        shown = Optional.of(image);
+        repaint();
     }
 
     @Override
@@ -178,77 +228,10 @@ final class LineStage extends SelfDrawn {
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(
-                RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        g.setFont(UIManager.getFont("Label.font"));
-        StageColours colours = StageColours.now();
-        PixelGrid grid = grid();
-        var rulers = new Rulers(grid, getSize(), colours);
-        rulers.paintGrid(g);
-        new LinePainter(g, grid, colours).paint(model.state());
-        paintLetters(g, grid, colours);
-        rulers.paintMargins(g);
-        LineNotes.about(model.state(), texts).ifPresent(text -> paintNote(g, colours, text));
-        pointed.ifPresent(
-                pixel ->
-                        plate(
-                                g,
-                                colours,
-                                "(" + pixel.x + ", " + pixel.y + ")",
-                                Rulers.left() + 10,
-                                getHeight() - 10));
+        g.setColor(StageColours.now().ground());
+        g.fillRect(0, 0, getWidth(), getHeight());
+        shown.ifPresent(image -> DevicePixels.paint(g, image));
         g.dispose();
-    }
-
-    /** The ends' letters and coordinates, outside the segment. */
-    private void paintLetters(Graphics2D g, PixelGrid grid, StageColours colours) {
-        Segment segment = model.state().choice().segment();
-        g.setFont(UIManager.getFont("Label.font").deriveFont(Font.BOLD));
-        FontMetrics metrics = g.getFontMetrics();
-        for (End end : End.values()) {
-            String text = end + " (" + end.x(segment) + ", " + end.y(segment) + ")";
-            Rectangle handle = handles.get(end.ordinal()).getBounds();
-            int width = metrics.stringWidth(text);
-            int x = handle.x + (handle.width - width) / 2;
-            boolean above = (end == End.A) == (segment.y0() <= segment.y1());
-            int y = above ? handle.y - 8 : handle.y + handle.height + metrics.getAscent() + 6;
-            plate(
-                    g,
-                    colours,
-                    text,
-                    Math.max(Rulers.left() + 8, Math.min(getWidth() - width - 10, x)),
-                    Math.max(
-                            Rulers.top() + metrics.getAscent() + 6, Math.min(getHeight() - 10, y)));
-        }
-    }
-
-    /** A sentence in the middle of the stage's upper edge, wrapped to its width. */
-    private void paintNote(Graphics2D g, StageColours colours, String sentence) {
-        g.setFont(UIManager.getFont("Label.font").deriveFont(Font.BOLD));
-        FontMetrics metrics = g.getFontMetrics();
-        int y = Rulers.top() + metrics.getAscent() + 12;
-        int room = getWidth() - Rulers.left() - 32;
-        for (String line : Wrapping.lines(sentence, room, metrics::stringWidth)) {
-            plate(g, colours, line, Rulers.left() + 16, y);
-            y += metrics.getHeight() + 2;
-        }
-    }
-
-    private static void plate(Graphics2D g, StageColours colours, String text, int x, int y) {
-        FontMetrics metrics = g.getFontMetrics();
-        Color ground = colours.ground();
-        g.setColor(new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 225));
-        g.fillRoundRect(
-                x - 5,
-                y - metrics.getAscent() - 2,
-                metrics.stringWidth(text) + 10,
-                metrics.getHeight() + 3,
-                8,
-                8);
-        g.setColor(colours.ink());
-        g.drawString(text, x, y);
     }
 
     /** Moves the grid by dragging its ground, zooms it by the wheel, reads off pixels. */
@@ -276,8 +259,7 @@ final class LineStage extends SelfDrawn {
 
         @Override
         public void mouseExited(MouseEvent e) {
-            pointed = Optional.empty();
-            repaint();
+            pointed.setVisible(false);
         }
 
         @Override
@@ -286,8 +268,9 @@ final class LineStage extends SelfDrawn {
         }
 
         private void point(MouseEvent e) {
-            pointed = Optional.of(grid().pixelAt(e.getX(), e.getY()));
-            repaint();
+            Point pixel = grid().pixelAt(e.getX(), e.getY());
+            pointed.setText("(" + pixel.x + ", " + pixel.y + ")");
+            pointed.setVisible(true);
         }
     }
 }

@@ -12,7 +12,7 @@ public final class WholeFile {
     private WholeFile() {}
 
     /**
-     * Writes under another name in the same folder, then moves.
+     * Writes under another name in the same folder, then takes the target's place in one step.
      *
      * @throws Complaint if the file cannot be written
      */
@@ -21,7 +21,7 @@ public final class WholeFile {
         unfinished.toFile().deleteOnExit();
         try {
             Files.write(unfinished, content, StandardOpenOption.CREATE_NEW);
-            Files.move(unfinished, target, StandardCopyOption.REPLACE_EXISTING);
+            Files.move(unfinished, target, StandardCopyOption.ATOMIC_MOVE);
         } catch (IOException e) {
             throw cannotWrite(target, reason(e));
         } finally {

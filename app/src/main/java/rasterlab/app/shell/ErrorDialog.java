@@ -42,6 +42,7 @@ final class ErrorDialog {
         var copy = new JButton(texts.label("error.copy"));
         copy.setName("error.copy");
         copy.setMnemonic(texts.mnemonic("error.copy"));
+        copy.setDisplayedMnemonicIndex(texts.mnemonicIndex("error.copy"));
         copy.addActionListener(e -> Copying.text(details, refused -> area.selectAll()));
 
         var panel = new JPanel(new MigLayout("insets 0, wrap 1, gap 8", "[grow,fill]"));

@@ -17,13 +17,14 @@ public record LabModels(LineLabModel line, VisibilityLabModel visibility) implem
     public static LabModels first(Consumer<Throwable> onFailure) {
         var renderer = new Renderer();
         return new LabModels(
-                new LineLabModel(new LineTopic()),
+                new LineLabModel(new LineTopic(), EventQueue::invokeLater, onFailure),
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure));
     }
 
     /** Ends background work. */
     @Override
     public void close() {
+        line.close();
         visibility.close();
     }
 }

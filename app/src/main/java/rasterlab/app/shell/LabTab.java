@@ -7,7 +7,7 @@ import javax.swing.JComponent;
  *
  * @param name the same in every language, such as {@code line}; also the panel's component name
  * @param title in the window's language
- * @param mnemonic letter to press with Alt, 0 for none
+ * @param mnemonic key code to press with Alt, 0 for none
  * @param mnemonicIndex where that letter is in the title, −1 for nowhere
  * @param panel the lab
  * @param focusPicture gives the keyboard to the lab's picture, whose keys change what it shows
@@ -15,7 +15,7 @@ import javax.swing.JComponent;
 public record LabTab(
         String name,
         String title,
-        char mnemonic,
+        int mnemonic,
         int mnemonicIndex,
         JComponent panel,
         Runnable focusPicture) {}

@@ -7,6 +7,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LinePanel;
 import rasterlab.app.visibility.VisibilityPanel;
+import rasterlab.engine.naming.Named;
 
 /** The labs' panels in one language; made again for another, while the models live on. */
 public final class LabTabs implements AutoCloseable {
@@ -64,16 +65,7 @@ public final class LabTabs implements AutoCloseable {
      * @throws IllegalArgumentException if there is no tab of that name
      */
     public LabTab named(String name) {
-        return tabs.stream()
-                .filter(tab -> tab.name().equals(name))
-                .findFirst()
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        "no tab '"
-                                                + name
-                                                + "'; there are "
-                                                + tabs.stream().map(LabTab::name).toList()));
+        return Named.find("tab", name, tabs, LabTab::name);
     }
 
     /** Stops what the panels play and listen to. On the event thread. */

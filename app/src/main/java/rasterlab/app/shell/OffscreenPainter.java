@@ -15,6 +15,9 @@ public final class OffscreenPainter {
     /** Layouts that depend on their width (wrapped chips and texts) settle within this many. */
     private static final int LAYOUTS = 4;
 
+    /** What is drawn in the background may then be painted in the background. */
+    private static final int ROUNDS = 2;
+
     private OffscreenPainter() {}
 
     /**
@@ -27,8 +30,10 @@ public final class OffscreenPainter {
     public static BufferedImage paint(JComponent component, int width, int height)
             throws InterruptedException {
         var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        onEventThread(() -> layOut(component, width, height));
-        for (Settling settling : settling(component)) settling.settle();
+        for (int i = 0; i < ROUNDS; i++) {
+            onEventThread(() -> layOut(component, width, height));
+            for (Settling settling : settling(component)) settling.settle();
+        }
         onEventThread(
                 () -> {
                     layOut(component, width, height);

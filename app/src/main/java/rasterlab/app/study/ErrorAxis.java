@@ -67,9 +67,13 @@ record ErrorAxis(int low, int high, List<String> lanes) {
         return Math.pow(10, low);
     }
 
-    /** The label of a tick at that value; "0" at the bottom, which stands for exact. */
-    String label(double value) {
-        if (value < border() * 0.999) return "0 (exact)";
+    /**
+     * The label of a tick at that value.
+     *
+     * @param exact the label at the bottom, which stands for exact
+     */
+    String label(double value, String exact) {
+        if (value < border() * 0.999) return exact;
         return value >= 0.001 && value < 1e6
                 ? trimmed(String.format(Locale.ROOT, "%.3f", value))
                 : String.format(Locale.ROOT, "1e%d", Math.round(Math.log10(value)));

@@ -6,13 +6,11 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.time.Duration;
 import java.util.List;
-import java.util.Optional;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
-import rasterlab.engine.study.Verdict;
 
 /**
  * The verdict of every method of a topic on each of its hazards.
@@ -55,11 +53,6 @@ public record HazardMatrix(
                 .orElseThrow(() -> new IllegalArgumentException(hazard + ", " + method));
     }
 
-    /** The recorded kind of a cell; none where nothing is recorded. */
-    public static Optional<String> recorded(Cell cell) {
-        return Optional.ofNullable(cell.recorded()).map(Verdict.Kind::code);
-    }
-
     /** Writes one JSON object and a line end. */
     public static void writeJson(List<HazardMatrix> matrices, OutputStream out) throws IOException {
         var json = new JsonFactory().createGenerator(out);
@@ -81,7 +74,7 @@ public record HazardMatrix(
         json.writeStringField("hazard", cell.hazard());
         json.writeStringField("method", cell.method());
         json.writeStringField("verdict", cell.verdict().kind().code());
-        json.writeStringField("recorded", recorded(cell).orElse(null));
+        json.writeStringField("recorded", cell.recorded().code());
         json.writeNumberField("worst", cell.verdict().deviation().worst());
         json.writeNumberField("missing", cell.verdict().deviation().missing());
         json.writeNumberField("extra", cell.verdict().deviation().extra());

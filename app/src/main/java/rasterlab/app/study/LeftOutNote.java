@@ -4,12 +4,13 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import org.knowm.xchart.internal.chartpart.Annotation;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.Verdict;
 
 /** Names, in the corner below the legend, the methods that could not be timed, and why. */
 final class LeftOutNote extends Annotation {
@@ -23,23 +24,27 @@ final class LeftOutNote extends Annotation {
      * @param x left end of the text, in pixels of the chart
      * @param bottom base line of the last row, in pixels of the chart
      */
-    LeftOutNote(Study study, int x, int bottom) {
+    LeftOutNote(Study study, StudyWords words, int x, int bottom) {
         super(true);
         this.x = x;
         this.bottom = bottom;
-        Map<String, String> reasons = new LinkedHashMap<>();
+        var sizes = new LinkedHashMap<String, EnumMap<Verdict.Kind, List<Integer>>>();
         for (Measurement measured : study.measurements())
             if (!measured.cost().timed())
-                reasons.merge(
-                        measured.method(),
-                        measured.kind().code() + " at " + measured.size(),
-                        (before, more) -> before + ", " + measured.size());
-        if (!reasons.isEmpty()) lines.add("Not timed:");
-        reasons.forEach(
-                (method, reason) -> {
+                sizes.computeIfAbsent(
+                                measured.method(), method -> new EnumMap<>(Verdict.Kind.class))
+                        .computeIfAbsent(measured.kind(), kind -> new ArrayList<>())
+                        .add(measured.size());
+        if (!sizes.isEmpty()) lines.add(words.notTimed());
+        sizes.forEach(
+                (method, kinds) -> {
                     lines.add(method);
-                    lines.add("   " + reason);
+                    kinds.forEach((kind, at) -> lines.add("   " + words.reason(kind, at)));
                 });
+    }
+
+    List<String> lines() {
+        return List.copyOf(lines);
     }
 
     @Override

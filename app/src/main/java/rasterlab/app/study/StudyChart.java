@@ -26,6 +26,7 @@ import org.knowm.xchart.style.XYStyler;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.language.Language;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 
@@ -48,18 +49,18 @@ public final class StudyChart {
     private StudyChart() {}
 
     /** The chart as a picture of 1000 × 700 pixels. */
-    public static BufferedImage image(Study study) {
-        return BitmapEncoder.getBufferedImage(chart(study));
+    public static BufferedImage image(Study study, Language language) {
+        return BitmapEncoder.getBufferedImage(chart(study, new StudyWords(language)));
     }
 
     /** The chart as an SVG document of the same size. */
-    static byte[] svg(Study study) {
+    static byte[] svg(Study study, Language language) {
         var document =
                 GenericDOMImplementation.getDOMImplementation()
                         .createDocument(SVGSyntax.SVG_NAMESPACE_URI, SVGSyntax.SVG_SVG_TAG, null);
         var graphics = new SVGGraphics2D(document);
         graphics.setSVGCanvasSize(new Dimension(WIDTH, HEIGHT));
-        chart(study).paint(graphics, WIDTH, HEIGHT);
+        chart(study, new StudyWords(language)).paint(graphics, WIDTH, HEIGHT);
         var bytes = new ByteArrayOutputStream();
         try (var writer = new OutputStreamWriter(bytes, StandardCharsets.UTF_8)) {
             graphics.stream(writer, true);
@@ -69,38 +70,35 @@ public final class StudyChart {
         return bytes.toByteArray();
     }
 
-    static XYChart chart(Study study) {
+    static XYChart chart(Study study, StudyWords words) {
         var axis = ErrorAxis.over(points(study));
-        XYChart chart = empty(study);
-        style(chart.getStyler(), axis);
+        XYChart chart = empty(study, words);
+        style(chart.getStyler(), axis, words);
         chart.addAnnotation(new ErrorGrid(axis));
         List<String> methods = points(study).stream().map(Measurement::method).distinct().toList();
         for (String method : methods) add(chart, method, of(method, points(study)), axis);
-        chart.addAnnotation(new LeftOutNote(study, WIDTH - 180, HEIGHT - 20));
+        chart.addAnnotation(new LeftOutNote(study, words, WIDTH - 180, HEIGHT - 20));
         return chart;
     }
 
-    private static XYChart empty(Study study) {
+    private static XYChart empty(Study study, StudyWords words) {
         return new XYChartBuilder()
                 .width(WIDTH)
                 .height(HEIGHT)
-                .title("Speed against accuracy: topic " + study.topic())
-                .xAxisTitle(
-                        "cost: nanoseconds per "
-                                + study.item()
-                                + " (median); the least and greatest size are written beside")
-                .yAxisTitle("largest error, in " + study.errorUnit())
+                .title(words.title(study))
+                .xAxisTitle(words.costAxis(study))
+                .yAxisTitle(words.errorAxis(study))
                 .build();
     }
 
-    private static void style(XYStyler styler, ErrorAxis axis) {
+    private static void style(XYStyler styler, ErrorAxis axis, StudyWords words) {
         styler.setLegendPosition(LegendPosition.OutsideE);
         styler.setXAxisLogarithmic(true).setXAxisLogarithmicDecadeOnly(false);
         styler.setYAxisLogarithmic(true)
                 .setYAxisLogarithmicDecadeOnly(true)
                 .setYAxisMin(axis.bottom())
                 .setYAxisMax(axis.top());
-        styler.setYAxisTickLabelsFormattingFunction(axis::label);
+        styler.setYAxisTickLabelsFormattingFunction(value -> axis.label(value, words.exact()));
         styler.setLocale(Locale.ROOT);
         styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
         styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
@@ -14,30 +15,33 @@ import rasterlab.engine.study.Study;
 public enum StudyFile {
     SVG {
         @Override
-        byte[] content(Study study) {
-            return StudyChart.svg(study);
+        byte[] content(Study study, Language language) {
+            return StudyChart.svg(study, language);
         }
     },
     PNG {
         @Override
-        byte[] content(Study study) {
-            return PngFile.bytes(StudyChart.image(study));
+        byte[] content(Study study, Language language) {
+            return PngFile.bytes(StudyChart.image(study, language));
         }
     },
     CSV {
         @Override
-        byte[] content(Study study) {
+        byte[] content(Study study, Language language) {
             return StudyCsv.of(study).getBytes(StandardCharsets.UTF_8);
         }
     },
     JSON {
         @Override
-        byte[] content(Study study) {
+        byte[] content(Study study, Language language) {
             return StudyJson.of(study, Machine.here());
         }
     };
 
-    abstract byte[] content(Study study);
+    /**
+     * @param language of a chart; numbers have none
+     */
+    abstract byte[] content(Study study, Language language);
 
     /**
      * The form that the file's extension names, in capitals or not.
@@ -68,9 +72,10 @@ public enum StudyFile {
     /**
      * Writes the study, whole or not at all.
      *
+     * @param language of a chart
      * @throws Complaint if the extension is unknown or the file cannot be written
      */
-    public static void write(Study study, Path file) {
-        WholeFile.write(file, named(file).content(study));
+    public static void write(Study study, Path file, Language language) {
+        WholeFile.write(file, named(file).content(study, language));
     }
 }

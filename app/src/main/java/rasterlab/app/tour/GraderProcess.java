@@ -80,7 +80,7 @@ final class GraderProcess implements AutoCloseable {
             return said.get(LONGEST_START.toSeconds(), TimeUnit.SECONDS);
         } catch (ExecutionException | TimeoutException e) {
             throw new IllegalStateException(
-                    "the server did not say " + what + "; its last words: " + lastWords);
+                    "the server did not say " + what + "; its last words: " + lastWords, e);
         }
     }
 
@@ -122,7 +122,15 @@ final class GraderProcess implements AutoCloseable {
             kill();
             Thread.currentThread().interrupt();
         }
-        Runtime.getRuntime().removeShutdownHook(stopper);
+        forgetStopper();
+    }
+
+    private void forgetStopper() {
+        try {
+            Runtime.getRuntime().removeShutdownHook(stopper);
+        } catch (IllegalStateException e) {
+            log.accept("the program is ending, so the server is stopped twice: " + e.getMessage());
+        }
     }
 
     private void kill() {

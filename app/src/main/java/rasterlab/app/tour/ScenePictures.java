@@ -14,7 +14,6 @@ import rasterlab.engine.scene.Scenes;
 final class ScenePictures implements TourPart {
     private static final int WIDTH = 800;
     private static final int HEIGHT = 600;
-    private static final String EXACT = "raycast";
 
     @Override
     public String key() {
@@ -29,7 +28,7 @@ final class ScenePictures implements TourPart {
     private static void make(TourPage page, Scene scene) {
         page.heading(page.texts().text("scenes.scene", scene.name()));
         var renderer = new Renderer();
-        Raster exact = renderer.render(request(scene, EXACT), () -> false);
+        Raster exact = renderer.render(request(scene, Renderer.REFERENCE), () -> false);
         List<List<String>> rows = new ArrayList<>();
         List<TourPage.Figure> figures = new ArrayList<>();
         for (String visibility : Renderer.visibilities()) {
@@ -41,7 +40,8 @@ final class ScenePictures implements TourPart {
             rows.add(row(visibility, difference, milliseconds));
             String name = scene.name() + "-" + visibility;
             figures.add(page.picture(name, picture.image(), scene.name() + ", " + visibility));
-            if (!visibility.equals(EXACT)) figures.add(differenceFigure(page, name, difference));
+            if (!visibility.equals(Renderer.REFERENCE))
+                figures.add(differenceFigure(page, name, difference));
         }
         page.table(page.texts().text("scenes.heads"), rows);
         page.smallGallery(figures);

@@ -3,7 +3,9 @@ package rasterlab.app.tour;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import rasterlab.app.language.Texts;
 import rasterlab.app.study.StudyChart;
+import rasterlab.app.study.StudyWords;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
@@ -33,13 +35,19 @@ final class StudySection implements TourPart {
                         progress -> {},
                         Thread.currentThread()::isInterrupted);
         String caption = page.texts().text("study.caption", topic.name());
-        page.large(page.picture("study-" + topic.name(), StudyChart.image(study), caption));
+        page.large(
+                page.picture(
+                        "study-" + topic.name(),
+                        StudyChart.image(study, page.texts().language()),
+                        caption));
         List<List<String>> rows = new ArrayList<>();
-        for (Measurement measured : study.measurements()) rows.add(row(measured));
-        page.table(page.texts().text("study.heads", study.item(), study.errorUnit()), rows);
+        for (Measurement measured : study.measurements()) rows.add(row(measured, page.texts()));
+        var words = new StudyWords(page.texts().language());
+        page.table(
+                page.texts().text("study.heads", words.item(study), words.errorUnit(study)), rows);
     }
 
-    private static List<String> row(Measurement measured) {
+    private static List<String> row(Measurement measured, Texts texts) {
         return List.of(
                 measured.method(),
                 String.valueOf(measured.size()),
@@ -51,6 +59,6 @@ final class StudySection implements TourPart {
                         measured.cost().highNanos()),
                 String.valueOf(measured.error().worst()),
                 String.valueOf(measured.error().missing() + measured.error().extra()),
-                measured.kind().code());
+                texts.text("verdict." + measured.kind().code()));
     }
 }

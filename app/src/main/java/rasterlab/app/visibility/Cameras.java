@@ -5,12 +5,6 @@ import rasterlab.engine.transform.SphericalView;
 
 /** Moves of the eye. */
 final class Cameras {
-    /** What one press of an arrow key adds to θ in the vase's coursework, in radians. */
-    static final double THETA_STEP = 0.03 * Math.PI;
-
-    /** What one press of an arrow key adds to φ in the vase's coursework, in radians. */
-    static final double PHI_STEP = 0.05 * Math.PI;
-
     /** Nearest and farthest eye, as shares of the scene's first ρ. */
     private static final double NEAREST = 0.45;
 

@@ -4,18 +4,15 @@ import java.util.Locale;
 import rasterlab.engine.scene.Scenes;
 import rasterlab.engine.transform.SphericalView;
 
-/**
- * Views on which visibility methods fail, found by comparing each method with the exact picture
- * over all angles.
- */
+/** Views that show how visibility methods work, and three on which one fails. */
 enum HazardView {
     /** The view in which the vase's author shows it. */
     COURSEWORK("vase", "painter", Math.PI / 9, 4 * Math.PI / 3, 1, 1.6, false),
     /** Inner faces show through the vase's opening. */
     OPENING("vase", "painter", Math.PI / 9, 0.2 * Math.PI, 1, 1.6, false),
-    /** The coursework's rounded coordinates move edges: its worst view of the vase. */
+    /** The coursework's rounded coordinates move edges, here of the vase. */
     ROUNDED("vase", "painter-textbook", 0, 1.45 * Math.PI, 1, 1.6, true),
-    /** Three of four corners make a wrong mean: its worst view of the house. */
+    /** Three of four corners make a wrong mean, here of the house. */
     THREE_CORNERS("house", "painter-textbook", 0.95 * Math.PI, 1.15 * Math.PI, 0.5, 1, true),
     /** The right mean still misorders: a large face beside a small one. */
     MEAN("house", "painter", 0.45 * Math.PI, 0.85 * Math.PI, 0.5, 1, true),

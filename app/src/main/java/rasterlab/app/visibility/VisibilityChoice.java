@@ -88,15 +88,7 @@ public record VisibilityChoice(
 
     /** The picture without edges, which are no matter of visibility. */
     RenderRequest plain(int width, int height) {
-        Scene natural = Scenes.named(scene);
-        var zoomed =
-                new Scene(
-                        natural.name(),
-                        natural.mesh(),
-                        natural.faceRgb(),
-                        natural.backgroundRgb(),
-                        natural.defaultCamera(),
-                        zoom * natural.pictureScale());
+        Scene zoomed = Scenes.named(scene).zoomed(zoom);
         return new RenderRequest(zoomed, visibility, shading, projection, camera, width, height);
     }
 }

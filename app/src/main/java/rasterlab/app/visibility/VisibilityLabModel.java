@@ -32,9 +32,6 @@ public final class VisibilityLabModel implements AutoCloseable {
         Raster picture(RenderRequest request, BooleanSupplier cancelled);
     }
 
-    /** The exact visibility method, which differences are taken from. */
-    private static final String EXACT = "raycast";
-
     /** The scenes' own scale leaves room for every view; in the lab they may be larger. */
     private static final double FIRST_ZOOM = 1.6;
 
@@ -66,7 +63,9 @@ public final class VisibilityLabModel implements AutoCloseable {
                         "exact picture",
                         (request, cancelled) ->
                                 PictureDifference.of(
-                                        maker.picture(request.withVisibility(EXACT), cancelled),
+                                        maker.picture(
+                                                request.withVisibility(Renderer.REFERENCE),
+                                                cancelled),
                                         maker.picture(request, cancelled)),
                         (request, found) -> events.execute(() -> accept(request, found)),
                         onFailure);
@@ -107,6 +106,11 @@ public final class VisibilityLabModel implements AutoCloseable {
         return methods.stream()
                 .filter(method -> method.name().equals(state.choice().visibility()))
                 .anyMatch(method -> method.implementation().drawsOutlines());
+    }
+
+    /** Whether the picture of the present choice has edges. */
+    public boolean drawsEdges() {
+        return state.choice().edges() && canDrawEdges();
     }
 
     /** Tells the listener each new state from now on; the answer ends that. */
@@ -199,7 +203,7 @@ public final class VisibilityLabModel implements AutoCloseable {
         differences.cancel();
         if (width == 0) return;
         RenderRequest plain = choice.plain(width, height);
-        pictures.ask(choice.edges() && canDrawEdges() ? plain.withOutline() : plain);
+        pictures.ask(drawsEdges() ? plain.withOutline() : plain);
         if (choice.difference()) differences.ask(plain);
     }
 

@@ -48,8 +48,7 @@ public final class VisibilityPanel extends JPanel implements AutoCloseable {
         actions.add("undo", model::undo);
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
-        actions.add(
-                "copyCommand", () -> Copying.text(VisibilityCommand.of(model.state()), onFailure));
+        actions.add("copyCommand", () -> Copying.text(VisibilityCommand.of(model), onFailure));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
         KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
         player.bindKeys(stage);

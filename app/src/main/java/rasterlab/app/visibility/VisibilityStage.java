@@ -1,6 +1,5 @@
 package rasterlab.app.visibility;
 
-import java.awt.AlphaComposite;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Cursor;
@@ -14,17 +13,15 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
-import java.awt.geom.AffineTransform;
-import java.awt.image.BufferedImage;
 import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
-import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.Vase;
 
 /** Shows the finished picture and turns the eye by keys, drag and wheel. */
 final class VisibilityStage extends SelfDrawn implements Settling {
@@ -63,10 +60,10 @@ final class VisibilityStage extends SelfDrawn implements Settling {
                         repaint();
                     }
                 });
-        bind(KeyEvent.VK_UP, 0, Cameras.PHI_STEP);
-        bind(KeyEvent.VK_DOWN, 0, -Cameras.PHI_STEP);
-        bind(KeyEvent.VK_LEFT, -Cameras.THETA_STEP, 0);
-        bind(KeyEvent.VK_RIGHT, Cameras.THETA_STEP, 0);
+        bind(KeyEvent.VK_UP, 0, Vase.PHI_STEP);
+        bind(KeyEvent.VK_DOWN, 0, -Vase.PHI_STEP);
+        bind(KeyEvent.VK_LEFT, -Vase.THETA_STEP, 0);
+        bind(KeyEvent.VK_RIGHT, Vase.THETA_STEP, 0);
         for (String key : new String[] {"typed +", "typed ="})
             KeyBinding.whenFocused(
                     this,
@@ -91,12 +88,8 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     /** The picture is as large as the stage, in the screen's own dots. */
     @Override
     public void doLayout() {
-        double scale = Copying.deviceScale(this);
-        model.resize(device(getWidth(), scale), device(getHeight(), scale));
-    }
-
-    private static int device(int view, double scale) {
-        return (int) Math.max(1, Math.min(Raster.LARGEST_SIDE, Math.round(view * scale)));
+        double scale = DevicePixels.scale(this);
+        model.resize(DevicePixels.count(getWidth(), scale), DevicePixels.count(getHeight(), scale));
     }
 
     @Override
@@ -113,19 +106,9 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         state.difference()
                 .map(difference -> difference.mask().image())
                 .or(() -> state.picture().map(picture -> picture.raster().image()))
-                .ifPresent(image -> paintDots(g, image));
+                .ifPresent(image -> DevicePixels.paint(g, image));
         g.dispose();
         paintFocus((Graphics2D) graphics.create());
-    }
-
-    /** Puts the picture's pixels on the screen's dots one to one. */
-    private static void paintDots(Graphics2D g, BufferedImage image) {
-        AffineTransform view = g.getTransform();
-        g.setTransform(
-                AffineTransform.getTranslateInstance(
-                        Math.round(view.getTranslateX()), Math.round(view.getTranslateY())));
-        g.setComposite(AlphaComposite.Src);
-        g.drawImage(image, 0, 0, null);
     }
 
     /** Blue between two white lines, so that it is seen on any picture. */

@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -82,6 +83,34 @@ class LatestOnlyTest {
         assertInstanceOf(IllegalStateException.class, failures.get(0));
         latest.ask(14);
         latest.settle();
+        assertEquals(List.of(14), answers);
+    }
+
+    /** Threads of a parallel loop outlive the one that threw: they ask again at their next row. */
+    @Test
+    void rowsLeftRunningByAFailureAreNotRevivedByTheNextQuestion() throws InterruptedException {
+        var signs = new CopyOnWriteArrayList<BooleanSupplier>();
+        var rows =
+                new LatestOnly<Integer, Integer>(
+                        "rows",
+                        (question, cancelled) -> {
+                            signs.add(cancelled);
+                            if (question == 13) throw new IllegalStateException("unlucky");
+                            begun.add(question);
+                            mayEnd.acquireUninterruptibly();
+                            return question;
+                        },
+                        (q, a) -> answers.add(a),
+                        failures::add);
+        rows.ask(13);
+        rows.settle();
+        rows.ask(14);
+        begun.take();
+        assertTrue(signs.get(0).getAsBoolean(), "a row of 13 goes on while 14 is answered");
+        assertFalse(signs.get(1).getAsBoolean());
+        mayEnd.release();
+        rows.settle();
+        rows.close();
         assertEquals(List.of(14), answers);
     }
 }

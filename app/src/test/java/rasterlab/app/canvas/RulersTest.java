@@ -3,12 +3,14 @@ package rasterlab.app.canvas;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.awt.Dimension;
+import java.awt.Font;
 import java.awt.image.BufferedImage;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class RulersTest {
     private static final Dimension VIEW = new Dimension(200, 100);
+    private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
 
     @ParameterizedTest(name = "{0}")
     @CsvSource({
@@ -24,7 +26,7 @@ class RulersTest {
     private static boolean numberAt(int viewY) {
         var image = new BufferedImage(VIEW.width, VIEW.height, BufferedImage.TYPE_INT_RGB);
         var g = image.createGraphics();
-        new Rulers(new PixelGrid(100, viewY, 30), VIEW, StageColours.LIGHT).paintMargins(g);
+        new Rulers(new PixelGrid(100, viewY, 30), VIEW, StageColours.LIGHT, FONT).paintMargins(g);
         g.dispose();
         int margin = StageColours.LIGHT.margin().getRGB();
         for (int y = Math.max(Rulers.top() + 1, viewY - 9); y < Math.min(100, viewY + 9); y++)

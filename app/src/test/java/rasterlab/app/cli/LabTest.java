@@ -9,12 +9,15 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.Topics;
+import rasterlab.engine.study.Topic;
 
 class LabTest {
     @ParameterizedTest
@@ -48,6 +51,7 @@ class LabTest {
     @Test
     void versionNamesTheJava() {
         Ran ran = Ran.lab("--version");
+        assertTrue(ran.out().matches("(?s)Rasterlab \\d+\\.\\d+\\.\\d+\\R.*"), ran.out());
         assertTrue(ran.out().contains("Java " + System.getProperty("java.version")), ran.out());
         ran.assertDone();
     }
@@ -93,7 +97,7 @@ class LabTest {
                         new String[] {"run", "line"}),
                 argumentSet(
                         "topic is unknown",
-                        "./lab methods: no topic 'cricle'; there are [line, spline-function, curve]",
+                        "./lab methods: no topic 'cricle'; there are " + topics(),
                         new String[] {"methods", "cricle"}),
                 argumentSet(
                         "server is asked of the wrong program",
@@ -121,5 +125,9 @@ class LabTest {
         Path log = Path.of(line.substring(line.indexOf("details: ") + 9).strip());
         assertTrue(Files.readString(log).contains("\tat "), "log " + log);
         Files.delete(log);
+    }
+
+    private static String topics() {
+        return Topics.all().stream().map(Topic::name).collect(Collectors.joining(", "));
     }
 }

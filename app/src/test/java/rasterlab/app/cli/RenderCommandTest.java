@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.pipeline.Renderer;
 
 class RenderCommandTest {
     @TempDir Path folder;
@@ -98,6 +99,10 @@ class RenderCommandTest {
                 mistake("size has no height", "expected WIDTHxHEIGHT", "--size=80"),
                 mistake("size is 0", "from 1×1 to 8192×8192 pixels, got 0×9", "--size=0x9"),
                 mistake("size is too large", "got 8193×1", "--size=8193x1"),
+                mistake("zoom is 0", "zoom must be finite and above 0, got 0.0", "--zoom=0"),
+                mistake("zoom is not finite", "above 0, got Infinity", "--zoom=Infinity"),
+                mistake("method has no outlines", "'zfloat' draws no outlines", "--outline"),
+                mistake("reference is outlined", "draws no", "--reference", "--outline"),
                 mistake("camera has two numbers", "expected theta,phi,rho", "--camera=1,2"),
                 mistake("camera is no number", "'x' is not a number", "--camera=1,x,3"),
                 mistake("camera is not finite", "finite angle", "--camera=NaN,1,3"),
@@ -141,6 +146,14 @@ class RenderCommandTest {
                 argumentSet("sign is cut", 5, "is a broken PNG picture: it ends too early"),
                 argumentSet("header is cut", 20, "is a broken PNG picture: "),
                 argumentSet("pixels are cut", 1 << 20, "is a broken PNG picture: "));
+    }
+
+    @Test
+    void helpNamesEveryMethodThatTheEngineHas() {
+        String help = Ran.lab("render", "--help").out();
+        for (String name : Renderer.visibilities()) assertTrue(help.contains(name), name);
+        assertTrue(help.contains("vase, house"), help);
+        assertTrue(Ran.lab("completion").out().contains("painter-textbook"), "not completed");
     }
 
     @Test

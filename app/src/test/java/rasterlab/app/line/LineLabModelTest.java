@@ -8,19 +8,44 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.LineWalk;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
+import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Method;
 
+@Timeout(60)
 class LineLabModelTest {
-    private final LineLabModel model = new LineLabModel(new LineTopic());
+    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final LineLabModel model =
+            new LineLabModel(new LineTopic(), events::add, failures::add);
+
+    @AfterEach
+    void close() {
+        model.close();
+        assertEquals(List.of(), failures);
+    }
+
+    /** Waits for the drawings and hands them to the model. */
+    private void settle() {
+        try {
+            model.settle();
+        } catch (InterruptedException e) {
+            throw new AssertionError("the test was interrupted", e);
+        }
+        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+    }
 
     @Test
     void dragIsOneChangeForUndo() {
@@ -60,6 +85,7 @@ class LineLabModelTest {
     void backEqualsReplay(Method<?> method) {
         model.chooseMethod(method.name());
         model.show(new Segment(0, 0, 11, 4));
+        settle();
         model.goTo(model.last());
         for (int step = model.last(); step >= model.first(); step--) {
             model.goTo(step);
@@ -76,23 +102,36 @@ class LineLabModelTest {
     void extraPixelsAreToldAtOnceAndMissingOnesAtTheEnd() {
         model.chooseMethod("bresenham-textbook");
         model.show(new Segment(5, 3, 5, 3));
-        model.goTo(1);
-        assertEquals(0, LineMarks.of(model.state()).extraCount());
-        model.goTo(2);
-        assertEquals(1, LineMarks.of(model.state()).extraCount());
+        settle();
+        LineMarks point = model.state().drawing().marks();
+        assertEquals(List.of(0, 1), List.of(point.extraCount(1), point.extraCount(2)));
 
         model.chooseMethod("naive-textbook");
         model.show(new Segment(0, 0, 3, 13));
-        model.goTo(1);
-        assertEquals(0, LineMarks.of(model.state()).missingCount());
-        model.goTo(model.last());
-        assertEquals(10, LineMarks.of(model.state()).missingCount());
+        settle();
+        LineMarks steep = model.state().drawing().marks();
+        assertEquals(0, steep.missingCount(1));
+        assertEquals(10, steep.missingCount(model.last()));
+    }
+
+    @Test
+    void extraPixelLitTwiceIsOneExtraPixel() {
+        model.chooseMethod("bresenham-textbook");
+        model.show(new Segment(5, 3, 5, 3));
+        settle();
+        LineDrawing drawing = model.state().drawing();
+        var lit = new PixelRecording(10);
+        drawing.marks().extra(drawing.pixels(), lit);
+        assertEquals(drawing.difference().extra().size(), lit.size());
+        assertFalse(drawing.difference().extra().contains(5, 3));
+        assertTrue(drawing.difference().extra().contains(lit.x(0), lit.y(0)));
     }
 
     @Test
     void exactMethodHasNoWrongPixel() {
-        LineMarks marks = LineMarks.of(model.state());
-        assertEquals(0, marks.extraCount() + marks.missingCount());
+        LineMarks marks = model.state().drawing().marks();
+        int last = model.last();
+        assertEquals(0, marks.extraCount(last) + marks.missingCount(last));
         assertTrue(model.state().drawing().deviation().exact());
     }
 
@@ -105,8 +144,9 @@ class LineLabModelTest {
                     Duration.ofSeconds(20),
                     () -> {
                         model.show(hazard.input());
+                        settle();
+                        assertEquals(hazard.input(), drawn());
                         assertTrue(model.last() <= LineDrawing.LIMIT, hazard.name());
-                        LineMarks.of(model.state()).missingCount();
                     });
     }
 
@@ -125,6 +165,7 @@ class LineLabModelTest {
     private LineTrace.Ending ending(String method, Segment segment) {
         model.chooseMethod(method);
         model.show(segment);
+        settle();
         return model.state().drawing().trace().ending();
     }
 
@@ -132,6 +173,7 @@ class LineLabModelTest {
     void comparisonIsOffUntilAskedForAndRefusesUnknownNames() {
         assertTrue(model.state().other().isEmpty());
         model.compareWith("naive");
+        settle();
         assertEquals("naive", model.state().other().orElseThrow().method());
         assertThrows(IllegalArgumentException.class, () -> model.compareWith("nobody"));
         assertEquals("naive", model.state().choice().comparison());
@@ -164,5 +206,48 @@ class LineLabModelTest {
         assertEquals(
                 "echo '{\"from\": [2, 3], \"to\": [17, 9]}' | ./lab run line bresenham",
                 LineCommand.of(model.state().choice()));
+    }
+
+    /** The segment of the drawings that are shown. */
+    private Segment drawn() {
+        return model.state().drawings().choice().segment();
+    }
+
+    @Test
+    void endFollowsTheHandBeforeAnythingIsDrawn() {
+        model.moveEnd(End.B, 30, 30);
+        assertEquals(new Segment(2, 3, 30, 30), model.state().choice().segment());
+        assertEquals(new Segment(2, 3, 17, 9), drawn());
+        settle();
+        assertEquals(model.state().choice().segment(), drawn());
+        assertEquals(29, model.step());
+    }
+
+    @Test
+    void exactLineOfTheSameSegmentIsMadeOnce() {
+        var counting = new CountingTopic();
+        try (var counted = new LineLabModel(counting, events::add, failures::add)) {
+            counted.compareWith("naive");
+            counted.settle();
+            counted.chooseMethod("dda");
+            counted.settle();
+            assertEquals(1, counting.made.get());
+        } catch (InterruptedException e) {
+            throw new AssertionError("the test was interrupted", e);
+        }
+    }
+
+    @Test
+    void drawingsOfADragDoNotPileUp() throws InterruptedException {
+        var counting = new CountingTopic();
+        try (var counted = new LineLabModel(counting, events::add, failures::add)) {
+            counting.mayGoOn.drainPermits();
+            for (int x = 100; x < 600; x++) counted.moveEnd(End.B, x, 40);
+            counting.mayGoOn.release(10_000);
+            counted.settle();
+            assertTrue(counting.made.get() <= 4, "exact lines made: " + counting.made.get());
+            for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+            assertEquals(599, counted.state().drawings().choice().segment().x1());
+        }
     }
 }

@@ -4,10 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
+import org.knowm.xchart.XYChart;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.language.Language;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;
@@ -31,9 +36,9 @@ class StudyChartTest {
     @Test
     void labelsAreWordsAndPlainNumbers() {
         ErrorAxis axis = ErrorAxis.over(List.of(point("dda", 0), point("naive", 2000)));
-        assertEquals("0 (exact)", axis.label(axis.bottom()));
-        assertEquals("1000", axis.label(1000));
-        assertEquals("1e7", axis.label(1e7));
+        assertEquals("0 (exact)", axis.label(axis.bottom(), "0 (exact)"));
+        assertEquals("1000", axis.label(1000, ""));
+        assertEquals("1e7", axis.label(1e7, ""));
     }
 
     @Test
@@ -49,9 +54,39 @@ class StudyChartTest {
                         "");
         BufferedImage chart =
                 StudyChart.image(
-                        new Study("line", "pixel", "pixels", List.of(point("dda", 3), endless)));
+                        new Study("line", "pixel", "pixels", List.of(point("dda", 3), endless)),
+                        Language.ENGLISH);
         assertTrue(has(chart, MethodColours.of("dda").getRGB()), "colour of dda");
-        StudyChart.image(new Study("line", "pixel", "pixels", List.of(endless)));
+        StudyChart.image(new Study("line", "pixel", "pixels", List.of(endless)), Language.ENGLISH);
+    }
+
+    @Test
+    void russianChartHasNoEnglishWords() {
+        var study =
+                new Study(
+                        "line",
+                        "pixel",
+                        "pixels",
+                        List.of(
+                                untimed(16, Verdict.Kind.REFUSED),
+                                untimed(64, Verdict.Kind.REFUSED),
+                                untimed(256, Verdict.Kind.CRASHED)));
+        var words = new StudyWords(Language.RUSSIAN);
+        assertEquals(
+                List.of("Не измерено:", "dda", "   отказ при 16, 64", "   сбой при 256"),
+                new LeftOutNote(study, words, 0, 0).lines());
+        String svg = new String(StudyChart.svg(study, Language.RUSSIAN), StandardCharsets.UTF_8);
+        var texts = Pattern.compile(">([^<]*[a-zA-Z]{3}[^<]*)<").matcher(svg);
+        List<String> english = texts.results().map(found -> found.group(1).strip()).toList();
+        assertEquals(Set.of("dda"), Set.copyOf(english));
+        XYChart chart = StudyChart.chart(study, words);
+        assertEquals("Скорость и точность: тема line", chart.getTitle());
+        assertTrue(chart.getXAxisTitle().startsWith("цена: наносекунд на пиксель"));
+        assertEquals("наибольшая ошибка, пиксели", chart.getYAxisTitle());
+    }
+
+    private static Measurement untimed(int size, Verdict.Kind kind) {
+        return new Measurement("dda", "w", size, Cost.NONE, Deviation.NONE, kind, "");
     }
 
     private static boolean has(BufferedImage image, int rgb) {

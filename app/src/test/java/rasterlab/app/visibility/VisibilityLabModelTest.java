@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.Vase;
 
 @Timeout(30)
 class VisibilityLabModelTest {
@@ -124,10 +125,10 @@ class VisibilityLabModelTest {
     @Test
     void arrowKeysStepAsInTheCoursework() {
         double theta = model.state().choice().camera().thetaRadians();
-        model.turn(Cameras.THETA_STEP, 0);
+        model.turn(Vase.THETA_STEP, 0);
         double turned = model.state().choice().camera().thetaRadians() - theta;
         assertEquals(0.03 * Math.PI, turned, 1e-12);
-        assertEquals(0.05 * Math.PI, Cameras.PHI_STEP);
+        assertEquals(0.05 * Math.PI, Vase.PHI_STEP);
     }
 
     @Test

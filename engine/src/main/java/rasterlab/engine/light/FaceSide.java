@@ -8,7 +8,7 @@ package rasterlab.engine.light;
  * @param nz z of the normal
  * @param toEyeX x of the direction from the face's middle to the eye, of length 1
  * @param toEyeY y of the direction
- * @param toEyeZ z of the direction; negative, since z grows away from the eye
+ * @param toEyeZ z of the direction; negative for a face before the eye, z growing away from it
  * @param inner whether the mesh calls this side the inner one
  */
 public record FaceSide(

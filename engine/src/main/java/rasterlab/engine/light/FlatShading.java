@@ -3,10 +3,11 @@ package rasterlab.engine.light;
 /**
  * One Lambert intensity per face: {@code I = a + (1 − a)·max(0, n·l)}, a being the ambient share.
  *
- * <p>n points out of the seen side and l to the light, both of length 1, so I stays within [a, 1]
- * and no sum needs cutting; a light behind the seen side adds nothing.
+ * <p>n points out of the seen side and l to the light, both of length 1 up to rounding, which the
+ * cut of n·l to [0, 1] keeps out, so I stays within [a, 1]; a light behind the seen side adds
+ * nothing.
  *
- * <p>Source: J. H. Lambert, Photometria, 1760.
+ * <p>Source: J. H. Lambert, Photometria, 1760, for n·l; the mix with an ambient share is ours.
  */
 public final class FlatShading implements Shading {
     /** The ambient share unless another is given. */

@@ -3,6 +3,7 @@ package rasterlab.engine.light;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import rasterlab.engine.naming.Named;
 
 /** The shadings that can be named. */
 public final class Shadings {
@@ -21,10 +22,6 @@ public final class Shadings {
      * @throws IllegalArgumentException for an unknown name; the message lists the known ones
      */
     public Shading named(String name) {
-        Shading shading = byName.get(name);
-        if (shading == null)
-            throw new IllegalArgumentException(
-                    "no shading '%s'; there are %s".formatted(name, String.join(", ", names())));
-        return shading;
+        return byName.get(Named.find("shading", name, names(), known -> known));
     }
 }

@@ -10,9 +10,9 @@ import rasterlab.contract.Pixels;
  * across. It starts at −1/(4·n) where the coordinate across grows and at +1/(4·n) where it falls:
  * exact positions are multiples of 1/n, so a tie goes to the smaller coordinate and every decision
  * has a margin of 1/(4·n). One addition errs by at most 2⁻⁵³, k by 2⁻⁵⁴, and taking off a whole
- * pixel is exact (Sterbenz 1974), so n + 1 additions err by less than 2·(n + 1)·2⁻⁵³ ≤ 2⁻²⁷ for n ≤
- * 2²⁴, less than the margin, which is at least 2⁻²⁶: rounding never decides. Longer lines are
- * refused. The walk begins one step before the first end.
+ * pixel is exact (P. H. Sterbenz, Floating-Point Computation, 1974), so n + 1 additions err by less
+ * than 2·(n + 1)·2⁻⁵³ ≤ 2⁻²⁷ for n ≤ 2²⁴, less than the margin, which is at least 2⁻²⁶: rounding
+ * never decides. Longer lines are refused. The walk begins one step before the first end.
  */
 public final class DdaLine implements SteppedLine {
     /** The largest n, in steps along the longer axis, for which the result is proved exact. */

@@ -8,9 +8,9 @@ import rasterlab.contract.Pixels;
  * <p>Across the longer axis the line has moved v = k·i after i steps, |k| ≤ 1, and the pixel is ⌊v
  * + ½ − 1/(4·n)⌋ from the start: a tie goes to the smaller coordinate. An exact v is a multiple of
  * 1/n, so v + ½ − 1/(4·n) is at least 1/(4·n) away from any whole number. For n ≤ 2²⁴ the slope's
- * error times i, the product's and the sum's rounding are each at most 2⁻³⁰ and the offset's far
- * less: together below 2⁻²⁸, while 1/(4·n) ≥ 2⁻²⁶. So rounding never decides. Longer lines are
- * refused.
+ * error times i and the product's rounding are each at most 2⁻³⁰, the sum's, which may pass 2²⁴, at
+ * most 2⁻²⁹ and the offset's far less: together below 2⁻²⁷, while 1/(4·n) ≥ 2⁻²⁶. So rounding never
+ * decides. Longer lines are refused.
  */
 public final class NaiveLine implements SteppedLine {
     /** The largest n, in steps along the longer axis, for which the result is proved exact. */

@@ -18,16 +18,24 @@ import rasterlab.engine.visibility.Visibility;
  * keeps working memory between frames.
  */
 public final class Renderer {
+    /** The visibility method that the others are held against: one ray for each pixel. */
+    public static final String REFERENCE = "raycast";
+
+    /** To look names up; pictures are drawn by a renderer's own. */
+    private static final Visibilities KNOWN = newVisibilities();
+
+    private static final Shadings SHADINGS = new Shadings();
+
     private final Visibilities visibilities = newVisibilities();
 
     /** Names of the visibility methods, in teaching order. */
     public static List<String> visibilities() {
-        return newVisibilities().names();
+        return KNOWN.names();
     }
 
     /** Names of the shadings, in teaching order. */
     public static List<String> shadings() {
-        return new Shadings().names();
+        return SHADINGS.names();
     }
 
     /** Names of the projections, in teaching order. */
@@ -37,7 +45,7 @@ public final class Renderer {
 
     /** The visibility methods with what a teacher says about each. */
     public static List<Method<Visibility>> visibilityMethods() {
-        return newVisibilities().methods();
+        return KNOWN.methods();
     }
 
     private static Visibilities newVisibilities() {
@@ -45,8 +53,8 @@ public final class Renderer {
     }
 
     static void checkNames(String visibility, String shading, boolean outline) {
-        Method<Visibility> method = newVisibilities().named(visibility);
-        new Shadings().named(shading);
+        Method<Visibility> method = KNOWN.named(visibility);
+        SHADINGS.named(shading);
         if (outline && !method.implementation().drawsOutlines())
             throw new IllegalArgumentException(
                     "visibility '%s' draws no outlines; %s do"
@@ -54,7 +62,7 @@ public final class Renderer {
     }
 
     private static List<String> outlining() {
-        return newVisibilities().methods().stream()
+        return KNOWN.methods().stream()
                 .filter(method -> method.implementation().drawsOutlines())
                 .map(Method::name)
                 .toList();
@@ -89,7 +97,7 @@ public final class Renderer {
                 FaceLighting.paint(
                         view,
                         scene.faceRgb(),
-                        new Shadings().named(request.shading()),
+                        SHADINGS.named(request.shading()),
                         request.outline());
         out.clear(0xFF000000 | scene.backgroundRgb());
         visibilities.named(request.visibility()).implementation().draw(view, paint, out, cancelled);

@@ -1,6 +1,7 @@
 package rasterlab.engine.scene;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /** The rules a {@link Mesh} keeps, with messages that name the place that breaks one. */
 final class MeshCheck {
@@ -21,7 +22,8 @@ final class MeshCheck {
         for (int f = 0; f < faces.length; f++) {
             check.corners(f, faces[f]);
             double[] normal = check.normal(f, faces[f]);
-            check.flatAndConvex(f, faces[f], normal);
+            check.flat(f, faces[f], normal);
+            check.convex(f, check.apart(faces[f]), normal);
             System.arraycopy(normal, 0, normals, 3 * f, 3);
         }
         return normals;
@@ -52,7 +54,10 @@ final class MeshCheck {
                             .formatted(face, Arrays.toString(corners)));
     }
 
-    /** The sum of the fan's cross products, scaled to length 1 (Newell's method for a polygon). */
+    /**
+     * The sum of the fan's cross products, which is twice the polygon's vector area whatever corner
+     * the fan begins at, scaled to length 1.
+     */
     private double[] normal(int face, int[] corners) {
         double[] sum = new double[3];
         double size = 0;
@@ -71,22 +76,50 @@ final class MeshCheck {
         return sum;
     }
 
-    private void flatAndConvex(int face, int[] corners, double[] normal) {
-        int n = corners.length;
-        for (int k = 0; k < n; k++) {
-            double[] fromFirst = edge(corners[0], corners[k]);
+    private void flat(int face, int[] corners, double[] normal) {
+        for (int corner : corners) {
+            double[] fromFirst = edge(corners[0], corner);
             if (Math.abs(dot(normal, fromFirst)) > TOLERANCE * Math.sqrt(dot(fromFirst, fromFirst)))
                 throw new IllegalArgumentException(
                         "face %d: corner %d lies off the plane of the others"
-                                .formatted(face, corners[k]));
-            double[] in = edge(corners[k], corners[(k + 1) % n]);
-            double[] out = edge(corners[(k + 1) % n], corners[(k + 2) % n]);
-            double allowed = -TOLERANCE * Math.sqrt(dot(in, in) * dot(out, out));
-            if (dot(cross(in, out), normal) < allowed)
+                                .formatted(face, corner));
+        }
+    }
+
+    /**
+     * A polygon is convex when it turns to the left only, and once round in all: a pentagram and a
+     * square listed twice turn to the left only, but twice round.
+     */
+    private void convex(int face, int[] corners, double[] normal) {
+        double turned = 0;
+        for (int k = 0; k < corners.length; k++) {
+            double[] in = edge(corners[k], corners[(k + 1) % corners.length]);
+            double[] out =
+                    edge(corners[(k + 1) % corners.length], corners[(k + 2) % corners.length]);
+            double left = dot(cross(in, out), normal);
+            if (left < -TOLERANCE * Math.sqrt(dot(in, in) * dot(out, out)))
                 throw new IllegalArgumentException(
                         "face %d: corner %d turns inwards, faces must be convex"
-                                .formatted(face, corners[(k + 1) % n]));
+                                .formatted(face, corners[(k + 1) % corners.length]));
+            turned += Math.atan2(left, dot(in, out));
         }
+        long rounds = Math.round(turned / (2 * Math.PI));
+        if (rounds != 1)
+            throw new IllegalArgumentException(
+                    "face %d: corners %s go round %d times, faces must be convex"
+                            .formatted(face, Arrays.toString(corners), rounds));
+    }
+
+    /** The corners without those that lie where the next one does. */
+    private int[] apart(int[] corners) {
+        return IntStream.range(0, corners.length)
+                .filter(
+                        k -> {
+                            double[] next = edge(corners[k], corners[(k + 1) % corners.length]);
+                            return dot(next, next) > 0;
+                        })
+                .map(k -> corners[k])
+                .toArray();
     }
 
     private double[] edge(int from, int to) {

@@ -31,6 +31,17 @@ public record Scene(
                             .formatted(name, pictureScale));
     }
 
+    /**
+     * The same scene with its picture scale times {@code zoom}.
+     *
+     * @throws IllegalArgumentException unless zoom is finite and above 0
+     */
+    public Scene zoomed(double zoom) {
+        if (!(zoom > 0 && zoom < Double.POSITIVE_INFINITY))
+            throw new IllegalArgumentException("zoom must be finite and above 0, got " + zoom);
+        return new Scene(name, mesh, faceRgb, backgroundRgb, defaultCamera, zoom * pictureScale);
+    }
+
     /** A copy of the face colours. */
     @Override
     public int[] faceRgb() {

@@ -1,6 +1,7 @@
 package rasterlab.engine.scene;
 
 import java.util.List;
+import rasterlab.engine.naming.Named;
 
 /** The scenes that can be named. */
 public final class Scenes {
@@ -17,19 +18,6 @@ public final class Scenes {
      * @throws IllegalArgumentException for an unknown name; the message lists the known ones
      */
     public static Scene named(String name) {
-        return ALL.stream()
-                .filter(scene -> scene.name().equals(name))
-                .findFirst()
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        "no scene '%s'; there are %s"
-                                                .formatted(
-                                                        name,
-                                                        String.join(
-                                                                ", ",
-                                                                ALL.stream()
-                                                                        .map(Scene::name)
-                                                                        .toList()))));
+        return Named.find("scene", name, ALL, Scene::name);
     }
 }

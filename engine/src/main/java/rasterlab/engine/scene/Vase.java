@@ -27,9 +27,6 @@ public final class Vase {
     /** One press of a key turns θ by this, in radians. */
     public static final double THETA_STEP = 0.03 * Math.PI;
 
-    /** Unused by the coursework, whose d divides nothing; here d = ρ. */
-    public static final double COURSEWORK_D = 200;
-
     private static final int BACKGROUND_RGB = 0x2B3A4A;
     private static final double HEIGHT = 250;
     private static final int CENTRE = MERIDIANS * PARALLELS;

@@ -14,20 +14,25 @@ import java.util.concurrent.TimeoutException;
  * <p>A thread that does not end cannot be stopped from outside; it is interrupted and left behind
  * as a daemon, which does not keep the process alive.
  */
-final class Guard {
+public final class Guard {
     private Guard() {}
 
     /** How a call ended. */
-    sealed interface Outcome<T> {}
+    public sealed interface Outcome<T> {}
 
-    record Returned<T>(T value) implements Outcome<T> {}
+    public record Returned<T>(T value) implements Outcome<T> {}
 
-    record Threw<T>(Throwable cause) implements Outcome<T> {}
+    public record Threw<T>(Throwable cause) implements Outcome<T> {}
 
-    record TimedOut<T>(Duration limit) implements Outcome<T> {}
+    public record TimedOut<T>(Duration limit) implements Outcome<T> {}
 
-    /** The outcome of {@code work} within {@code limit}, errors of the virtual machine included. */
-    static <T> Outcome<T> call(String name, Callable<T> work, Duration limit) {
+    /**
+     * The outcome of {@code work} within {@code limit}, errors of the virtual machine included.
+     *
+     * @param name of the thread
+     * @throws CancellationException when the waiting thread is interrupted
+     */
+    public static <T> Outcome<T> call(String name, Callable<T> work, Duration limit) {
         var task = new FutureTask<>(work);
         var thread = new Thread(task, name);
         thread.setDaemon(true);

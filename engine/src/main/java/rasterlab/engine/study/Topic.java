@@ -2,6 +2,7 @@ package rasterlab.engine.study;
 
 import java.util.List;
 import java.util.Map;
+import rasterlab.engine.naming.Named;
 
 /**
  * One task of the course: its contract, the methods that solve it, an exact reference and the
@@ -88,19 +89,12 @@ public interface Topic<C, I, O> {
     /** Unit of {@link Deviation#worst}. */
     String errorUnit();
 
-    /** The method of that name. */
+    /**
+     * The method of that name.
+     *
+     * @throws IllegalArgumentException if there is none; the message lists those there are
+     */
     default Method<C> method(String name) {
-        return methods().stream()
-                .filter(method -> method.name().equals(name))
-                .findFirst()
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        "topic '"
-                                                + name()
-                                                + "' has no method '"
-                                                + name
-                                                + "'; it has "
-                                                + methods().stream().map(Method::name).toList()));
+        return Named.find(name() + " method", name, methods(), Method::name);
     }
 }

@@ -4,7 +4,8 @@ package rasterlab.engine.transform;
  * From the picture plane (world units, y up, origin in the middle) to pixels (y down).
  *
  * <p>{@code pixelX = c1 + s·X, pixelY = c2 − s·Y} with c1 = ⌊width / 2⌋, c2 = ⌊height / 2⌋, so the
- * object's centre falls on a pixel centre. This is the only place where y changes its direction.
+ * object's centre falls on a pixel centre. Here y changes its direction; what is linear in the
+ * pixel's row, as a z-buffer's nearness, changes its sign with it.
  *
  * @param width of the picture in pixels
  * @param height of the picture in pixels

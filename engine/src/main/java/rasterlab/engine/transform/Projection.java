@@ -3,6 +3,7 @@ package rasterlab.engine.transform;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import rasterlab.engine.naming.Named;
 
 /** From eye space to the picture plane, which passes through the object's centre: d = ρ. */
 public enum Projection {
@@ -31,13 +32,6 @@ public enum Projection {
      * @throws IllegalArgumentException for an unknown name; the message lists the known ones
      */
     public static Projection named(String name) {
-        return Arrays.stream(values())
-                .filter(projection -> projection.code().equals(name))
-                .findFirst()
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        "no projection '%s'; there are %s"
-                                                .formatted(name, String.join(", ", names()))));
+        return Named.find("projection", name, List.of(values()), Projection::code);
     }
 }

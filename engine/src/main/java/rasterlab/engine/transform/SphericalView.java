@@ -26,7 +26,7 @@ public record SphericalView(double thetaRadians, double phiRadians, double rho) 
         requireFinite("phi", phiRadians);
         if (!(rho >= NEAREST && rho <= FARTHEST))
             throw new IllegalArgumentException(
-                    "rho must be above 0, from 0.001 to 1000000 units, got " + rho);
+                    "rho must be from 0.001 to 1000000 units, got " + rho);
     }
 
     /**

@@ -3,6 +3,9 @@ package rasterlab.engine.visibility;
 /**
  * One colour 0xAARRGGBB per face, and one for its outline.
  *
+ * <p>The arrays are not copied, since a picture reads them once for each face: whoever makes a
+ * paint does not write into them afterwards.
+ *
  * @param fill by face
  * @param outline by face; an empty array where no outline is drawn
  */

@@ -70,7 +70,12 @@ final class FloatZBuffer implements Visibility {
         double perColumn;
         double perRow;
 
-        /** False for a face seen exactly edge-on: it covers nothing. */
+        /**
+         * With X, Y on the picture plane, n·p = k becomes ρ/z = (nx·X + ny·Y + nz·ρ)/k in
+         * perspective and −z = (nx·X + ny·Y − k)/nz in parallel projection.
+         *
+         * @return false for a face seen exactly edge-on: it covers nothing
+         */
         boolean load(ViewedMesh view, int face) {
             double nx = view.eyeNormal(face, 0);
             double ny = view.eyeNormal(face, 1);

@@ -2,6 +2,7 @@ package rasterlab.engine.visibility;
 
 import java.util.List;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Method.About;
 
@@ -36,14 +37,7 @@ public final class Visibilities {
      * @throws IllegalArgumentException for an unknown name; the message lists the known ones
      */
     public Method<Visibility> named(String name) {
-        return methods.stream()
-                .filter(method -> method.name().equals(name))
-                .findFirst()
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        "no visibility method '%s'; there are %s"
-                                                .formatted(name, String.join(", ", names()))));
+        return Named.find("visibility method", name, methods, Method::name);
     }
 
     private static About textbook() {

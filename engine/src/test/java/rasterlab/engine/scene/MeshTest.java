@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -65,7 +66,45 @@ class MeshTest {
                         "an inward corner is accepted",
                         new double[] {0, 0, 0, 4, 0, 0, 1, 1, 0, 0, 4, 0},
                         new int[] {0, 1, 2, 3},
-                        "face 0: corner 2 turns inwards, faces must be convex"));
+                        "face 0: corner 2 turns inwards, faces must be convex"),
+                argumentSet(
+                        "an inward corner that is listed twice is accepted",
+                        new double[] {0, 0, 0, 4, 0, 0, 1, 1, 0, 0, 4, 0},
+                        new int[] {0, 1, 2, 2, 3},
+                        "face 0: corner 2 turns inwards, faces must be convex"),
+                argumentSet(
+                        "a pentagram is accepted",
+                        pentagon(),
+                        new int[] {0, 2, 4, 1, 3},
+                        "face 0: corners [0, 2, 4, 1, 3] go round 2 times, faces must be convex"),
+                argumentSet(
+                        "a square twice round is accepted",
+                        SQUARE,
+                        new int[] {0, 1, 2, 3, 0, 1, 2, 3},
+                        "face 0: corners [0, 1, 2, 3, 0, 1, 2, 3] go round 2 times,"
+                                + " faces must be convex"));
+    }
+
+    /** Five corners counter-clockwise on a circle. */
+    private static double[] pentagon() {
+        return IntStream.range(0, 15)
+                .mapToDouble(
+                        i ->
+                                switch (i % 3) {
+                                    case 0 -> Math.cos(i / 3 * 0.4 * Math.PI);
+                                    case 1 -> Math.sin(i / 3 * 0.4 * Math.PI);
+                                    default -> 0;
+                                })
+                .toArray();
+    }
+
+    @Test
+    @DisplayName("a repeated or straight corner is refused")
+    void acceptsCornersThatDoNotTurn() {
+        var mesh = new Mesh(SQUARE, new int[][] {{0, 1, 1, 2, 3}});
+        assertEquals(1, mesh.normalZ(0));
+        double[] straight = {0, 0, 0, 2, 0, 0, 4, 0, 0, 4, 4, 0, 0, 4, 0};
+        assertEquals(1, new Mesh(straight, new int[][] {{0, 1, 2, 3, 4}}).normalZ(0));
     }
 
     @Test

@@ -99,7 +99,9 @@ class StudyRunnerTest {
     @Test
     void unknownTopicNamesTheKnownOnes() {
         var refusal = assertThrows(IllegalArgumentException.class, () -> Topics.named("spiral"));
-        assertTrue(refusal.getMessage().contains("[line"), refusal.getMessage());
+        assertTrue(
+                refusal.getMessage().startsWith("no topic 'spiral'; there are line"),
+                refusal.getMessage());
         assertEquals("line", Topics.named("line").name());
     }
 

@@ -84,7 +84,7 @@ class SphericalViewTest {
 
     static Stream<Arguments> mistakes() {
         double none = Double.NaN;
-        String range = "rho must be above 0, from 0.001 to 1000000 units, got ";
+        String range = "rho must be from 0.001 to 1000000 units, got ";
         return Stream.of(
                 argumentSet(
                         "θ that is no number is accepted",

@@ -3,7 +3,7 @@ package rasterlab.app.cli.run;
 import java.time.Duration;
 import java.util.List;
 import rasterlab.app.outcome.Complaint;
-import rasterlab.engine.study.Method;
+import rasterlab.engine.naming.Named;
 
 /** The topics that {@code ./lab run} reads and writes. */
 public final class Runs {
@@ -25,18 +25,11 @@ public final class Runs {
                         new EllipseRun(watch),
                         new SplineFunctionRun(watch),
                         new CurveRun(watch));
-        return all.stream()
-                .filter(run -> run.topic().name().equals(topic))
-                .findFirst()
-                .orElseThrow(
-                        () ->
-                                Complaint.badInput(
-                                        "unknown topic '"
-                                                + topic
-                                                + "'; allowed are "
-                                                + all.stream()
-                                                        .map(run -> run.topic().name())
-                                                        .toList()));
+        try {
+            return Named.find("topic", topic, all, run -> run.topic().name());
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput(e.getMessage());
+        }
     }
 
     /**
@@ -45,14 +38,10 @@ public final class Runs {
      * @throws Complaint listing the methods, if it has not
      */
     public static void requireMethod(TopicRun run, String method) {
-        List<String> methods = run.topic().methods().stream().map(Method::name).toList();
-        if (!methods.contains(method))
-            throw Complaint.badInput(
-                    "topic '"
-                            + run.topic().name()
-                            + "' has no method '"
-                            + method
-                            + "'; allowed are "
-                            + methods);
+        try {
+            run.topic().method(method);
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput(e.getMessage());
+        }
     }
 }

@@ -1,14 +1,12 @@
 package rasterlab.app.cli.run;
 
 import java.time.Duration;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
+import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.study.Guard;
 
-/** Waits for a method, but not for ever. */
+/** What the command line says when a method refuses, crashes or does not end under guard. */
 final class Watch {
     private final Duration limit;
 
@@ -20,29 +18,23 @@ final class Watch {
     }
 
     /**
-     * Runs the work on a thread of its own, which does not keep the program alive.
-     *
      * @param name of the method, for the message
      * @throws Complaint if the work refuses ({@link IllegalArgumentException}), crashes, or does
      *     not end in time
      */
     <T> T call(String name, Supplier<T> work) {
-        var task = new FutureTask<>(work::get);
-        var thread = new Thread(task, "method " + name);
-        thread.setDaemon(true);
-        thread.start();
+        var outcome = outcome(name, work);
+        if (outcome instanceof Guard.Returned<T> returned) return returned.value();
+        if (outcome instanceof Guard.Threw<T> threw) throw explained(name, threw.cause());
+        throw Complaint.gaveUp(
+                name + " did not end within " + limit.toSeconds() + " s and was given up");
+    }
+
+    private <T> Guard.Outcome<T> outcome(String name, Supplier<T> work) {
         try {
-            return task.get(limit.toMillis(), TimeUnit.MILLISECONDS);
-        } catch (TimeoutException e) {
-            task.cancel(true);
-            throw Complaint.gaveUp(
-                    name + " did not end within " + limit.toSeconds() + " s and was given up");
-        } catch (InterruptedException e) {
-            task.cancel(true);
-            Thread.currentThread().interrupt();
+            return Guard.call("method " + name, work::get, limit);
+        } catch (CancellationException interrupted) {
             throw Complaint.gaveUp(name + " was interrupted");
-        } catch (ExecutionException e) {
-            throw explained(name, e.getCause());
         }
     }
 

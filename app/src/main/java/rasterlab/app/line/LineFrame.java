@@ -1,0 +1,139 @@
+package rasterlab.app.line;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import rasterlab.app.canvas.DevicePixels;
+import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.Rulers;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.Wrapping;
+import rasterlab.engine.line.Segment;
+
+/**
+ * One picture of the stage: all that painting it needs, so that any thread may.
+ *
+ * @param step pixels of the first drawing lit so far
+ * @param width of the stage in view units
+ * @param height of the stage in view units
+ * @param scale device dots per view unit
+ * @param font of a label
+ * @param note a sentence over the picture, "" for none
+ */
+record LineFrame(
+        LineDrawings drawings,
+        int step,
+        PixelGrid grid,
+        int width,
+        int height,
+        double scale,
+        StageColours colours,
+        Font font,
+        String note) {
+    /**
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    BufferedImage painted(BooleanSupplier cancelled) {
+        var image =
+                new BufferedImage(
+                        DevicePixels.count(width, scale),
+                        DevicePixels.count(height, scale),
+                        BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        try {
+            g.scale(scale, scale);
+            paint(g, cancelled);
+        } finally {
+            g.dispose();
+        }
+        return image;
+    }
+
+    private void paint(Graphics2D g, BooleanSupplier cancelled) {
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(
+                RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        var rulers = new Rulers(grid, new Dimension(width, height), colours, font);
+        rulers.paintGrid(g);
+        new LinePainter(g, grid, colours, cancelled).paint(drawings, step);
+        g.setFont(font.deriveFont(Font.BOLD));
+        paintLetters(g);
+        rulers.paintMargins(g);
+        g.setFont(font.deriveFont(Font.BOLD));
+        if (!note.isEmpty()) paintNote(g);
+    }
+
+    /**
+     * The square around an end; of an end out of sight, at the edge.
+     *
+     * @param width of the stage
+     * @param height of the stage
+     */
+    static Rectangle around(End end, Segment segment, PixelGrid grid, int width, int height) {
+        int size = (int) Math.max(UIScale.scale(26), Math.min(60, grid.cell() * 1.5 + 6));
+        return new Rectangle(
+                within(grid.viewX(end.x(segment)), Rulers.left(), width, size),
+                within(grid.viewY(end.y(segment)), Rulers.top(), height, size),
+                size,
+                size);
+    }
+
+    /** Where a square of that size begins, so that its middle is at {@code view} if it fits. */
+    private static int within(double view, int from, int to, int size) {
+        return (int) Math.round(Math.max(from, Math.min(to - size, view - size / 2.0)));
+    }
+
+    /** The ends' letters and coordinates, outside the segment. */
+    private void paintLetters(Graphics2D g) {
+        Segment segment = drawings.choice().segment();
+        FontMetrics metrics = g.getFontMetrics();
+        for (End end : End.values()) {
+            String text = end + " (" + end.x(segment) + ", " + end.y(segment) + ")";
+            Rectangle handle = around(end, segment, grid, width, height);
+            int wide = metrics.stringWidth(text);
+            int x = handle.x + (handle.width - wide) / 2;
+            boolean above = (end == End.A) == (segment.y0() <= segment.y1());
+            int y = above ? handle.y - 8 : handle.y + handle.height + metrics.getAscent() + 6;
+            plate(
+                    g,
+                    text,
+                    Math.max(Rulers.left() + 8, Math.min(width - wide - 10, x)),
+                    Math.max(Rulers.top() + metrics.getAscent() + 6, Math.min(height - 10, y)));
+        }
+    }
+
+    /** A sentence in the middle of the stage's upper edge, wrapped to its width. */
+    private void paintNote(Graphics2D g) {
+        FontMetrics metrics = g.getFontMetrics();
+        int y = Rulers.top() + metrics.getAscent() + 12;
+        int room = width - Rulers.left() - 32;
+        for (String line : Wrapping.lines(note, room, metrics::stringWidth)) {
+            plate(g, line, Rulers.left() + 16, y);
+            y += metrics.getHeight() + 2;
+        }
+    }
+
+    private void plate(Graphics2D g, String text, int x, int y) {
+        FontMetrics metrics = g.getFontMetrics();
+        Color ground = colours.ground();
+        g.setColor(new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 225));
+        g.fillRoundRect(
+                x - 5,
+                y - metrics.getAscent() - 2,
+                metrics.stringWidth(text) + 10,
+                metrics.getHeight() + 3,
+                8,
+                8);
+        g.setColor(colours.ink());
+        g.drawString(text, x, y);
+    }
+}

@@ -1,0 +1,108 @@
+package rasterlab.app.language;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Properties;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.line.SteppedLine;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
+
+/** The Russian of what the engine says in English about methods and hazards. */
+class TopicTextsTest {
+    private static final Path ROOT = Path.of("src/main/resources/rasterlab/app");
+    private static final String ENGLISH = ".en";
+
+    @ParameterizedTest(name = "the English was changed and its translation was not: {0}")
+    @ValueSource(strings = {"line", "visibility"})
+    void eachTranslationStandsBelowWhatTheEngineSays(String topic) throws IOException {
+        Properties russian = russian(topic);
+        english(topic).forEach((key, text) -> assertEquals(text, russian.get(key + ENGLISH), key));
+    }
+
+    @ParameterizedTest(name = "a text has no translation, or a translation no text: {0}")
+    @ValueSource(strings = {"line", "visibility"})
+    void translatesWhatThereIsAndNothingElse(String topic) throws IOException {
+        var translated = new TreeSet<>(russian(topic).stringPropertyNames());
+        translated.removeIf(key -> key.endsWith(ENGLISH));
+        assertEquals(new TreeSet<>(english(topic).keySet()), translated);
+    }
+
+    @Test
+    void everyHazardHasAShortRussianName() {
+        Texts labels = Texts.of("line", Language.RUSSIAN);
+        List<String> nameless =
+                new LineTopic()
+                        .hazards().stream()
+                                .map(hazard -> "hazard." + hazard.name())
+                                .filter(key -> !labels.has(key))
+                                .toList();
+        assertEquals(List.of(), nameless);
+    }
+
+    private static Map<String, String> english(String topic) {
+        var said = new TreeMap<String, String>();
+        Stream<? extends Method<?>> methods =
+                topic.equals("line")
+                        ? new LineTopic().methods().stream()
+                        : Renderer.visibilityMethods().stream();
+        methods.forEach(method -> about(method, said));
+        if (topic.equals("line"))
+            for (Hazard<Segment> hazard : new LineTopic().hazards()) {
+                said.put("hazard." + hazard.name(), hazard.description());
+                refusals(hazard.input(), said);
+            }
+        return said;
+    }
+
+    /** What methods say when they refuse, as a pattern with the number of steps left open. */
+    private static void refusals(Segment segment, Map<String, String> said) {
+        var topic = new LineTopic();
+        for (Method<LineRasterizer> method : topic.methods())
+            try {
+                topic.record(method.implementation(), segment, 100);
+            } catch (IllegalArgumentException refusal) {
+                String steps = String.valueOf(segment.steps());
+                said.put(
+                        method.name() + ".refusal",
+                        refusal.getMessage().replace(steps, "{0,number,#}"));
+            } catch (LimitReached longer) {
+                assertNotNull(longer.recorded(), method.name());
+            }
+    }
+
+    private static void about(Method<?> method, Map<String, String> said) {
+        Method.About about = method.about();
+        said.put(method.name() + ".formula", about.formula());
+        said.put(method.name() + ".invariant", about.invariant());
+        said.put(method.name() + ".cost", about.cost());
+        said.put(method.name() + ".failures", about.failures());
+        said.put(method.name() + ".source", about.source());
+        if (method.implementation() instanceof SteppedLine stepped)
+            said.put("decision." + method.name(), stepped.decisionFormula());
+    }
+
+    private static Properties russian(String topic) throws IOException {
+        var properties = new Properties();
+        try (var in = Files.newBufferedReader(ROOT.resolve(topic + "/topic_ru.properties"))) {
+            properties.load(in);
+        }
+        return properties;
+    }
+}

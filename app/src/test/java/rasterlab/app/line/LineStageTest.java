@@ -1,0 +1,73 @@
+package rasterlab.app.line;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Font;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.line.Segment;
+
+@Timeout(30)
+class LineStageTest {
+    private static final int BLUE = MethodColours.of("bresenham").getRGB();
+
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final LineLabModel model =
+            new LineLabModel(new LineTopic(), Runnable::run, failures::add);
+
+    @AfterEach
+    void close() {
+        model.close();
+        assertEquals(List.of(), failures);
+    }
+
+    private static LineFrame frame(LineDrawings drawings, double scale) {
+        return new LineFrame(
+                drawings,
+                drawings.drawing().pixels(),
+                new PixelGrid(100, 60, 20),
+                500,
+                300,
+                scale,
+                StageColours.LIGHT,
+                new Font(Font.SANS_SERIF, Font.PLAIN, 13),
+                "");
+    }
+
+    @Test
+    void litPixelIsPaintedInDeviceDotsAtAnyScale() {
+        LineDrawings drawn = model.state().drawings();
+        for (double scale : new double[] {1, 1.5, 2}) {
+            BufferedImage image = frame(drawn, scale).painted(() -> false);
+            assertEquals(Math.round(500 * scale), image.getWidth());
+            // Pixel (9, 6) is lit; its square's upper left quarter holds no line.
+            int x = (int) ((100 + 20 * 9 - 6) * scale);
+            int y = (int) ((60 + 20 * 6 + 6) * scale);
+            assertEquals(BLUE, image.getRGB(x, y), "scale " + scale);
+        }
+    }
+
+    @Test
+    void paintingStopsWhenANewerFrameIsAskedFor() throws InterruptedException {
+        model.show(new Segment(0, 0, 4000, 3000));
+        model.settle();
+        LineFrame frame = frame(model.state().drawings(), 1);
+        var asked = new AtomicInteger();
+        assertThrows(
+                CancellationException.class,
+                () -> frame.painted(() -> asked.incrementAndGet() > 10));
+        assertTrue(asked.get() < 20, "went on for " + asked.get() + " pixels");
+    }
+}

@@ -1,0 +1,132 @@
+package rasterlab.app.shell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.language.Language;
+
+/** The keys pressed with Alt, in each language and theme. */
+class MnemonicsTest {
+    private record Mnemonic(JComponent component, String text, int index, int key) {}
+
+    static Stream<Arguments> looks() {
+        return Stream.of(Language.values())
+                .flatMap(
+                        language ->
+                                Stream.of(LabTheme.values())
+                                        .map(theme -> Arguments.of(language, theme)));
+    }
+
+    @ParameterizedTest(name = "one key does two things: {0}, {1}")
+    @MethodSource("looks")
+    void eachKeyIsUsedOnceInATab(Language language, LabTheme theme) throws InterruptedException {
+        inEachTab(
+                language,
+                theme,
+                (tab, mnemonics) -> {
+                    var texts = new HashMap<Integer, String>();
+                    for (Mnemonic each : mnemonics) {
+                        String other = texts.put(each.key(), each.text());
+                        assertEquals(null, other, tab + ": same key as " + each.text());
+                    }
+                    assertTrue(texts.size() >= 8, tab + ": only " + texts);
+                });
+    }
+
+    @ParameterizedTest(name = "the underlined letter does nothing: {0}, {1}")
+    @MethodSource("looks")
+    void keyOfTheUnderlinedLetterIsBound(Language language, LabTheme theme)
+            throws InterruptedException {
+        inEachTab(
+                language,
+                theme,
+                (tab, mnemonics) -> {
+                    for (Mnemonic each : mnemonics) {
+                        char letter = each.text().charAt(each.index());
+                        int key = KeyEvent.getExtendedKeyCodeForChar(letter);
+                        var pressed = KeyStroke.getKeyStroke(key, InputEvent.ALT_DOWN_MASK);
+                        assertNotNull(
+                                each.component()
+                                        .getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
+                                        .get(pressed),
+                                each.text() + ": Alt+" + letter);
+                    }
+                });
+    }
+
+    private interface Check {
+        void accept(String tab, List<Mnemonic> mnemonics);
+    }
+
+    private static void inEachTab(Language language, LabTheme theme, Check check)
+            throws InterruptedException {
+        var failure = new AtomicReference<Throwable>();
+        OffscreenPainter.onEventThread(
+                () -> {
+                    theme.install();
+                    try (LabModels models = LabModels.first(failure::set);
+                            LabTabs tabs = LabTabs.create(models, language, failure::set)) {
+                        var content = new LabContent(tabs, theme, chosen -> {}, chosen -> {});
+                        for (LabTab tab : tabs.all()) {
+                            content.show(tab.name());
+                            check.accept(tab.name(), shown(content));
+                        }
+                    }
+                });
+        assertEquals(null, failure.get());
+    }
+
+    private static List<Mnemonic> shown(Container container) {
+        var found = new ArrayList<Mnemonic>();
+        for (Component child : container.getComponents()) {
+            if (!child.isVisible()) continue;
+            if (child instanceof AbstractButton button && button.getMnemonic() != 0)
+                found.add(
+                        new Mnemonic(
+                                button,
+                                button.getText(),
+                                button.getDisplayedMnemonicIndex(),
+                                button.getMnemonic()));
+            if (child instanceof JLabel label && label.getDisplayedMnemonic() != 0)
+                found.add(
+                        new Mnemonic(
+                                label,
+                                label.getText(),
+                                label.getDisplayedMnemonicIndex(),
+                                label.getDisplayedMnemonic()));
+            if (child instanceof JTabbedPane tabs) found.addAll(titles(tabs));
+            if (child instanceof Container inner) found.addAll(shown(inner));
+        }
+        return found;
+    }
+
+    private static List<Mnemonic> titles(JTabbedPane tabs) {
+        var found = new ArrayList<Mnemonic>();
+        for (int i = 0; i < tabs.getTabCount(); i++)
+            found.add(
+                    new Mnemonic(
+                            tabs,
+                            tabs.getTitleAt(i),
+                            tabs.getDisplayedMnemonicIndexAt(i),
+                            tabs.getMnemonicAt(i)));
+        return found;
+    }
+}
