@@ -2,6 +2,8 @@ package rasterlab.engine;
 
 import java.util.List;
 import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.polygon.inside.PointInPolygonTopic;
+import rasterlab.engine.polygon.triangle.PointInTriangleTopic;
 import rasterlab.engine.study.Topic;
 
 /** The list of every topic there is. */
@@ -10,7 +12,7 @@ public final class Topics {
 
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
-        return List.of(new LineTopic());
+        return List.of(new LineTopic(), new PointInTriangleTopic(), new PointInPolygonTopic());
     }
 
     /**
