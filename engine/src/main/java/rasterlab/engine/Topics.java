@@ -4,6 +4,7 @@ import java.util.List;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.polygon.inside.PointInPolygonTopic;
 import rasterlab.engine.polygon.triangle.PointInTriangleTopic;
+import rasterlab.engine.polygon.triangulation.TriangulateTopic;
 import rasterlab.engine.study.Topic;
 
 /** The list of every topic there is. */
@@ -12,7 +13,11 @@ public final class Topics {
 
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
-        return List.of(new LineTopic(), new PointInTriangleTopic(), new PointInPolygonTopic());
+        return List.of(
+                new LineTopic(),
+                new PointInTriangleTopic(),
+                new PointInPolygonTopic(),
+                new TriangulateTopic());
     }
 
     /**
