@@ -20,7 +20,12 @@ import rasterlab.app.outcome.ExitCode;
         description = {
             "Runs one method on JSON from standard input and prints JSON.",
             "Topic line: {\"from\":[x,y], \"to\":[x,y], \"window\":[xmin,ymin,xmax,ymax]},",
-            "the window being optional; answers {\"pixels\":[[x,y],...]} in drawing order."
+            "the window being optional; answers {\"pixels\":[[x,y],...]} in drawing order.",
+            "Topic point-in-triangle: {\"triangle\":[[x,y],[x,y],[x,y]], \"points\":[[x,y],...]};",
+            "answers {\"inside\":[true,...]}.",
+            "Topic point-in-polygon: {\"polygon\":[[x,y],...], \"points\":[[x,y],...]}; the same.",
+            "Topic triangulate: {\"polygon\":[[x,y],...]}; answers {\"triangles\":[[i,j,k],...]},",
+            "corner numbers from 0, counter-clockwise with y up."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

@@ -1,12 +1,18 @@
 package rasterlab.tests.bench;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /** What the raster methods should reach. */
 final class RasterGoals {
     private RasterGoals() {}
 
     static List<Goal> all() {
-        return List.copyOf(LineBenchmark.GOALS);
+        return Stream.of(
+                        LineBenchmark.GOALS,
+                        PointInTriangleBenchmark.GOALS,
+                        OrientationBenchmark.GOALS)
+                .flatMap(List::stream)
+                .toList();
     }
 }
