@@ -3,25 +3,28 @@ package rasterlab.engine.polygon.triangle;
 import java.util.Arrays;
 
 /**
- * Judges many points by one triangle without error, in a loop that processors can run for several
+ * Judges many points by one triangle without error, in loops that processors can run for several
  * points at once.
  *
  * <p>Each side has {@code e(x, y) = a·x + b·y + c}, twice the area of the triangle of side and
- * point, counted positive inside; {@code depth} is the least of the three. With R the largest
- * coordinate of the corners and M the largest |a| + |b|, an e is off by less than bound =
- * 32·2⁻⁵³·R·M for points up to 2·R out. A point farther out lies at least |p|/2 from the triangle,
- * whose size is at most 2·√2·R, so its depth is below −A·|p|/(12·R), A being the triangle's doubled
- * area, while the error grows to bound·|p|/(2·R): with bound ≤ A/64 the sign is right there too.
+ * point, counted positive inside. {@code s + t − |s − t|} is twice the lesser of s and t, and taken
+ * twice it gives {@code depth}, which has the sign of the least of the three and no jump in it.
+ *
+ * <p>With R the largest coordinate of the corners and M the largest |a| + |b|, no |e| exceeds 3·R·M
+ * for points up to 2·R out, each operation adds at most 2⁻⁵³ of that, and depth is off by less than
+ * bound = 256·2⁻⁵³·R·M. A point farther out lies at least |p|/2 from the triangle, whose size is at
+ * most 2·√2·R, so its depth is below −A·|p|/(6·R), A being the triangle's doubled area, while the
+ * error grows to bound·|p|/(2·R): with bound ≤ A/64 the sign is right there too.
  *
  * <p>So where |depth| exceeds the bound its sign is right. Other points, and all points of
  * triangles too thin, too large or too small for that, are judged by {@link RobustTriangle}. An
  * object may be used by one thread at a time.
  */
 public final class TriangleBatch {
-    /** Points go by blocks; of each place in a block the least |depth| is kept. */
+    /** Doubts are added up for the places in a block of points. */
     private static final int BLOCK = 512;
 
-    private static final double ROUNDING = 32 * 0x1p-53;
+    private static final double ROUNDING = 256 * 0x1p-53;
     private static final double LEAST_BOUND = 0x1p-1000;
 
     private final double ax;
@@ -34,7 +37,8 @@ public final class TriangleBatch {
     private final double bound;
     private final boolean thin;
     private final RobustTriangle robust = new RobustTriangle();
-    private final double[] nearest = new double[BLOCK];
+    private final double[] block = new double[BLOCK];
+    private final double[] doubts = new double[BLOCK];
 
     /**
      * @throws IllegalArgumentException if a coordinate is NaN or infinite
@@ -75,15 +79,11 @@ public final class TriangleBatch {
             throw new IllegalArgumentException(
                     "x, y and depth must be as many, got "
                             + (x.length + ", " + y.length + ", " + depth.length));
-        Arrays.fill(nearest, Double.MAX_VALUE);
-        for (int from = 0; from < x.length; from += BLOCK)
-            measure(x, y, depth, from, Math.min(BLOCK, x.length - from));
-        double least = Double.MAX_VALUE;
-        for (double each : nearest) least = Math.min(least, each);
-        if (thin || !(least > bound)) repair(x, y, depth);
+        measure(x, y, depth);
+        if (thin || doubtful(depth)) repair(x, y, depth);
     }
 
-    private void measure(double[] x, double[] y, double[] depth, int from, int count) {
+    private void measure(double[] x, double[] y, double[] depth) {
         double a0 = orientation * (ay - by);
         double b0 = orientation * (bx - ax);
         double c0 = -(a0 * ax + b0 * ay);
@@ -93,14 +93,36 @@ public final class TriangleBatch {
         double a2 = orientation * (cy - ay);
         double b2 = orientation * (ax - cx);
         double c2 = -(a2 * cx + b2 * cy);
-        double[] least = nearest;
-        for (int i = 0; i < count; i++) {
-            double e0 = Math.fma(a0, x[from + i], Math.fma(b0, y[from + i], c0));
-            double e1 = Math.fma(a1, x[from + i], Math.fma(b1, y[from + i], c1));
-            double e2 = Math.fma(a2, x[from + i], Math.fma(b2, y[from + i], c2));
-            double min = Math.min(e0, Math.min(e1, e2));
-            depth[from + i] = min;
-            least[i] = Math.min(least[i], Math.abs(min));
+        for (int i = 0; i < depth.length; i++) {
+            double e0 = Math.fma(a0, x[i], Math.fma(b0, y[i], c0));
+            double e1 = Math.fma(a1, x[i], Math.fma(b1, y[i], c1));
+            double e2 = Math.fma(a2, x[i], Math.fma(b2, y[i], c2));
+            double lesser = (e0 + e1) - Math.abs(e0 - e1);
+            depth[i] = (lesser + e2) - Math.abs(lesser - e2);
+        }
+    }
+
+    /** Whether some |depth| does not exceed the bound, or is no number. */
+    private boolean doubtful(double[] depth) {
+        Arrays.fill(doubts, 0);
+        int from = 0;
+        for (; from + BLOCK <= depth.length; from += BLOCK) {
+            System.arraycopy(depth, from, block, 0, BLOCK);
+            addDoubts(block, doubts, bound);
+        }
+        Arrays.fill(block, Double.MAX_VALUE);
+        System.arraycopy(depth, from, block, 0, depth.length - from);
+        addDoubts(block, doubts, bound);
+        double sum = 0;
+        for (double doubt : doubts) sum += doubt;
+        return sum != 0;
+    }
+
+    /** t + |t| is 0 where t = bound − |depth| is negative, and NaN where it is infinite. */
+    private static void addDoubts(double[] depth, double[] doubts, double bound) {
+        for (int i = 0; i < doubts.length; i++) {
+            double t = bound - Math.abs(depth[i]);
+            doubts[i] += t + Math.abs(t);
         }
     }
 
