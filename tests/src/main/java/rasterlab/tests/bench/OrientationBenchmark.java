@@ -40,7 +40,7 @@ public class OrientationBenchmark {
                 "rasterlab",
                 "jts",
                 Map.of("points", points),
-                1);
+                0.9);
     }
 
     @Setup

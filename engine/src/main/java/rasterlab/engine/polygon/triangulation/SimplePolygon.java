@@ -10,7 +10,8 @@ import java.util.stream.IntStream;
  * <p>Edge i joins corner i to the next. The sweep visits the corners in order and keeps the edges
  * that a vertical line there cuts, ordered from below. Two edges that meet are neighbours in that
  * order before the sweep reaches the place, so only neighbours are looked at: n·log n exact
- * orientations for n corners.
+ * orientations for n corners. An edge that starts on another, or goes back along it, has no place
+ * in the order.
  *
  * <p>Source: M. I. Shamos, D. Hoey, Geometric intersection problems, 17th Symposium on Foundations
  * of Computer Science, 1976, pp. 208–215.
@@ -29,7 +30,6 @@ final class SimplePolygon {
      * @throws IllegalArgumentException naming two edges that meet, by their first corners
      */
     void require() {
-        for (int i = 0; i < corners.size(); i++) requireNoSpike(i);
         int[] order =
                 IntStream.range(0, corners.size())
                         .boxed()
@@ -41,15 +41,6 @@ final class SimplePolygon {
                 throw meeting(order[at - 1], order[at]);
             visit(order[at]);
         }
-    }
-
-    /** Refuses a corner from which the polygon goes back the way it came. */
-    private void requireNoSpike(int i) {
-        int before = corners.before(i);
-        int after = corners.after(i);
-        if (corners.turn(before, i, after) == 0
-                && corners.compare(before, i) == corners.compare(after, i))
-            throw meeting(before, i);
     }
 
     private void visit(int corner) {

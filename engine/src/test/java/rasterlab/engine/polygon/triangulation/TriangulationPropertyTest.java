@@ -18,7 +18,7 @@ class TriangulationPropertyTest {
     private static final TriangulateTopic TOPIC = new TriangulateTopic();
     private static final List<String> ORDERS = List.of("shortest-diagonal", "ear-clipping");
 
-    @Property(tries = 300)
+    @Property(tries = 150)
     void bothOrdersCoverTheAreaExactlyWhicheverWayRound(
             @ForAll @IntRange(min = 3, max = 40) int corners, @ForAll long seed) {
         Points polygon = StarPolygon.of(corners, 100, new Random(seed));
@@ -27,7 +27,7 @@ class TriangulationPropertyTest {
     }
 
     /** Random corners on a small grid: repeated, collinear, touching, crossing. */
-    @Property(tries = 3_000)
+    @Property(tries = 1_500)
     void smallGridsAreCutRightOrRefused(
             @ForAll @IntRange(min = 3, max = 9) int corners,
             @ForAll @IntRange(min = 2, max = 6) int grid,
@@ -47,7 +47,7 @@ class TriangulationPropertyTest {
     /**
      * Walls of a staircase on a grid: many corners on straight lines, nothing convex to hurry by.
      */
-    @Property(tries = 200)
+    @Property(tries = 100)
     void skylinesWithCornersOnStraightSidesAreCovered(
             @ForAll @IntRange(min = 1, max = 20) int towers, @ForAll long seed) {
         var random = new Random(seed);
@@ -67,7 +67,7 @@ class TriangulationPropertyTest {
         for (String order : ORDERS) assertCovered(Points.of(xy), order);
     }
 
-    @Property(tries = 300)
+    @Property(tries = 150)
     void fanCutsWhatItTakesRight(
             @ForAll @IntRange(min = 3, max = 7) int corners, @ForAll long seed) {
         var random = new Random(seed);
