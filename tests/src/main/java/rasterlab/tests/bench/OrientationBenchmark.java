@@ -18,7 +18,8 @@ import rasterlab.engine.geometry.Orientation;
 
 /**
  * On which side of a line a point lies: exactly here, in 106 bits in JTS (which is what its {@code
- * Orientation.index} asks). {@code near} points are within two steps of their doubles from the line.
+ * Orientation.index} asks). {@code near} points are within two steps of their doubles from the
+ * line.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
@@ -64,9 +65,7 @@ public class OrientationBenchmark {
     public int rasterlab() {
         int sum = 0;
         for (int i = 0; i < xy.length; i += 6)
-            sum +=
-                    Orientation.of(
-                            xy[i], xy[i + 1], xy[i + 2], xy[i + 3], xy[i + 4], xy[i + 5]);
+            sum += Orientation.of(xy[i], xy[i + 1], xy[i + 2], xy[i + 3], xy[i + 4], xy[i + 5]);
         return sum;
     }
 

@@ -7,6 +7,7 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.Stream;
 import rasterlab.engine.polygon.NearSides;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.ShapeAndPoints;
@@ -26,6 +27,11 @@ final class InsideHazards {
     private InsideHazards() {}
 
     static List<Hazard<ShapeAndPoints>> all() {
+        return Stream.of(ofRays(), ofShapesAndNumbers()).flatMap(List::stream).toList();
+    }
+
+    /** Where a ray meets corners, edges or the boundary. */
+    private static List<Hazard<ShapeAndPoints>> ofRays() {
         return List.of(
                 hazard(
                         "no-corner-at-the-ray",
@@ -50,7 +56,12 @@ final class InsideHazards {
                         "Corners and points on edges, which count as inside.",
                         BATTLEMENT,
                         Points.of(0, 0, 9, 6, 4, 0, 9, 3, 4, 3, 0, 4, 1, 6, 3, 3),
-                        recorded(DEGRADED, DEGRADED, DEGRADED, EXACT)),
+                        recorded(DEGRADED, DEGRADED, DEGRADED, EXACT)));
+    }
+
+    /** Shapes that no picture begins with, and where digits or range run out. */
+    private static List<Hazard<ShapeAndPoints>> ofShapesAndNumbers() {
+        return List.of(
                 hazard(
                         "two-steps-from-the-edges",
                         "Points within two steps of their doubles from the edges.",

@@ -8,6 +8,7 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.Stream;
 import rasterlab.engine.polygon.NearSides;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.ShapeAndPoints;
@@ -26,6 +27,11 @@ final class TriangleHazards {
     private TriangleHazards() {}
 
     static List<Hazard<ShapeAndPoints>> all() {
+        return Stream.of(ofPictures(), ofNumbers()).flatMap(List::stream).toList();
+    }
+
+    /** In the whole numbers of pictures. */
+    private static List<Hazard<ShapeAndPoints>> ofPictures() {
         return List.of(
                 hazard(
                         "well-inside-and-outside",
@@ -57,7 +63,12 @@ final class TriangleHazards {
                         "Coordinates near ±2¹⁵, whose products need more than 32 bits.",
                         LARGE.scaled(2),
                         Points.of(0, 0, 60000, 60000, -60000, 60000, 1000, -40000),
-                        recorded(EXACT, EXACT, EXACT, WRONG, EXACT, EXACT, EXACT)),
+                        recorded(EXACT, EXACT, EXACT, WRONG, EXACT, EXACT, EXACT)));
+    }
+
+    /** Where area, digits or range run out. */
+    private static List<Hazard<ShapeAndPoints>> ofNumbers() {
+        return List.of(
                 hazard(
                         "corners-on-one-line",
                         "A triangle without area; points beyond its ends are on its line.",

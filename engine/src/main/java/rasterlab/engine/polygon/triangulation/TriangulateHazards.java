@@ -6,6 +6,7 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
@@ -23,6 +24,11 @@ final class TriangulateHazards {
     private TriangulateHazards() {}
 
     static List<Hazard<Points>> all() {
+        return Stream.of(ofShapes(), ofNumbersAndFaults()).flatMap(List::stream).toList();
+    }
+
+    /** Simple polygons in handy numbers. */
+    private static List<Hazard<Points>> ofShapes() {
         return List.of(
                 hazard(
                         "convex",
@@ -53,7 +59,12 @@ final class TriangulateHazards {
                         "one-long-side",
                         "A triangle with five more corners on one side: only the apex sees them.",
                         Points.of(0, 0, 1, 0, 2, 0, 3, 0, 4, 0, 5, 0, 6, 0, 3, 9),
-                        recorded(REFUSED, WRONG, EXACT, EXACT)),
+                        recorded(REFUSED, WRONG, EXACT, EXACT)));
+    }
+
+    /** Where digits or range run out, and what is no simple polygon. */
+    private static List<Hazard<Points>> ofNumbersAndFaults() {
+        return List.of(
                 hazard(
                         "repeated-corners",
                         "Corners that stand twice or three times in a row, also last and first.",

@@ -61,6 +61,26 @@ class TriangleBatchTest {
         }
     }
 
+    /** Out there an error grows with the distance, and only a triangle with area outgrows it. */
+    @Test
+    void pointsFarOutAlongANeedleAreJudgedAsOneByOne() {
+        var random = new Random(SEED);
+        for (int round = 0; round < 100; round++) {
+            double dx = random.nextGaussian();
+            double dy = random.nextGaussian();
+            double thin = Math.scalb(1.0, -30 - random.nextInt(25));
+            Points needle =
+                    Points.of(0.3, 0.7, 0.3 + dx, 0.7 + dy, 0.3 + 0.3 * dx, 0.7 + 0.3 * dy + thin);
+            var xy = new double[2 * COUNT];
+            for (int i = 0; i < xy.length; i += 2) {
+                double mu = Math.scalb(random.nextGaussian(), random.nextInt(60));
+                xy[i] = 0.3 + mu * dx;
+                xy[i + 1] = 0.7 + mu * dy;
+            }
+            assertAsRobust(needle, Points.of(xy), "seed " + SEED + ", round " + round);
+        }
+    }
+
     @Test
     void noAreaHugeAndTinyAreJudgedAsOneByOne() {
         var random = new Random(SEED);
