@@ -5,6 +5,7 @@ plugins {
 dependencies {
     implementation(project(":engine"))
     implementation(libs.picocli)
+    implementation(libs.jts.core)
     implementation(libs.jmh.core)
     annotationProcessor(libs.jmh.generator.annprocess)
     testImplementation(project(":exercises"))

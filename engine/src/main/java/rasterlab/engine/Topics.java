@@ -5,6 +5,9 @@ import rasterlab.engine.circle.CircleTopic;
 import rasterlab.engine.circle.EllipseTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.naming.Named;
+import rasterlab.engine.polygon.inside.PointInPolygonTopic;
+import rasterlab.engine.polygon.triangle.PointInTriangleTopic;
+import rasterlab.engine.polygon.triangulation.TriangulateTopic;
 import rasterlab.engine.spline.CurveTopic;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.study.Topic;
@@ -19,6 +22,9 @@ public final class Topics {
                 new LineTopic(),
                 new CircleTopic(),
                 new EllipseTopic(),
+                new PointInTriangleTopic(),
+                new PointInPolygonTopic(),
+                new TriangulateTopic(),
                 new SplineFunctionTopic(),
                 new CurveTopic());
     }

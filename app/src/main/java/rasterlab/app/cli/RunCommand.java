@@ -29,7 +29,12 @@ import rasterlab.app.outcome.ExitCode;
             "  {\"y\":[...], \"coefficients\":[[a,b,c,d],...]}, a + b*s + c*s^2 + d*s^3 for each piece.",
             "curve: {\"kind\":KIND, \"points\":[[x,y],...]} with \"at\":[t,...] from 0 to 1 or",
             "  \"flatness\" in pixels, KIND being bezier, hermite (start, end, derivatives at both),",
-            "  catmull-rom or b-spline; answers {\"points\":[[x,y],...], \"segments\":n}."
+            "  catmull-rom or b-spline; answers {\"points\":[[x,y],...], \"segments\":n}.",
+            "point-in-triangle: {\"triangle\":[[x,y],[x,y],[x,y]], \"points\":[[x,y],...]};",
+            "  answers {\"inside\":[true,...]}.",
+            "point-in-polygon: {\"polygon\":[[x,y],...], \"points\":[[x,y],...]}; the same.",
+            "triangulate: {\"polygon\":[[x,y],...]}; answers {\"triangles\":[[i,j,k],...]},",
+            "  corner numbers from 0, counter-clockwise with y up."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

@@ -8,7 +8,12 @@ final class RasterGoals {
     private RasterGoals() {}
 
     static List<Goal> all() {
-        return Stream.of(LineBenchmark.GOALS, ClippedLineBenchmark.GOALS, CurveBenchmark.GOALS)
+        return Stream.of(
+                        ClippedLineBenchmark.GOALS,
+                        CurveBenchmark.GOALS,
+                        LineBenchmark.GOALS,
+                        OrientationBenchmark.GOALS,
+                        PointInTriangleBenchmark.GOALS)
                 .flatMap(List::stream)
                 .toList();
     }

@@ -23,6 +23,9 @@ public final class Runs {
                         new LineRun(watch),
                         new CircleRun(watch),
                         new EllipseRun(watch),
+                        new PointInTriangleRun(watch),
+                        new PointInPolygonRun(watch),
+                        new TriangulateRun(watch),
                         new SplineFunctionRun(watch),
                         new CurveRun(watch));
         try {

@@ -1,0 +1,40 @@
+package rasterlab.engine.geometry;
+
+/**
+ * The straight line p(μ) = p₁ + μ·(p₂ − p₁) through two points.
+ *
+ * <p>μ &lt; 0 lies behind p₁, 0 ≤ μ ≤ 1 between the two, μ &gt; 1 beyond p₂.
+ *
+ * @param from p₁
+ * @param through p₂, another point
+ */
+public record Line(Vector from, Vector through) {
+    public Line {
+        if (through.minus(from).length() == 0)
+            throw new IllegalArgumentException(
+                    "a line needs two different points, got " + from + " twice");
+    }
+
+    /** Where a point of the line lies. */
+    public enum Part {
+        BEHIND,
+        BETWEEN,
+        BEYOND
+    }
+
+    /** p₂ − p₁, the direction that is called p* in the course. */
+    public Vector direction() {
+        return through.minus(from);
+    }
+
+    /** (1 − μ)·p₁ + μ·p₂, which meets both points exactly. */
+    public Vector at(double mu) {
+        return from.times(1 - mu).plus(through.times(mu));
+    }
+
+    /** Which part of the line μ names; both points count as between. */
+    public static Part part(double mu) {
+        Finite.require("mu", mu);
+        return mu < 0 ? Part.BEHIND : mu > 1 ? Part.BEYOND : Part.BETWEEN;
+    }
+}

@@ -1,0 +1,71 @@
+package rasterlab.engine.polygon.triangulation;
+
+import java.util.ArrayDeque;
+
+/**
+ * Cuts off one ear after another, as {@link EarRing} tells them.
+ *
+ * <p>Cutting an ear changes only what its two neighbours are, so each corner is tried once and each
+ * neighbour of a cut once more: at most 3·n tries for n corners, each against the corners that are
+ * not convex. At most {@value #MOST_CORNERS} corners are taken.
+ */
+public final class EarClipping implements SteppedTriangulator {
+    /** With all of them in the way of each other, a few seconds. */
+    public static final int MOST_CORNERS = 20_000;
+
+    @Override
+    public TriangleWalk walk(double[] x, double[] y) {
+        return new Walk(Corners.ofSimple(x, y, MOST_CORNERS));
+    }
+
+    @Override
+    public String choice() {
+        return "the next corner round the polygon that is an ear";
+    }
+
+    static final class Walk implements TriangleWalk {
+        private final EarRing ring;
+        private final ArrayDeque<Integer> toTry = new ArrayDeque<>();
+        private int a;
+        private int b;
+        private int c;
+
+        Walk(Corners corners) {
+            ring = new EarRing(corners);
+            for (int i = 0; i < corners.size(); i++) toTry.add(i);
+        }
+
+        @Override
+        public boolean advance() {
+            if (ring.size() < 3) return false;
+            int ear = toTry.remove();
+            while (!ring.contains(ear) || !ring.isEar(ear)) ear = toTry.remove();
+            a = ring.previous(ear);
+            b = ear;
+            c = ring.next(ear);
+            ring.cut(ear);
+            toTry.add(a);
+            toTry.add(c);
+            return true;
+        }
+
+        EarRing ring() {
+            return ring;
+        }
+
+        @Override
+        public int a() {
+            return ring.number(a);
+        }
+
+        @Override
+        public int b() {
+            return ring.number(b);
+        }
+
+        @Override
+        public int c() {
+            return ring.number(c);
+        }
+    }
+}

@@ -1,0 +1,88 @@
+package rasterlab.engine.polygon.triangulation;
+
+/**
+ * Cuts off the ear with the shortest diagonal, again and again.
+ *
+ * <p>The course's method with what it lacks: corners must not lie in the triangle that is cut, the
+ * corners may go either way round, and the sign of a turn is exact instead of compared with 10⁻⁶.
+ * Of equal diagonals the first round the polygon is cut.
+ *
+ * <p>Each cut looks at all ears: n²/2 diagonals for n corners. At most {@value #MOST_CORNERS}
+ * corners are taken.
+ */
+final class ShortestDiagonal implements SteppedTriangulator {
+    static final int MOST_CORNERS = 20_000;
+
+    @Override
+    public TriangleWalk walk(double[] x, double[] y) {
+        return new Walk(Corners.ofSimple(x, y, MOST_CORNERS));
+    }
+
+    @Override
+    public String choice() {
+        return "the ear with the least (xj − xh)² + (yj − yh)²";
+    }
+
+    static final class Walk implements TriangleWalk {
+        private final EarRing ring;
+        private final boolean[] ear;
+        private int start;
+        private int a;
+        private int b;
+        private int c;
+
+        Walk(Corners corners) {
+            ring = new EarRing(corners);
+            ear = new boolean[corners.size()];
+            for (int i = 0; i < ear.length; i++) ear[i] = ring.isEar(i);
+        }
+
+        @Override
+        public boolean advance() {
+            if (ring.size() < 3) return false;
+            b = shortest();
+            a = ring.previous(b);
+            c = ring.next(b);
+            ring.cut(b);
+            ear[a] = ring.isEar(a);
+            ear[c] = ring.isEar(c);
+            if (b == start) start = c;
+            return true;
+        }
+
+        private int shortest() {
+            int best = -1;
+            double least = 0;
+            int i = start;
+            for (int k = 0; k < ring.size(); k++, i = ring.next(i)) {
+                if (!ear[i]) continue;
+                double diagonal = ring.diagonal(i);
+                if (best < 0 || diagonal < least) {
+                    best = i;
+                    least = diagonal;
+                }
+            }
+            if (best < 0) throw new AssertionError("a simple polygon without an ear");
+            return best;
+        }
+
+        EarRing ring() {
+            return ring;
+        }
+
+        @Override
+        public int a() {
+            return ring.number(a);
+        }
+
+        @Override
+        public int b() {
+            return ring.number(b);
+        }
+
+        @Override
+        public int c() {
+            return ring.number(c);
+        }
+    }
+}

@@ -1,0 +1,86 @@
+package rasterlab.engine.polygon.triangulation;
+
+import java.util.List;
+import java.util.Map;
+import rasterlab.contract.Triangulator;
+import rasterlab.engine.polygon.Points;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+
+/** Cutting a polygon into triangles; right is whatever covers it once and nothing else. */
+public final class TriangulateTopic implements Topic<Triangulator, Points, Triangles> {
+    @Override
+    public String name() {
+        return "triangulate";
+    }
+
+    @Override
+    public List<Method<Triangulator>> methods() {
+        return TriangulateMethods.all();
+    }
+
+    @Override
+    public List<Hazard<Points>> hazards() {
+        return TriangulateHazards.all();
+    }
+
+    @Override
+    public List<Workload<Points>> workloads() {
+        return TriangulateWorkloads.all();
+    }
+
+    @Override
+    public Triangles record(Triangulator method, Points corners, int limit) {
+        var answer = new Triangles(method.triangulate(corners.xs().clone(), corners.ys().clone()));
+        if (answer.size() > limit) throw new LimitReached(limit, answer.first(limit));
+        return answer;
+    }
+
+    @Override
+    public long spend(Triangulator method, Points corners) {
+        return method.triangulate(corners.xs(), corners.ys()).length / 3;
+    }
+
+    /**
+     * {@inheritDoc}
+     *
+     * @return one of the right answers; none where the polygon is not simple
+     */
+    @Override
+    public Triangles exact(Points corners, int limit) {
+        return new ExactPolygon(corners).cut().first(limit);
+    }
+
+    @Override
+    public Deviation compare(Points corners, Triangles exact, Triangles actual) {
+        return TriangulationComparison.compare(corners, exact, actual);
+    }
+
+    /** The exact turns computed for tries of ears, counted as they are made. */
+    @Override
+    public Map<String, Long> operations(Triangulator method, Points corners) {
+        if (!(method instanceof SteppedTriangulator stepped)) return Map.of();
+        TriangleWalk walk = stepped.walk(corners.xs(), corners.ys());
+        long cuts = 0;
+        while (walk.advance()) cuts++;
+        if (walk instanceof EarClipping.Walk ears)
+            return Map.of("cuts", cuts, "turns", ears.ring().turns());
+        if (walk instanceof ShortestDiagonal.Walk ears)
+            return Map.of("cuts", cuts, "turns", ears.ring().turns());
+        return Map.of("cuts", cuts);
+    }
+
+    @Override
+    public String item() {
+        return "triangle";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "% of the area";
+    }
+}
