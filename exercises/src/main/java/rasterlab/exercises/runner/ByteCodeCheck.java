@@ -56,7 +56,7 @@ final class ByteCodeCheck {
         String readable = contract.replace('/', '.');
         List<String> entries = new ArrayList<>();
         for (String name : own.names())
-            if (isPublicTopLevel(own, name) && own.implementsInterface(name, contract))
+            if (isPublicTopLevel(own, name) && own.lineage(name).contains(contract))
                 entries.add(name);
         if (entries.isEmpty()) return refused("classes.none", readable);
         if (entries.size() > 1) return refused("classes.several", entries, readable);

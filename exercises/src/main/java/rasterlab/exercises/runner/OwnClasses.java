@@ -1,8 +1,11 @@
 package rasterlab.exercises.runner;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -22,6 +25,7 @@ final class OwnClasses {
     record Shape(int access, List<String> parents, Set<String> members) {}
 
     private final Map<String, Shape> shapes = new HashMap<>();
+    private final Map<String, Set<String>> lineages = new HashMap<>();
 
     /**
      * @throws RuntimeException when the bytes are no class file
@@ -73,13 +77,22 @@ final class OwnClasses {
         return shapes.get(type);
     }
 
-    /** Whether the class or one of the student's own it inherits from has that interface. */
-    boolean implementsInterface(String type, String wanted) {
-        return contains(type)
-                && shape(type).parents().stream()
-                        .anyMatch(
-                                parent ->
-                                        parent.equals(wanted)
-                                                || implementsInterface(parent, wanted));
+    /**
+     * The class and all that it inherits from, each once however many ways lead there: a lattice of
+     * interfaces has more ways than can be walked, and a class file may name itself as its parent.
+     * Ends at classes that are not the student's own.
+     */
+    Set<String> lineage(String type) {
+        return lineages.computeIfAbsent(type, this::walk);
+    }
+
+    private Set<String> walk(String type) {
+        Set<String> met = new LinkedHashSet<>();
+        Deque<String> open = new ArrayDeque<>(List.of(type));
+        while (!open.isEmpty()) {
+            String next = open.remove();
+            if (met.add(next) && contains(next)) open.addAll(shape(next).parents());
+        }
+        return met;
     }
 }

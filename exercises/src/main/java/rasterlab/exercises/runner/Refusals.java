@@ -24,10 +24,15 @@ final class Refusals {
      * @param thing internal name of a class, with ".member" where one is meant
      */
     void add(int line, String thing) {
+        if (isFull()) return;
         String readable = thing.replace('/', '.').replace('$', '.');
         int place = line > 0 ? line : mention(readable);
-        if (found.size() < MOST)
-            found.add(new Diagnostic(place, 0, Message.of("not-allowed", readable)));
+        found.add(new Diagnostic(place, 0, Message.of("not-allowed", readable)));
+    }
+
+    /** Whether more would not be told. */
+    boolean isFull() {
+        return found.size() == MOST;
     }
 
     private int mention(String thing) {

@@ -1,5 +1,7 @@
 package rasterlab.exercises.runner;
 
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Set;
 import org.objectweb.asm.ConstantDynamic;
 import org.objectweb.asm.Handle;
@@ -21,6 +23,7 @@ final class Uses {
     private final AllowList allowed;
     private final OwnClasses own;
     private final Refusals refusals;
+    private final Map<String, Boolean> judged = new HashMap<>();
 
     Uses(AllowList allowed, OwnClasses own, Refusals refusals) {
         this.allowed = allowed;
@@ -56,7 +59,11 @@ final class Uses {
 
     /** A method or field that an instruction or a handle names. */
     void member(int line, String owner, String name, String descriptor) {
-        if (!mayUse(owner, name, descriptor)) refusals.add(line, owner + "." + name);
+        if (refusals.isFull()) return;
+        boolean may =
+                judged.computeIfAbsent(
+                        owner + "." + name + descriptor, one -> mayUse(owner, name, descriptor));
+        if (!may) refusals.add(line, owner + "." + name);
         else type(line, Type.getType(descriptor));
     }
 
@@ -65,10 +72,13 @@ final class Uses {
             type(0, owner);
             return name.equals("clone");
         }
-        if (!own.contains(owner)) return allowed.allows(owner, name);
-        OwnClasses.Shape shape = own.shape(owner);
-        return shape.members().contains(name + descriptor)
-                || shape.parents().stream().anyMatch(one -> mayUse(one, name, descriptor));
+        String member = name + descriptor;
+        return own.lineage(owner).stream()
+                .anyMatch(
+                        one ->
+                                own.contains(one)
+                                        ? own.shape(one).members().contains(member)
+                                        : allowed.allows(one, name));
     }
 
     /** What ldc loads or a bootstrap gets as an argument. */
