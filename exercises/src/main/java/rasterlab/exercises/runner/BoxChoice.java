@@ -1,51 +1,68 @@
 package rasterlab.exercises.runner;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import rasterlab.exercises.runner.child.Wire;
 
 /** Finds the strongest box that works on this machine by trying it once. */
 final class BoxChoice {
-    private static final Duration SELF_TEST_LIMIT = Duration.ofSeconds(10);
-
     private final Launcher launcher;
     private final ChildJars jars;
+    private final Duration limit;
 
-    BoxChoice(Launcher launcher, ChildJars jars) {
+    /**
+     * @param limit how long the box's program may take for one answer
+     */
+    BoxChoice(Launcher launcher, ChildJars jars, Duration limit) {
         this.launcher = launcher;
         this.jars = jars;
+        this.limit = limit;
+    }
+
+    static BoxChoice on(Launcher launcher, ChildJars jars) {
+        return new BoxChoice(launcher, jars, Duration.ofSeconds(10));
     }
 
     Box choose(JudgeSettings.Box wanted) {
         if (wanted == JudgeSettings.Box.PROCESS_LIMITS_ONLY)
             return new PlainBox(jars, "bubblewrap was not asked for");
-        Optional<String> program = Programs.onPath("bwrap");
-        if (program.isEmpty()) return new PlainBox(jars, "bwrap is not on the PATH");
-        String help = output(List.of(program.get(), "--help"));
-        if (!help.contains("--size"))
-            return new PlainBox(jars, "bwrap is older than 0.7: it cannot size a tmpfs");
-        Box box =
-                new BubblewrapBox(
-                        program.get(),
-                        output(List.of(program.get(), "--version")),
-                        help.contains("--disable-userns"),
-                        jars);
-        return selfTest(box)
-                .<Box>map(reason -> new PlainBox(jars, "bwrap does not work here: " + reason))
-                .orElse(box);
+        return Programs.onPath("bwrap")
+                .map(this::inBubblewrap)
+                .orElseGet(() -> new PlainBox(jars, "bwrap is not on the PATH"));
+    }
+
+    /**
+     * A box by that program, or a plain one that says why not.
+     *
+     * @param program path of bwrap
+     */
+    Box inBubblewrap(String program) {
+        try {
+            String help = output(program, "--help");
+            if (!help.contains("--size"))
+                return new PlainBox(jars, "bwrap is older than 0.7: it cannot size a tmpfs");
+            String version = output(program, "--version");
+            Box box = new BubblewrapBox(program, version, help.contains("--disable-userns"), jars);
+            return selfTest(box).map(this::notWorking).orElse(box);
+        } catch (IOException e) {
+            return notWorking(e.getMessage());
+        }
+    }
+
+    private Box notWorking(String reason) {
+        return new PlainBox(jars, "bwrap does not work here: " + reason);
     }
 
     /** Why a child in the box does not answer; empty when it does. */
     private Optional<String> selfTest(Box box) {
         try (Child child = new Child(launcher.start(box.command(ChildKind.RUN, false)))) {
             try {
-                child.ask(
-                        new Request(Wire.PING, out -> {}),
-                        SELF_TEST_LIMIT,
-                        (status, payload) -> status);
+                child.ask(new Request(Wire.PING, out -> {}), limit, (status, payload) -> status);
                 return Optional.empty();
             } catch (ChildLost lost) {
                 return Optional.of(
@@ -53,20 +70,40 @@ final class BoxChoice {
                                 ? lost.getMessage()
                                 : child.complaint().lines().findFirst().orElseThrow());
             } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-                throw new IllegalStateException("interrupted while trying bubblewrap", e);
+                throw interrupted(e);
             }
         }
     }
 
-    private String output(List<String> command) {
-        Process process = launcher.start(command);
+    /**
+     * What the program prints; less than fills a pipe, as it is read only when it has ended.
+     *
+     * @throws IOException when it cannot be started or does not end
+     */
+    private String output(String program, String option) throws IOException {
+        Process process = started(program, option);
         try (var in = process.getInputStream()) {
+            if (!process.waitFor(limit.toNanos(), TimeUnit.NANOSECONDS))
+                throw new IOException(
+                        option + " gave no answer within " + Child.seconds(limit) + " s");
             return new String(in.readNBytes(1 << 16), StandardCharsets.UTF_8).strip();
-        } catch (IOException e) {
-            return "";
+        } catch (InterruptedException e) {
+            throw interrupted(e);
         } finally {
             process.destroyForcibly();
         }
+    }
+
+    private Process started(String program, String option) throws IOException {
+        try {
+            return launcher.start(List.of(program, option));
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        }
+    }
+
+    private static IllegalStateException interrupted(InterruptedException e) {
+        Thread.currentThread().interrupt();
+        return new IllegalStateException("interrupted while trying bubblewrap", e);
     }
 }

@@ -133,6 +133,29 @@ class GradingLifeTest {
     }
 
     @Test
+    void aReserveThatCannotBeFilledTakesNoReportAway() throws Exception {
+        ChildJars jars = ChildJars.assemble();
+        Launcher launcher = new Launcher(jars);
+        Box withoutReserve = new WithoutReserve(new PlainBox(jars, "for a test"));
+        try (Judge judge = new Judge(JudgeSettings.defaults(), jars, launcher, withoutReserve)) {
+            assertEquals(GradingVerdict.OK, grade(judge, Sources.RIGHT).verdict());
+        }
+    }
+
+    /** Starts a child that is needed now, and none to wait. */
+    private record WithoutReserve(Box box) implements Box {
+        @Override
+        public Isolation isolation() {
+            return box.isolation();
+        }
+
+        @Override
+        public List<String> command(ChildKind kind, boolean warm) {
+            return warm ? List.of("/no/such/program") : box.command(kind, warm);
+        }
+    }
+
+    @Test
     void aClosedJudgeLeavesNoProcess() {
         Set<ProcessHandle> before = children();
         Judge.start(JudgeSettings.defaults()).close();

@@ -17,7 +17,7 @@ final class Unscanned implements AutoCloseable {
     private final Children children;
 
     Unscanned(JudgeSettings.Box wanted) {
-        box = new BoxChoice(launcher, jars).choose(wanted);
+        box = BoxChoice.on(launcher, jars).choose(wanted);
         children = new Children(box, launcher, false);
     }
 
