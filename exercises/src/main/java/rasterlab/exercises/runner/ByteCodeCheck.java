@@ -3,6 +3,8 @@ package rasterlab.exercises.runner;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.Opcodes;
 import rasterlab.exercises.score.Diagnostic;
@@ -14,6 +16,7 @@ import rasterlab.exercises.score.Message;
  */
 final class ByteCodeCheck {
     private static final int LONGEST_NAME = 100;
+    private static final Pattern COMMENT = Pattern.compile("(?s)/\\*.*?\\*/|//[^\n]*");
 
     private final AllowList allowed;
 
@@ -45,8 +48,9 @@ final class ByteCodeCheck {
         }
         for (String name : own.names()) {
             if (name.contains("/")) return packageRefused(packageOf(name), source);
-            if (name.length() > LONGEST_NAME || !classes.containsKey(name))
-                return refused("classes.name", LONGEST_NAME);
+            if (name.length() > LONGEST_NAME)
+                return refused("classes.name", LONGEST_NAME, name.length());
+            if (!classes.containsKey(name)) return refused("classes.unexpected", name);
         }
         if (!refusals.list().isEmpty()) return new Result("", refusals.list());
         return entry(own, contract);
@@ -74,10 +78,21 @@ final class ByteCodeCheck {
     }
 
     private static Result packageRefused(String name, String source) {
-        List<String> lines = source.lines().takeWhile(line -> !line.contains("package")).toList();
+        int line = lineOfPackage(source);
         return new Result(
-                "",
-                List.of(new Diagnostic(lines.size() + 1, 0, Message.of("classes.package", name))));
+                "", List.of(new Diagnostic(line, 0, Message.of("classes.package", name))));
+    }
+
+    /** Only comments may come before the package line. */
+    private static int lineOfPackage(String source) {
+        String code =
+                COMMENT.matcher(source).replaceAll(found -> "\n".repeat(lineEnds(found.group())));
+        Matcher found = Pattern.compile("\\bpackage\\b").matcher(code);
+        return found.find() ? 1 + lineEnds(code.substring(0, found.start())) : 0;
+    }
+
+    private static int lineEnds(String text) {
+        return (int) text.chars().filter(c -> c == '\n').count();
     }
 
     private static String packageOf(String name) {

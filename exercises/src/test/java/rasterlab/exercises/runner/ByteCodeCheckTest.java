@@ -47,6 +47,16 @@ class ByteCodeCheckTest {
         assertEquals(List.of("A.exit is not allowed in this exercise"), refused("A"));
     }
 
+    @Test
+    @DisplayName("a class under another name is told to have a long one")
+    void aClassUnderAnotherNameIsNamed() {
+        add("Mine", 0, OBJECT);
+        classes.put("Other", classes.remove("Mine"));
+        assertEquals(
+                List.of("the class files do not fit together: Mine is in none of that name"),
+                refused(OBJECT, "hashCode", "()I"));
+    }
+
     private void add(String name, int access, String parent, String... interfaces) {
         ClassWriter writer = new ClassWriter(0);
         writer.visit(V17, ACC_PUBLIC | access, name, null, parent, interfaces);
@@ -56,11 +66,15 @@ class ByteCodeCheckTest {
 
     /** What is said to a class that calls a method which that type has not. */
     private List<String> refused(String type) {
+        return refused(type, "exit", "()V");
+    }
+
+    private List<String> refused(String type, String method, String descriptor) {
         ClassWriter writer = new ClassWriter(0);
         writer.visit(V17, ACC_PUBLIC, "Caller", null, OBJECT, null);
         MethodVisitor code = writer.visitMethod(ACC_PUBLIC, "call", "()V", null, null);
         code.visitCode();
-        code.visitMethodInsn(INVOKESPECIAL, type, "exit", "()V", false);
+        code.visitMethodInsn(INVOKESPECIAL, type, method, descriptor, false);
         code.visitInsn(RETURN);
         code.visitMaxs(1, 1);
         code.visitEnd();

@@ -166,6 +166,11 @@ class HostileSourcesTest {
                 argumentSet(
                         "package line", "refused", "1:0 package mine", "package mine;\n" + rest),
                 argumentSet(
+                        "package line below a comment on packages",
+                        "refused",
+                        "3:0 package mine",
+                        "/* no\npackage */ // package\npackage mine;\n" + rest),
+                argumentSet(
                         "package of the harness",
                         "refused",
                         "1:0 package rasterlab.contract",
