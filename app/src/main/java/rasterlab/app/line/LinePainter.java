@@ -7,9 +7,9 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PixelGrid;
-import rasterlab.app.canvas.PixelMark;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelMark;
 
 /** Draws one state of the line lab onto a zoomed pixel grid. */
 final class LinePainter {

@@ -1,24 +1,26 @@
-package rasterlab.app.canvas;
+package rasterlab.engine.raster;
 
-import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import javax.swing.Icon;
 
-/** How a wrong pixel is marked: by its shape first, so that nobody needs the colour. */
+/**
+ * How a wrong pixel is marked in labs, reports and pictures: by its shape first, so that nobody
+ * needs the colour. Where a pixel is in its place but of a wrong colour, {@link PictureDifference}
+ * puts it into a saltire.
+ */
 public enum PixelMark {
     /** A ring: the exact picture lights this pixel, the method does not. */
     MISSING,
     /** A cross: the method lights this pixel, the exact picture does not. */
     EXTRA;
 
-    public static final Color COLOUR = MethodColours.VERMILLION;
+    /** Vermillion (Okabe and Ito, 2008); nothing but a wrong pixel has it. Opaque, 0xAARRGGBB. */
+    public static final int ARGB = 0xFFD55E00;
+
+    public static final Color COLOUR = new Color(ARGB);
 
     /** Draws the mark into the square with its upper left corner at (x, y), in view units. */
     public void paint(Graphics2D g, double x, double y, double size) {
@@ -37,31 +39,5 @@ public enum PixelMark {
             g.draw(new Line2D.Double(x, y, x + size, y + size));
             g.draw(new Line2D.Double(x, y + size, x + size, y));
         }
-    }
-
-    /** The mark beside its count in the inspector. */
-    public Icon icon() {
-        return new Icon() {
-            @Override
-            public void paintIcon(Component c, Graphics g, int x, int y) {
-                var copy = (Graphics2D) g.create();
-                copy.setRenderingHint(
-                        RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-                copy.setRenderingHint(
-                        RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-                PixelMark.this.paint(copy, x, y, UIScale.scale(16));
-                copy.dispose();
-            }
-
-            @Override
-            public int getIconWidth() {
-                return UIScale.scale(16);
-            }
-
-            @Override
-            public int getIconHeight() {
-                return UIScale.scale(16);
-            }
-        };
     }
 }
