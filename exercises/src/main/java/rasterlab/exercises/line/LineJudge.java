@@ -1,5 +1,7 @@
 package rasterlab.exercises.line;
 
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.HashSet;
 import java.util.Set;
 import rasterlab.contract.LineRasterizer;
@@ -18,6 +20,7 @@ import rasterlab.exercises.score.Message;
 
 /** Compares what a method drew with the exact line, as the case and the exercise demand. */
 public final class LineJudge {
+    private static final JsonMapper MAPPER = new JsonMapper();
     private static final String REFUSAL = IllegalArgumentException.class.getName();
 
     private final LineTopic topic = new LineTopic();
@@ -104,8 +107,9 @@ public final class LineJudge {
 
     /** The case's segment as a scene file that the lab opens. */
     public static String scene(Segment segment) {
-        return String.format(
-                "{\"topic\":\"line\",\"from\":[%d,%d],\"to\":[%d,%d]}",
-                segment.x0(), segment.y0(), segment.x1(), segment.y1());
+        ObjectNode scene = MAPPER.createObjectNode().put("topic", "line");
+        scene.putArray("from").add(segment.x0()).add(segment.y0());
+        scene.putArray("to").add(segment.x1()).add(segment.y1());
+        return scene.toString();
     }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -250,6 +251,19 @@ class LineExerciseTest {
         Answer answer = new Answer(Answer.Ending.RETURNED, pixels, "", "", "");
         String said = new LineJudge(demand, false).judge(segment, answer).said().in("ru");
         assertTrue(said.matches(".*(пиксел).*") && !said.contains("pixel"), said);
+    }
+
+    @Test
+    void theSceneIsJsonInEveryCountry() {
+        Locale before = Locale.getDefault();
+        Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
+        try {
+            assertEquals(
+                    "{\"topic\":\"line\",\"from\":[12,-3],\"to\":[0,7]}",
+                    LineJudge.scene(new Segment(12, -3, 0, 7)));
+        } finally {
+            Locale.setDefault(before);
+        }
     }
 
     @Test
