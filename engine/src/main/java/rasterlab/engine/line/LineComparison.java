@@ -1,5 +1,7 @@
 package rasterlab.engine.line;
 
+import java.util.HashSet;
+import java.util.Set;
 import rasterlab.engine.raster.NearestPixel;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
@@ -44,8 +46,16 @@ final class LineComparison {
         int i = 0;
         while (i < shared && same(exact, actual, i)) i++;
         if (i == exact.size() && i == actual.size()) return "";
-        String fault = actual.size() > exact.size() ? "is drawn again" : "comes out of order";
-        return pixel(actual, i) + " " + fault;
+        return actual.size() > exact.size()
+                ? pixel(actual, firstRepeated(actual)) + " is drawn again"
+                : pixel(actual, i) + " comes out of order";
+    }
+
+    private static int firstRepeated(PixelRecording actual) {
+        Set<Long> seen = new HashSet<>();
+        int i = 0;
+        while (seen.add((long) actual.x(i) << 32 | actual.y(i) & 0xFFFF_FFFFL)) i++;
+        return i;
     }
 
     private static String first(

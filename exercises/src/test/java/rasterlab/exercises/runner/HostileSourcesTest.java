@@ -328,7 +328,7 @@ class HostileSourcesTest {
                 argumentSet(
                         "endless plotting",
                         "output_limit",
-                        "still plotting after 80 pixels where 8 are right",
+                        "still plotting after 1016 pixels where 8 are right",
                         method("while (true) out.plot(x0, y0);\n")),
                 argumentSet(
                         "endless plotting that swallows everything",
