@@ -172,6 +172,18 @@ class CatalogueTest {
                         "",
                         "field 'firstPixels' is needed"),
                 argumentSet(
+                        "hazard that the topic has not",
+                        cases,
+                        "\"beyond-2-30\"",
+                        "\"beyond-2-31\"",
+                        "field 'hazard' must be one of [first-octant, "),
+                argumentSet(
+                        "hazard and a segment",
+                        cases,
+                        "\"hazard\"",
+                        "\"to\": [1, 2], \"hazard\"",
+                        "field 'to' must not stand beside 'hazard'"),
+                argumentSet(
                         "octant 9",
                         "hidden-cases.json",
                         "\"octant\": 1",
