@@ -80,9 +80,9 @@ final class ExerciseReader {
     private static PointPlan points(JsonFields fields) {
         PointPlan plan =
                 new PointPlan(
-                        fields.integer("accuracy", 0, 100),
-                        fields.integer("stability", 0, 100),
-                        fields.integer("speed", 0, 100));
+                        fields.integer("accuracy", 0, Exercise.MOST_POINTS),
+                        fields.integer("stability", 0, Exercise.MOST_POINTS),
+                        fields.integer("speed", 0, Exercise.MOST_POINTS));
         if (plan.total() != 100)
             throw fields.wrong(
                     "",
@@ -129,7 +129,7 @@ final class ExerciseReader {
                         Kind.valueOf(
                                 constant(fields.word("kind", List.of("accuracy", "stability")))),
                         visibility,
-                        fields.integer("points", 0, 100),
+                        fields.integer("points", 0, Exercise.MOST_POINTS),
                         fields.json(generated ? "generate" : "input"),
                         generated));
     }

@@ -46,7 +46,7 @@ final class StudentRun {
                             out.writeInt(classes.size());
                             for (Map.Entry<String, byte[]> one : classes.entrySet()) {
                                 out.writeUTF(one.getKey());
-                                Frames.writeBytes(out, one.getValue());
+                                Frames.write(out, one.getValue());
                             }
                         }),
                 (status, in) -> {

@@ -87,7 +87,7 @@ final class Compiler {
         out.writeInt(classes.size());
         for (Map.Entry<String, byte[]> one : classes.entrySet()) {
             out.writeUTF(one.getKey());
-            Frames.writeBytes(out, one.getValue());
+            Frames.write(out, one.getValue());
         }
         return bytes.toByteArray();
     }

@@ -1,24 +1,22 @@
 package rasterlab.exercises.runner.child;
 
 import java.io.DataInputStream;
-import java.io.DataOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.nio.ByteBuffer;
 
-/** Byte frames on a pipe: a length as four bytes, highest first, then as many bytes. */
+/**
+ * Byte frames on a pipe, or one within another: a length as four bytes, highest first, then as many
+ * bytes.
+ */
 public final class Frames {
     private Frames() {}
 
     public static void write(OutputStream out, byte[] frame) throws IOException {
-        byte[] whole = new byte[Integer.BYTES + frame.length];
-        whole[0] = (byte) (frame.length >>> 24);
-        whole[1] = (byte) (frame.length >>> 16);
-        whole[2] = (byte) (frame.length >>> 8);
-        whole[3] = (byte) frame.length;
-        System.arraycopy(frame, 0, whole, Integer.BYTES, frame.length);
-        out.write(whole);
+        ByteBuffer whole = ByteBuffer.allocate(Integer.BYTES + frame.length);
+        out.write(whole.putInt(frame.length).put(frame).array());
         out.flush();
     }
 
@@ -36,16 +34,5 @@ public final class Frames {
         byte[] frame = in.readNBytes(length);
         if (frame.length < length) throw new EOFException("frame cut after " + frame.length);
         return frame;
-    }
-
-    /** Writes bytes preceded by their number. */
-    public static void writeBytes(DataOutputStream out, byte[] bytes) throws IOException {
-        out.writeInt(bytes.length);
-        out.write(bytes);
-    }
-
-    /** Reads what {@link #writeBytes} wrote, at most {@code most} bytes. */
-    public static byte[] readBytes(DataInputStream in, int most) throws IOException {
-        return read(in, most);
     }
 }

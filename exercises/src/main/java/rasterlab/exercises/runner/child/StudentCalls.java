@@ -36,7 +36,7 @@ final class StudentCalls {
         String name = request.readUTF();
         Map<String, byte[]> classes = new HashMap<>();
         for (int left = request.readInt(); left > 0; left--)
-            classes.put(request.readUTF(), Frames.readBytes(request, Wire.MOST_CLASS_BYTES));
+            classes.put(request.readUTF(), Frames.read(request, Wire.MOST_CLASS_BYTES));
         try {
             Class<?> type = Class.forName(name, true, new StudentLoader(classes));
             student = type.getConstructor().newInstance();
