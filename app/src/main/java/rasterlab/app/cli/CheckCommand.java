@@ -76,7 +76,7 @@ final class CheckCommand implements Callable<Integer> {
 
     private Report graded(Exercise chosen, String source) {
         try (Judge judge = Judge.start(JudgeSettings.once())) {
-            console.err().println(judge.isolation().describe());
+            console.err().println(judge.isolation().describe(language.code()));
             return judge.grade(chosen, source, CaseSelection.open(), this::showProgress);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

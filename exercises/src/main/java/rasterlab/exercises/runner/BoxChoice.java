@@ -7,7 +7,9 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import rasterlab.exercises.runner.Isolation.ProcessLimit;
 import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.score.Message;
 
 /** Finds the strongest box that works on this machine by trying it once. */
 final class BoxChoice {
@@ -29,11 +31,10 @@ final class BoxChoice {
     }
 
     Box choose(JudgeSettings.Box wanted) {
-        if (wanted == JudgeSettings.Box.PROCESS_LIMITS_ONLY)
-            return new PlainBox(jars, "bubblewrap was not asked for");
+        if (wanted == JudgeSettings.Box.PROCESS_LIMITS_ONLY) return plain("isolation.not-asked");
         return Programs.onPath("bwrap")
                 .map(this::inBubblewrap)
-                .orElseGet(() -> new PlainBox(jars, "bwrap is not on the PATH"));
+                .orElseGet(() -> plain("isolation.no-bwrap"));
     }
 
     /**
@@ -44,18 +45,32 @@ final class BoxChoice {
     Box inBubblewrap(String program) {
         try {
             String help = output(program, "--help");
-            if (!help.contains("--size"))
-                return new PlainBox(jars, "bwrap is older than 0.7: it cannot size a tmpfs");
-            String version = output(program, "--version");
-            Box box = new BubblewrapBox(program, version, help.contains("--disable-userns"), jars);
-            return selfTest(box).map(this::notWorking).orElse(box);
+            if (!help.contains("--size")) return plain("isolation.old-bwrap");
+            return tried(program, output(program, "--version"), help.contains("--disable-userns"));
         } catch (IOException e) {
-            return notWorking(e.getMessage());
+            return plain("isolation.bwrap-fails", e.getMessage());
         }
     }
 
-    private Box notWorking(String reason) {
-        return new PlainBox(jars, "bwrap does not work here: " + reason);
+    private Box tried(String program, String version, boolean canDisable) {
+        ProcessLimit limit = expectedLimit();
+        Box box = new BubblewrapBox(program, version, canDisable, limit, jars);
+        Optional<String> fault = selfTest(box);
+        if (fault.isPresent() && limit == ProcessLimit.HOLDS) {
+            box = new BubblewrapBox(program, version, canDisable, ProcessLimit.TOO_LOW, jars);
+            fault = selfTest(box);
+        }
+        return fault.isEmpty() ? box : plain("isolation.bwrap-fails", fault.get());
+    }
+
+    private static ProcessLimit expectedLimit() {
+        if (Programs.onPath("prlimit").isEmpty()) return ProcessLimit.NO_PRLIMIT;
+        boolean root = "root".equals(System.getProperty("user.name"));
+        return root ? ProcessLimit.ROOT : ProcessLimit.HOLDS;
+    }
+
+    private Box plain(String reason, Object... arguments) {
+        return new PlainBox(jars, Message.of(reason, arguments));
     }
 
     /** Why a child in the box does not answer; empty when it does. */

@@ -28,6 +28,9 @@ final class Child implements AutoCloseable {
     /** How long a child that closed its pipe may take to end by itself. */
     private static final Duration GRACE = Duration.ofMillis(500);
 
+    /** Longer than the system needs to end a killed process, unless it hangs in the kernel. */
+    private static final Duration DEATH = Duration.ofSeconds(2);
+
     private final Process process;
     private final ExecutorService threads =
             Executors.newCachedThreadPool(Daemons.named("rasterlab-child"));
@@ -153,12 +156,14 @@ final class Child implements AutoCloseable {
         }
     }
 
-    /** Kills the process and all below it; returns when it is gone. */
+    /**
+     * Kills the process and all below it, and waits for its end, though not beyond {@link #DEATH}.
+     */
     @Override
     public void close() {
         process.descendants().forEach(ProcessHandle::destroyForcibly);
         process.destroyForcibly();
-        waitFor(Duration.ofSeconds(2));
+        waitFor(DEATH);
         threads.shutdownNow();
     }
 }

@@ -33,7 +33,7 @@ class ChildTest {
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("tricks")
-    void isLostWith(ChildLost.Reason reason, String body) {
+    void isLostWith(ChildLost.Reason reason, String body) throws Exception {
         try (Child runner = unscanned.child(ChildKind.RUN)) {
             ChildLost lost =
                     assertThrows(
@@ -91,7 +91,7 @@ class ChildTest {
     }
 
     @Test
-    void aKilledChildIsToldApartFromOneThatEnded() {
+    void aKilledChildIsToldApartFromOneThatEnded() throws Exception {
         try (Child child = unscanned.child(ChildKind.RUN)) {
             child.handle().destroyForcibly();
             ChildLost lost =
@@ -107,7 +107,7 @@ class ChildTest {
     }
 
     @Test
-    void aChildThatStopsReadingHoldsNobodyUp() {
+    void aChildThatStopsReadingHoldsNobodyUp() throws Exception {
         byte[] big = new byte[3 << 20];
         try (Child child = unscanned.child(ChildKind.RUN)) {
             ChildLost lost =

@@ -23,6 +23,7 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Sources;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 
 /** Children come and go as they should, whoever is killed or interrupted. */
@@ -136,7 +137,7 @@ class GradingLifeTest {
     void aReserveThatCannotBeFilledTakesNoReportAway() throws Exception {
         ChildJars jars = ChildJars.assemble();
         Launcher launcher = new Launcher(jars);
-        Box withoutReserve = new WithoutReserve(new PlainBox(jars, "for a test"));
+        Box withoutReserve = new WithoutReserve(new PlainBox(jars, Message.NONE));
         try (Judge judge = new Judge(JudgeSettings.defaults(), jars, launcher, withoutReserve)) {
             assertEquals(GradingVerdict.OK, grade(judge, Sources.RIGHT).verdict());
         }

@@ -21,7 +21,7 @@ final class Unscanned implements AutoCloseable {
         children = new Children(box, launcher, false);
     }
 
-    Child child(ChildKind kind) {
+    Child child(ChildKind kind) throws ChildLost {
         return children.take(kind);
     }
 

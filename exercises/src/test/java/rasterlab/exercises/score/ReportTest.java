@@ -121,6 +121,13 @@ class ReportTest {
     }
 
     @Test
+    void theIsolationIsToldInRussian() {
+        assertEquals(
+                "только ограничения процесса", Report.isolationIn("ru", "process limits only"));
+        assertEquals("bubblewrap", Report.isolationIn("ru", "bubblewrap"));
+    }
+
+    @Test
     void nothingIsDrawnWhereThereIsNoPixel() {
         assertEquals(Optional.empty(), CasePictures.of(difference("")));
     }
