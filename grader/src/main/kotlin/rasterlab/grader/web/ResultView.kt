@@ -22,6 +22,7 @@ import kotlinx.html.strong
 import kotlinx.html.summary
 import kotlinx.html.ul
 import rasterlab.exercises.Visibility
+import rasterlab.exercises.score.Report
 import rasterlab.grader.report.CaseView
 import rasterlab.grader.report.DiagnosticView
 import rasterlab.grader.report.PicturesView
@@ -48,13 +49,11 @@ fun DIV.result(
     }
     view.isolation?.takeIf { it.isNotEmpty() }?.let { isolation ->
         p("isolation") {
-            +texts.say("result.isolation", isolation)
-            if (isolation == WEAK_ISOLATION) +" ${texts.say("result.weak")}"
+            +texts.say("result.isolation", Report.isolationIn(texts.language, isolation))
+            if (isolation == Report.PROCESS_LIMITS) +" ${texts.say("result.weak")}"
         }
     }
 }
-
-private const val WEAK_ISOLATION = "process limits only"
 
 private fun FlowContent.progress(
     texts: Texts,
