@@ -2,6 +2,7 @@ package rasterlab.exercises;
 
 import java.util.List;
 import java.util.Map;
+import rasterlab.exercises.score.Disclosure;
 
 /**
  * One exercise, as its folder describes it.
@@ -26,7 +27,7 @@ public record Exercise(
         PointPlan points,
         List<Case> cases) {
     /** In all, and so for each kind and each case. */
-    static final int MOST_POINTS = 100;
+    public static final int MOST_POINTS = 100;
 
     public Exercise {
         title = withEnglish("title", title);
@@ -90,13 +91,13 @@ public record Exercise(
     public record Case(
             String name,
             Kind kind,
-            Visibility visibility,
+            Disclosure visibility,
             int points,
             String input,
             boolean generated) {
         public Case {
             inRange("case '" + name + "'", points);
-            if (generated && visibility == Visibility.OPEN)
+            if (generated && visibility == Disclosure.OPEN)
                 throw new IllegalArgumentException(
                         "case '" + name + "' must not be open, since the seed draws it");
         }

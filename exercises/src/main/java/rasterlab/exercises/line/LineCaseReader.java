@@ -7,7 +7,7 @@ import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.study.Hazard;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.JsonFields;
+import rasterlab.exercises.json.JsonFields;
 
 /**
  * Reads a case's input: the segment itself or the name of a hazard, or how to draw segments from a

@@ -7,13 +7,13 @@ import java.util.Optional;
 import rasterlab.engine.line.Segment;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Visibility;
 import rasterlab.exercises.line.LineCase;
 import rasterlab.exercises.line.LineCaseReader;
 import rasterlab.exercises.line.LineJudge;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
@@ -85,7 +85,7 @@ final class CaseRun {
             throws ChildLost, InterruptedException {
         try {
             Answer answer = run.draw(segment, demand.mostPixels(segment));
-            if (one.visibility() == Visibility.OPEN && !answer.printed().isBlank())
+            if (one.visibility() == Disclosure.OPEN && !answer.printed().isBlank())
                 printed.add(
                         new Diagnostic(
                                 0,

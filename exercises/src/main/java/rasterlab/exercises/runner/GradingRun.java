@@ -11,8 +11,9 @@ import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Grading.CaseSelection;
-import rasterlab.exercises.Visibility;
+import rasterlab.exercises.runner.scan.ByteCodeCheck;
 import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
@@ -53,8 +54,8 @@ final class GradingRun {
      */
     static List<Case> selected(Exercise exercise, CaseSelection selection) {
         return exercise.cases().stream()
-                .filter(one -> selection.hidden() || one.visibility() == Visibility.OPEN)
-                .sorted(Comparator.comparing(one -> one.visibility() != Visibility.OPEN))
+                .filter(one -> selection.hidden() || one.visibility() == Disclosure.OPEN)
+                .sorted(Comparator.comparing(one -> one.visibility() != Disclosure.OPEN))
                 .toList();
     }
 

@@ -17,7 +17,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.raster.PixelRecording;
-import rasterlab.exercises.Visibility;
 
 /** What a student is shown and what not. */
 class ReportTest {
@@ -34,7 +33,7 @@ class ReportTest {
         "NEVER,          true,  hidden, wrong pixels on a hidden input, false",
     })
     void aHiddenCaseTellsOnlyTheClassOfTheError(
-            Visibility visibility, boolean late, String name, String message, boolean shown) {
+            Disclosure visibility, boolean late, String name, String message, boolean shown) {
         CaseReport one =
                 new CaseReport(
                         "gap",

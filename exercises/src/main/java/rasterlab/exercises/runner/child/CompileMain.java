@@ -47,7 +47,7 @@ public final class CompileMain {
             Frames.write(out, Reply.of(nonce, new byte[] {Wire.DONE}));
             return false;
         }
-        String source = new String(Frames.read(in, Wire.MOST_SOURCE_BYTES), StandardCharsets.UTF_8);
+        String source = new String(Frames.read(in, Wire.MOST_FRAME_BYTES), StandardCharsets.UTF_8);
         Frames.write(out, Reply.of(nonce, compiler.compile(source)));
         return true;
     }

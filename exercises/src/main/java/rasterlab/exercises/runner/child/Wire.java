@@ -61,7 +61,6 @@ public final class Wire {
     /** Exit status after a request that cannot be read. */
     public static final int EXIT_PROTOCOL = 66;
 
-    public static final int MOST_SOURCE_BYTES = 256 * 1024;
     public static final int MOST_CLASSES = 200;
 
     /** For all class files of a source together. */

@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.scan;
 
 import java.util.LinkedHashSet;
 import java.util.List;

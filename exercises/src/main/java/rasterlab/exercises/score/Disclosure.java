@@ -1,9 +1,9 @@
-package rasterlab.exercises;
+package rasterlab.exercises.score;
 
 import java.util.Locale;
 
 /** How much of a case a student sees. */
-public enum Visibility {
+public enum Disclosure {
     OPEN,
     /** Name and the class of the error only. */
     VERDICT_ONLY,

@@ -1,4 +1,4 @@
-package rasterlab.exercises;
+package rasterlab.exercises.catalogue;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -11,6 +11,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.Exercise;
 
 /**
  * The exercises: those that come with the program, and those in an instructor's own folder, which
@@ -56,7 +58,8 @@ public final class Catalogue {
     }
 
     private static List<String> builtInIds() {
-        try (InputStream in = Catalogue.class.getResourceAsStream("built-in.txt")) {
+        try (InputStream in =
+                Catalogue.class.getResourceAsStream("/rasterlab/exercises/built-in.txt")) {
             return new ArrayList<>(
                     new String(in.readAllBytes(), StandardCharsets.UTF_8)
                             .lines()

@@ -1,4 +1,4 @@
-package rasterlab.exercises;
+package rasterlab.exercises.catalogue;
 
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;

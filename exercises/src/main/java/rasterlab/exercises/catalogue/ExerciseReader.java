@@ -1,4 +1,4 @@
-package rasterlab.exercises;
+package rasterlab.exercises.catalogue;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -7,11 +7,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.PointPlan;
 import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.line.LineCaseReader;
+import rasterlab.exercises.score.Disclosure;
 
 /**
  * Turns an exercise folder into an {@link Exercise}, or says which field of which file is wrong.
@@ -110,8 +114,8 @@ final class ExerciseReader {
         boolean generated = fields.has("generate");
         if (generated == fields.has("input"))
             throw fields.wrong("", "must have either 'input' or 'generate', and not both");
-        Visibility visibility =
-                Visibility.valueOf(
+        Disclosure visibility =
+                Disclosure.valueOf(
                         constant(
                                 fields.word(
                                         "visibility",
@@ -120,7 +124,7 @@ final class ExerciseReader {
                                                 "verdict-only",
                                                 "after-deadline",
                                                 "never"))));
-        if (generated && visibility == Visibility.OPEN)
+        if (generated && visibility == Disclosure.OPEN)
             throw fields.wrong("visibility", "must not be open where the case is generated");
         return checked(
                 fields,

@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.scan;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

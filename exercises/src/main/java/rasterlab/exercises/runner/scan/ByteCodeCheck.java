@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.scan;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -14,13 +14,13 @@ import rasterlab.exercises.score.Message;
  * Reads a student's class files before they run: an early refusal in words that can be understood.
  * What keeps them in is the child process, not this.
  */
-final class ByteCodeCheck {
+public final class ByteCodeCheck {
     private static final int LONGEST_NAME = 100;
     private static final Pattern COMMENT = Pattern.compile("(?s)/\\*.*?\\*/|//[^\n]*");
 
     private final AllowList allowed;
 
-    ByteCodeCheck(AllowList allowed) {
+    public ByteCodeCheck(AllowList allowed) {
         this.allowed = allowed;
     }
 
@@ -29,13 +29,13 @@ final class ByteCodeCheck {
      *
      * @param entry name of that class; empty where there are refusals
      */
-    record Result(String entry, List<Diagnostic> refusals) {}
+    public record Result(String entry, List<Diagnostic> refusals) {}
 
     /**
      * @param classes binary name to class file, as the compiling child sent them: may be anything
      * @param contract internal name of the interface that the exercise asks for
      */
-    Result check(Map<String, byte[]> classes, String contract, String source) {
+    public Result check(Map<String, byte[]> classes, String contract, String source) {
         Refusals refusals = new Refusals(source);
         OwnClasses own;
         try {

@@ -1,4 +1,4 @@
-package rasterlab.exercises;
+package rasterlab.exercises.catalogue;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
+import rasterlab.exercises.CatalogueException;
 
 /** The files of one exercise, from a folder or from the class path; remembers what was read. */
 final class ExerciseFolder {
@@ -47,7 +48,9 @@ final class ExerciseFolder {
                 id,
                 "built-in exercise " + id,
                 name -> {
-                    InputStream in = Catalogue.class.getResourceAsStream(id + "/" + name);
+                    InputStream in =
+                            Catalogue.class.getResourceAsStream(
+                                    "/rasterlab/exercises/" + id + "/" + name);
                     if (in == null) throw new IOException("not on the class path");
                     return in;
                 });

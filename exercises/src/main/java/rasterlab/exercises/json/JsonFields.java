@@ -1,4 +1,4 @@
-package rasterlab.exercises;
+package rasterlab.exercises.json;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.StreamReadFeature;
@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
+import rasterlab.exercises.CatalogueException;
 
 /**
  * One JSON object of an exercise's data, read strictly: a missing, unknown or out-of-range field is

@@ -1,4 +1,4 @@
-package rasterlab.exercises;
+package rasterlab.exercises.catalogue;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -20,6 +20,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading;
 
 /** An instructor's folder is read, or its mistake is named with file and field. */
 class CatalogueTest {
@@ -39,7 +42,7 @@ class CatalogueTest {
     void copyTheBuiltInExercise() throws IOException {
         mine = Files.createDirectory(folder.resolve("my-line"));
         for (String file : FILES)
-            try (InputStream in = Catalogue.class.getResourceAsStream("line-bresenham/" + file)) {
+            try (InputStream in = Exercise.class.getResourceAsStream("line-bresenham/" + file)) {
                 Files.copy(in, mine.resolve(file));
             }
     }

@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner;
+package rasterlab.exercises.runner.scan;
 
 import org.objectweb.asm.AnnotationVisitor;
 import org.objectweb.asm.Attribute;

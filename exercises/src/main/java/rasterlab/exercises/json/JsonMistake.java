@@ -1,4 +1,4 @@
-package rasterlab.exercises;
+package rasterlab.exercises.json;
 
 import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonProcessingException;

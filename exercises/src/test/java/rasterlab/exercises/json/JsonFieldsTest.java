@@ -1,4 +1,4 @@
-package rasterlab.exercises;
+package rasterlab.exercises.json;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -8,6 +8,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.CatalogueException;
 
 /** A text that is not JSON is answered with a place in it and a reason, nothing of the parser's. */
 class JsonFieldsTest {
