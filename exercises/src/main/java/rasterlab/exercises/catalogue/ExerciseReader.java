@@ -13,15 +13,15 @@ import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Exercise.PointPlan;
 import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.json.JsonFields;
-import rasterlab.exercises.line.LineCaseReader;
 import rasterlab.exercises.score.Disclosure;
+import rasterlab.exercises.topic.TopicGradings;
 
 /**
  * Turns an exercise folder into an {@link Exercise}, or says which field of which file is wrong.
  */
 final class ExerciseReader {
-    private static final List<String> TOPICS = List.of("line");
     private static final List<String> LANGUAGES = List.of("en", "ru");
     private static final String[] CASE_FIELDS = {
         "name", "kind", "visibility", "points", "input", "generate"
@@ -48,15 +48,16 @@ final class ExerciseReader {
                         "tolerance",
                         "points",
                         "cases");
+        TopicGrading topic = TopicGradings.named(fields.word("topic", TopicGradings.names()));
         PointPlan points = points(fields.object("points", "accuracy", "stability", "speed"));
         List<Case> cases = new ArrayList<>();
-        for (String caseFile : fields.texts("cases")) cases.addAll(cases(caseFile));
+        for (String caseFile : fields.texts("cases")) cases.addAll(cases(caseFile, topic));
         checkNames(cases);
         checkSum(cases, Kind.ACCURACY, points.accuracy());
         checkSum(cases, Kind.STABILITY, points.stability());
         return new Exercise(
                 id,
-                fields.word("topic", TOPICS),
+                topic.name(),
                 titles(fields.object("title", "en", "ru")),
                 statements(),
                 folder.text("Starter.java"),
@@ -99,15 +100,15 @@ final class ExerciseReader {
         return plan;
     }
 
-    private List<Case> cases(String file) {
+    private List<Case> cases(String file, TopicGrading topic) {
         List<Case> cases = new ArrayList<>();
         for (JsonFields fields :
                 JsonFields.parseArray(folder.place(file), folder.text(file), CASE_FIELDS))
-            cases.add(oneCase(fields));
+            cases.add(checked(fields, oneCase(fields), topic));
         return cases;
     }
 
-    private Case oneCase(JsonFields fields) {
+    private static Case oneCase(JsonFields fields) {
         String name = fields.text("name");
         if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*"))
             throw fields.wrong("name", "must be lower-case words with hyphens, got '" + name + "'");
@@ -126,22 +127,19 @@ final class ExerciseReader {
                                                 "never"))));
         if (generated && visibility == Disclosure.OPEN)
             throw fields.wrong("visibility", "must not be open where the case is generated");
-        return checked(
-                fields,
-                new Case(
-                        name,
-                        Kind.valueOf(
-                                constant(fields.word("kind", List.of("accuracy", "stability")))),
-                        visibility,
-                        fields.integer("points", 0, Exercise.MOST_POINTS),
-                        fields.json(generated ? "generate" : "input"),
-                        generated));
+        return new Case(
+                name,
+                Kind.valueOf(constant(fields.word("kind", List.of("accuracy", "stability")))),
+                visibility,
+                fields.integer("points", 0, Exercise.MOST_POINTS),
+                fields.json(generated ? "generate" : "input"),
+                generated);
     }
 
     /** Reads the input as the runner will, so that a mistake shows before anybody submits. */
-    private static Case checked(JsonFields fields, Case one) {
+    private static Case checked(JsonFields fields, Case one, TopicGrading topic) {
         try {
-            LineCaseReader.read(one, 0);
+            topic.calls(one, new Tolerance(false), 0);
             return one;
         } catch (CatalogueException e) {
             throw fields.wrong("", "cannot be used: " + e.getMessage());

@@ -7,8 +7,8 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.runner.Isolation.ProcessLimit;
-import rasterlab.exercises.runner.child.Wire;
 import rasterlab.exercises.score.Message;
 
 /** Finds the strongest box that works on this machine by trying it once. */

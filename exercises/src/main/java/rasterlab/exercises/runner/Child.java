@@ -13,8 +13,8 @@ import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
-import rasterlab.exercises.runner.child.Frames;
-import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.child.Frames;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Message;
 
 /**

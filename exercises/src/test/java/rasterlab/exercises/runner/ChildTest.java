@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 
 /** What a method that got past the byte-code check can do to the parent: nothing but lose. */
@@ -128,12 +128,10 @@ class ChildTest {
     void theHarnessIsNotOnTheStudentsClassPath() throws Exception {
         Answer answer =
                 unscanned.draw(
-                        method(
-                                guarded(
-                                        "Class.forName(\"rasterlab.exercises.runner.child.RunMain\");")));
+                        method(guarded("Class.forName(\"rasterlab.exercises.child.RunMain\");")));
         assertEquals(
                 "java.lang.RuntimeException: java.lang.ClassNotFoundException:"
-                        + " rasterlab.exercises.runner.child.RunMain",
+                        + " rasterlab.exercises.child.RunMain",
                 answer.thrown());
     }
 

@@ -185,7 +185,7 @@ class HostileSourcesTest {
                         "harness class",
                         "compile_error",
                         "does not exist",
-                        method("rasterlab.exercises.runner.child.Wire.cut(\"\");\n")),
+                        method("rasterlab.exercises.child.Wire.cut(\"\");\n")),
                 argumentSet(
                         "200 classes more than its own",
                         "refused",

@@ -102,11 +102,11 @@ class ArchitectureTest {
     void childKnowsOnlyTheContract() {
         noClasses()
                 .that()
-                .resideInAPackage("rasterlab.exercises.runner.child..")
+                .resideInAPackage("rasterlab.exercises.child..")
                 .should()
                 .dependOnClassesThat()
                 .resideOutsideOfPackages(
-                        "rasterlab.exercises.runner.child..",
+                        "rasterlab.exercises.child..",
                         "rasterlab.contract..",
                         "java..",
                         "javax.tools..")

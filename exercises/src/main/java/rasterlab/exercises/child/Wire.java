@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner.child;
+package rasterlab.exercises.child;
 
 /**
  * The words of the protocol between parent and child.

@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner.child;
+package rasterlab.exercises.child;
 
 import java.io.ByteArrayOutputStream;
 import java.io.File;

@@ -1,4 +1,4 @@
-package rasterlab.exercises.runner.child;
+package rasterlab.exercises.child;
 
 import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
