@@ -1,7 +1,5 @@
 package rasterlab.engine.line;
 
-import java.util.HashSet;
-import java.util.Set;
 import rasterlab.engine.raster.NearestPixel;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
@@ -13,7 +11,8 @@ import rasterlab.engine.study.Deviation;
  *
  * <p>The worst error is the larger of two distances, each max(|Δx|, |Δy|): from any exact pixel to
  * the nearest drawn one (so gaps count) and from any drawn pixel to the nearest exact one. Where
- * nothing is drawn it is the number of exact pixels.
+ * nothing is drawn it is the number of exact pixels. Right pixels that come twice or out of order
+ * are no distance away, but still a difference.
  */
 final class LineComparison {
     private LineComparison() {}
@@ -47,15 +46,8 @@ final class LineComparison {
         while (i < shared && same(exact, actual, i)) i++;
         if (i == exact.size() && i == actual.size()) return "";
         return actual.size() > exact.size()
-                ? pixel(actual, firstRepeated(actual)) + " is drawn again"
+                ? pixel(actual, actual.firstRepeated()) + " is drawn again"
                 : pixel(actual, i) + " comes out of order";
-    }
-
-    private static int firstRepeated(PixelRecording actual) {
-        Set<Long> seen = new HashSet<>();
-        int i = 0;
-        while (seen.add((long) actual.x(i) << 32 | actual.y(i) & 0xFFFF_FFFFL)) i++;
-        return i;
     }
 
     private static String first(

@@ -15,7 +15,6 @@ import rasterlab.engine.study.Workload;
  *
  * <p>A line that is not exact is degraded where no exact pixel is farther than one pixel from a
  * drawn one and no drawn pixel farther than one pixel from an exact one; otherwise it is wrong.
- * Pixels that are all right but repeated or out of order make a line degraded.
  */
 public final class LineTopic implements Topic<LineRasterizer, Segment, PixelRecording> {
     private static final double USABLE_PIXELS = 1;

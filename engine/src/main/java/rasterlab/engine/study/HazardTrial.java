@@ -8,7 +8,7 @@ import java.util.List;
  * Gives a method its verdict on one input: runs it under guard and compares with the exact answer.
  *
  * <p>An exact answer of more than 20,000 items is compared by its first so many. A method is
- * endless when it produces more than {@link Topic#mostBeforeEndless}, or goes beyond the wall
+ * endless when it produces more than twice the exact items and 1,000 more, or goes beyond the wall
  * limit.
  */
 public final class HazardTrial {

@@ -55,6 +55,12 @@ public interface Topic<C, I, O> {
         return deviation.exact();
     }
 
+    /** What {@link #spend} counts, in the singular, for axis labels: "pixel", "segment". */
+    String item();
+
+    /** Unit of {@link Deviation#worst}. */
+    String errorUnit();
+
     /**
      * The most items a method may produce before it is taken for endless, in a study, a lab, a run
      * or an exercise: twice the right number and 1,000 more.
@@ -64,12 +70,6 @@ public interface Topic<C, I, O> {
     default long mostBeforeEndless(long exactItems) {
         return 2 * exactItems + 1_000;
     }
-
-    /** What {@link #spend} counts, in the singular, for axis labels: "pixel", "segment". */
-    String item();
-
-    /** Unit of {@link Deviation#worst}. */
-    String errorUnit();
 
     /** The method of that name. */
     default Method<C> method(String name) {
