@@ -89,6 +89,14 @@ class GradingLifeTest {
     }
 
     @Test
+    void aJudgeClosedInTheMiddleIsOurFaultAndNoMark() throws Exception {
+        Judge judge = Judge.start(JudgeSettings.once());
+        Report report =
+                judge.grade(EXERCISE, Sources.RIGHT, CaseSelection.open(), first -> judge.close());
+        assertEquals(GradingVerdict.INTERNAL, report.verdict());
+    }
+
+    @Test
     void twoGradingsAtOnceDoNotMix() throws Exception {
         ExecutorService threads = Executors.newFixedThreadPool(2);
         try (Judge judge = Judge.start(JudgeSettings.defaults())) {

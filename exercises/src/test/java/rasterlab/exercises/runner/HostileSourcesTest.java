@@ -201,7 +201,8 @@ class HostileSourcesTest {
                         "lattice of interfaces with more ways up than can be walked",
                         "refused",
                         "6:0 Tangled.getStackTrace",
-                        method("Tangled t = new Tangled();\nt.getStackTrace();\n") + latticeOf(10)),
+                        method("Tangled t = new Tangled();\nt.getStackTrace();\n")
+                                + Sources.latticeOf(10)),
                 argumentSet("no class", "refused", "no public class implements", "class A { }"),
                 argumentSet(
                         "two classes",
@@ -246,18 +247,6 @@ class HostileSourcesTest {
                                         + "all.add(new P(x0, y0)); String s = E.A + \" \" + all;\n"
                                         + "switch (E.valueOf(\"B\")) { case A -> out.plot(1, 1);\n"
                                         + "  case B -> all.forEach(p -> out.plot(p.x, p.y)); }\n")));
-    }
-
-    /** From the top of the lattice each level doubles the ways: 2^levels of them. */
-    private static String latticeOf(int levels) {
-        return "interface A0 { }\ninterface B0 { }\n"
-                + IntStream.rangeClosed(1, levels)
-                        .mapToObj(
-                                i ->
-                                        "interface A%1$d extends A%2$d, B%2$d { }%ninterface B%1$d extends A%2$d, B%2$d { }%n"
-                                                .formatted(i, i - 1))
-                        .collect(joining())
-                + "class Tangled extends Exception implements A%1$d, B%1$d { }%n".formatted(levels);
     }
 
     private static String manyClasses(int number) {
