@@ -12,6 +12,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.child.Wire;
@@ -67,7 +68,11 @@ final class Child implements AutoCloseable {
             throws ChildLost, InterruptedException {
         nonce = nonces.nextLong();
         byte[] frame = request.frame(nonce);
-        threads.execute(() -> send(frame));
+        try {
+            threads.execute(() -> send(frame));
+        } catch (RejectedExecutionException closed) {
+            throw closedByOurselves();
+        }
         return more(limit, reading);
     }
 
@@ -75,6 +80,7 @@ final class Child implements AutoCloseable {
     <T> T more(Duration limit, Reading<T> reading) throws ChildLost, InterruptedException {
         byte[] frame = frames.poll(limit.toNanos(), TimeUnit.NANOSECONDS);
         if (frame == null) {
+            if (threads.isShutdown()) throw closedByOurselves();
             close();
             throw new ChildLost(ChildLost.Reason.TIME, Message.of("child.time", seconds(limit)));
         }
@@ -88,6 +94,11 @@ final class Child implements AutoCloseable {
             throw new ChildLost(
                     ChildLost.Reason.PROTOCOL, Message.of("child.protocol", e.getMessage()));
         }
+    }
+
+    /** The judge ended while a grading went on: nothing that the student's method did. */
+    private static ChildLost closedByOurselves() {
+        return new ChildLost(ChildLost.Reason.KILLED, Message.of("child.no-judge"));
     }
 
     static String seconds(Duration limit) {
