@@ -2,6 +2,7 @@ package rasterlab.exercises;
 
 import java.util.List;
 import java.util.Map;
+import rasterlab.exercises.score.Disclosure;
 
 /**
  * One exercise, as its folder describes it.
@@ -25,10 +26,26 @@ public record Exercise(
         Tolerance tolerance,
         PointPlan points,
         List<Case> cases) {
+    /** In all, and so for each kind and each case. */
+    public static final int MOST_POINTS = 100;
+
     public Exercise {
-        title = Map.copyOf(title);
-        statement = Map.copyOf(statement);
+        title = withEnglish("title", title);
+        statement = withEnglish("statement", statement);
         cases = List.copyOf(cases);
+    }
+
+    private static Map<String, String> withEnglish(String name, Map<String, String> texts) {
+        if (!texts.containsKey("en"))
+            throw new IllegalArgumentException(
+                    name + " needs a text in English ('en'), got only " + texts.keySet());
+        return Map.copyOf(texts);
+    }
+
+    private static void inRange(String name, int points) {
+        if (points < 0 || points > MOST_POINTS)
+            throw new IllegalArgumentException(
+                    name + " must be from 0 to " + MOST_POINTS + " points, got " + points);
     }
 
     /** The text in that language, or the English one where there is none. */
@@ -49,8 +66,14 @@ public record Exercise(
      */
     public record Tolerance(boolean eitherPixelOnTies) {}
 
-    /** The most points of each kind. */
+    /** The most points of each kind, from 0 to 100. */
     public record PointPlan(int accuracy, int stability, int speed) {
+        public PointPlan {
+            inRange("accuracy", accuracy);
+            inRange("stability", stability);
+            inRange("speed", speed);
+        }
+
         public int total() {
             return accuracy + stability + speed;
         }
@@ -68,10 +91,17 @@ public record Exercise(
     public record Case(
             String name,
             Kind kind,
-            Visibility visibility,
+            Disclosure visibility,
             int points,
             String input,
-            boolean generated) {}
+            boolean generated) {
+        public Case {
+            inRange("case '" + name + "'", points);
+            if (generated && visibility == Disclosure.OPEN)
+                throw new IllegalArgumentException(
+                        "case '" + name + "' must not be open, since the seed draws it");
+        }
+    }
 
     /** What a case earns. */
     public enum Kind {

@@ -1,7 +1,6 @@
 package rasterlab.exercises;
 
 import java.util.function.Consumer;
-import rasterlab.exercises.runner.child.Wire;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Report;
 
@@ -11,7 +10,7 @@ import rasterlab.exercises.score.Report;
 @FunctionalInterface
 public interface Grading {
     /** The longest source, in bytes of UTF-8: a longer one is refused wherever it is handed in. */
-    int MOST_SOURCE_BYTES = Wire.MOST_SOURCE_BYTES;
+    int MOST_SOURCE_BYTES = 256 * 1024;
 
     /**
      * Compiles, runs in isolation, compares and scores. Never throws for anything that the student

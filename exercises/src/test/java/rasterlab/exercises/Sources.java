@@ -1,5 +1,9 @@
 package rasterlab.exercises;
 
+import static java.util.stream.Collectors.joining;
+
+import java.util.stream.IntStream;
+
 /** Sources as students might send them, for tests. */
 public final class Sources {
     /** Right on every int, whatever the direction. */
@@ -71,5 +75,17 @@ public final class Sources {
         """
                 + body
                 + "    }\n}\n";
+    }
+
+    /** From the top of the lattice each level doubles the ways: 2^levels of them. */
+    public static String latticeOf(int levels) {
+        return "interface A0 { }\ninterface B0 { }\n"
+                + IntStream.rangeClosed(1, levels)
+                        .mapToObj(
+                                i ->
+                                        "interface A%1$d extends A%2$d, B%2$d { }%ninterface B%1$d extends A%2$d, B%2$d { }%n"
+                                                .formatted(i, i - 1))
+                        .collect(joining())
+                + "class Tangled extends Exception implements A%1$d, B%1$d { }%n".formatted(levels);
     }
 }

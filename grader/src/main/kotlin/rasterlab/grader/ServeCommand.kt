@@ -8,8 +8,8 @@ import kotlinx.coroutines.runBlocking
 import org.slf4j.LoggerFactory
 import picocli.CommandLine.Command
 import picocli.CommandLine.Option
-import rasterlab.exercises.Catalogue
 import rasterlab.exercises.CatalogueException
+import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.exercises.runner.Judge
 import rasterlab.exercises.runner.JudgeSettings
 import rasterlab.grader.exercise.Exercises

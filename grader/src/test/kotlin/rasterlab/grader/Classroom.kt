@@ -21,9 +21,9 @@ import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.Grading
-import rasterlab.exercises.Visibility
 import rasterlab.exercises.score.CasePictures
 import rasterlab.exercises.score.CaseReport
+import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.Points
@@ -88,7 +88,7 @@ class Classroom(
         ) = Report(
             verdict,
             points,
-            listOf(case("open-case", Visibility.OPEN, verdict), case("hidden-case", Visibility.VERDICT_ONLY, verdict)),
+            listOf(case("open-case", Disclosure.OPEN, verdict), case("hidden-case", Disclosure.VERDICT_ONLY, verdict)),
             emptyList(),
             "process limits only",
             12.5,
@@ -96,7 +96,7 @@ class Classroom(
 
         fun case(
             name: String,
-            visibility: Visibility,
+            visibility: Disclosure,
             verdict: GradingVerdict,
         ) = CaseReport(
             name,

@@ -3,6 +3,7 @@ package rasterlab.app.canvas;
 import java.awt.Color;
 import java.util.List;
 import java.util.Map;
+import rasterlab.engine.raster.PixelMark;
 
 /**
  * One colour for each method, the same in every lab and chart.
@@ -16,7 +17,7 @@ public final class MethodColours {
     public static final Color GREEN = new Color(0x009E73);
     public static final Color YELLOW = new Color(0xF0E442);
     public static final Color BLUE = new Color(0x0072B2);
-    public static final Color VERMILLION = new Color(0xD55E00);
+    public static final Color VERMILLION = PixelMark.COLOUR;
     public static final Color PURPLE = new Color(0xCC79A7);
     public static final Color GREY = new Color(0x7F7F7F);
 

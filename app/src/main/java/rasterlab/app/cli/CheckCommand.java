@@ -7,9 +7,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
-import rasterlab.exercises.Catalogue;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.runner.Judge;
 import rasterlab.exercises.runner.JudgeSettings;
 import rasterlab.exercises.score.CaseReport;
@@ -76,7 +76,7 @@ final class CheckCommand implements Callable<Integer> {
 
     private Report graded(Exercise chosen, String source) {
         try (Judge judge = Judge.start(JudgeSettings.once())) {
-            console.err().println(judge.isolation().describe());
+            console.err().println(judge.isolation().describe(language.code()));
             return judge.grade(chosen, source, CaseSelection.open(), this::showProgress);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

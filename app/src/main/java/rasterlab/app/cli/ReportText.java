@@ -40,7 +40,7 @@ final class ReportText {
                         points.speed()));
         if (report.nanosPerItem() > 0)
             say("cost", String.format(Locale.ROOT, "%.2f ns", report.nanosPerItem()));
-        say("isolation", report.isolation());
+        say("isolation", report.isolation(language()));
         report.diagnostics().forEach(this::printDiagnostic);
         printCases(report.cases());
     }

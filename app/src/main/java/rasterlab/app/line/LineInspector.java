@@ -5,10 +5,11 @@ import javax.swing.JLabel;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
-import rasterlab.app.canvas.PixelMark;
+import rasterlab.app.canvas.PixelMarkIcon;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.SteppedLine;
+import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.study.Method;
 
 /** The line lab's choosers, live numbers and the explanation of the chosen method. */
@@ -53,9 +54,9 @@ final class LineInspector {
 
         column.heading("heading.wrong");
         missing = column.value("missing");
-        missing.setIcon(PixelMark.MISSING.icon());
+        missing.setIcon(new PixelMarkIcon(PixelMark.MISSING));
         extra = column.value("extra");
-        extra.setIcon(PixelMark.EXTRA.icon());
+        extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
         worst = column.value("worst");
         other = column.value("other");
 

@@ -9,9 +9,9 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PixelGrid;
-import rasterlab.app.canvas.PixelMark;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelMark;
 
 /** Draws what the methods drew onto a zoomed pixel grid. */
 final class LinePainter {

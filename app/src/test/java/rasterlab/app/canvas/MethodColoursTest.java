@@ -13,6 +13,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.study.Method;
 
 class MethodColoursTest {

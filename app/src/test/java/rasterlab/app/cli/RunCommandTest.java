@@ -118,7 +118,7 @@ class RunCommandTest {
         ran.assertComplains(
                 4,
                 "./lab run: bresenham-textbook does not end:"
-                        + " it sent more than 22 pixels, twice what the segment has");
+                        + " it sent more than 1006 pixels, more than twice what the segment has");
     }
 
     @Test

@@ -10,7 +10,8 @@ import rasterlab.engine.study.Deviation;
  *
  * <p>The worst error is the larger of two distances, each max(|Δx|, |Δy|): from any exact pixel to
  * the nearest drawn one (so gaps count) and from any drawn pixel to the nearest exact one. Where
- * nothing is drawn it is the number of exact pixels.
+ * nothing is drawn it is the number of exact pixels. Right pixels that come twice or out of order
+ * are no distance away, but still a difference.
  */
 final class LineComparison {
     private LineComparison() {}
@@ -33,8 +34,9 @@ final class LineComparison {
         int i = 0;
         while (i < shared && same(exact, actual, i)) i++;
         if (i == exact.size() && i == actual.size()) return "";
-        String fault = actual.size() > exact.size() ? "is drawn again" : "comes out of order";
-        return pixel(actual, i) + " " + fault;
+        return actual.size() > exact.size()
+                ? pixel(actual, actual.firstRepeated()) + " is drawn again"
+                : pixel(actual, i) + " comes out of order";
     }
 
     private static String first(

@@ -21,11 +21,6 @@ import rasterlab.engine.study.Workload;
 public final class LineTopic implements Topic<LineRasterizer, Segment, PixelRecording> {
     private static final double USABLE_PIXELS = 1;
 
-    /**
-     * Beyond twice the right number of pixels and this many more, {@link #spend} stops a method.
-     */
-    private static final int SLACK = 1_000;
-
     @Override
     public String name() {
         return "line";
@@ -56,11 +51,11 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
     /**
      * {@inheritDoc}
      *
-     * @throws LimitReached when the method draws more than twice the right number of pixels
+     * @throws LimitReached when the method draws more than {@link #mostBeforeEndless}
      */
     @Override
     public long spend(LineRasterizer method, Segment segment) {
-        var counting = new CountingPixels(2 * (segment.steps() + 1) + SLACK);
+        var counting = new CountingPixels(mostBeforeEndless(segment.steps() + 1));
         if (method instanceof CoverageLine shaded) return shade(shaded, segment, counting);
         method.draw(segment.x0(), segment.y0(), segment.x1(), segment.y1(), counting);
         return counting.count();

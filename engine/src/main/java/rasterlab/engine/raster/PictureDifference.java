@@ -12,11 +12,8 @@ package rasterlab.engine.raster;
  */
 public record PictureDifference(
         long wrongPixels, long pixels, int largestLevelDifference, Raster mask) {
-    /**
-     * Colour of a wrong pixel in the mask: vermillion (Okabe and Ito, 2008), as in every lab;
-     * nothing else in the mask has it.
-     */
-    public static final int WRONG = 0xFFD55E00;
+    /** Colour of a wrong pixel in the mask; nothing else in the mask has it. */
+    public static final int WRONG = PixelMark.ARGB;
 
     /** Colour of the arms of the × in the mask. */
     static final int ARM = 0xFF101010;

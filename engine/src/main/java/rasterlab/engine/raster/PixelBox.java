@@ -19,6 +19,10 @@ public record PixelBox(int minX, int minY, int maxX, int maxY) {
         return (long) maxY - minY + 1;
     }
 
+    public boolean contains(int x, int y) {
+        return x >= minX && x <= maxX && y >= minY && y <= maxY;
+    }
+
     /**
      * A part of this box of at most {@code columns} × {@code rows} pixels around (x, y), moved so
      * that it stays inside.

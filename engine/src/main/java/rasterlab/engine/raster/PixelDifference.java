@@ -84,10 +84,19 @@ public record PixelDifference(PixelSet right, PixelSet missing, PixelSet extra) 
         return box().map(this::text).orElse("");
     }
 
-    private String text(PixelBox whole) {
+    /** The part of the box that {@link #text} shows; none if there is no pixel at all. */
+    public Optional<PixelBox> shown() {
+        return box().map(this::shown);
+    }
+
+    private PixelBox shown(PixelBox whole) {
         PixelSet wrong = missing.union(extra);
         PixelSet centre = wrong.isEmpty() ? right : wrong;
-        PixelBox shown = whole.around(centre.x(0), centre.y(0), MOST_COLUMNS, MOST_ROWS);
+        return whole.around(centre.x(0), centre.y(0), MOST_COLUMNS, MOST_ROWS);
+    }
+
+    private String text(PixelBox whole) {
+        PixelBox shown = shown(whole);
         var text = new StringBuilder();
         if (!shown.equals(whole)) text.append(part(shown, whole)).append('\n');
         for (long y = shown.minY(); y <= shown.maxY(); y++) {
@@ -98,16 +107,14 @@ public record PixelDifference(PixelSet right, PixelSet missing, PixelSet extra) 
     }
 
     private static String part(PixelBox shown, PixelBox whole) {
-        return String.format(
-                "columns %d..%d of %d..%d, rows %d..%d of %d..%d",
-                shown.minX(),
-                shown.maxX(),
-                whole.minX(),
-                whole.maxX(),
-                shown.minY(),
-                shown.maxY(),
-                whole.minY(),
-                whole.maxY());
+        return "columns "
+                + range(shown.minX(), shown.maxX(), whole.minX(), whole.maxX())
+                + ", rows "
+                + range(shown.minY(), shown.maxY(), whole.minY(), whole.maxY());
+    }
+
+    private static String range(int from, int to, int wholeFrom, int wholeTo) {
+        return from + ".." + to + " of " + wholeFrom + ".." + wholeTo;
     }
 
     private char mark(int x, int y) {

@@ -1,6 +1,8 @@
 package rasterlab.engine.raster;
 
 import java.util.Arrays;
+import java.util.HashSet;
+import java.util.Set;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.study.LimitReached;
 
@@ -50,6 +52,14 @@ public final class PixelRecording implements Pixels {
     /** Row of write {@code index}, 0 being the first. */
     public int y(int index) {
         return ys[checked(index)];
+    }
+
+    /** Index of the first write to a pixel that was written before; {@link #size} if none was. */
+    public int firstRepeated() {
+        Set<Long> seen = new HashSet<>();
+        int index = 0;
+        while (index < size && seen.add((long) xs[index] << 32 | ys[index] & 0xFFFF_FFFFL)) index++;
+        return index;
     }
 
     private int checked(int index) {

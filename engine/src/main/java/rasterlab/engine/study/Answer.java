@@ -6,17 +6,16 @@ package rasterlab.engine.study;
  * @param exact the answer, or its first {@link #limit} items where it is cut
  * @param items number of items in {@code exact}
  * @param cut whether the whole answer is longer
- * @param limit the most items a method may produce: those of a cut answer, otherwise twice the
- *     right number and {@value #SLACK}
+ * @param limit the most items a method may produce: those of a cut answer, otherwise as {@link
+ *     Topic#mostBeforeEndless} says
  */
 record Answer<O>(O exact, long items, boolean cut, int limit) {
-    private static final int SLACK = 1_000;
 
     static <C, I, O> Answer<O> to(Topic<C, I, O> topic, I input) {
         O exact = topic.exact(input, topic.mostItems() + 1);
         long items = topic.compare(input, exact, exact).of();
         if (items <= topic.mostItems())
-            return new Answer<>(exact, items, false, (int) (2 * items + SLACK));
+            return new Answer<>(exact, items, false, (int) topic.mostBeforeEndless(items));
         return new Answer<>(
                 topic.exact(input, topic.mostItems()), topic.mostItems(), true, topic.mostItems());
     }

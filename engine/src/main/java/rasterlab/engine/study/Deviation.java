@@ -3,7 +3,8 @@ package rasterlab.engine.study;
 /**
  * How far an output is from the exact one.
  *
- * @param worst the largest error, in the topic's {@link Topic#errorUnit unit}; 0 is exact
+ * @param worst the largest error, in the topic's {@link Topic#errorUnit unit}; 0 where the items
+ *     themselves are right, though perhaps repeated or out of order
  * @param missing exact items that were not produced
  * @param extra produced items that are not exact
  * @param of number of exact items
@@ -13,6 +14,6 @@ public record Deviation(double worst, long missing, long extra, long of, String 
     public static final Deviation NONE = new Deviation(0, 0, 0, 0, "");
 
     public boolean exact() {
-        return worst == 0 && missing == 0 && extra == 0;
+        return worst == 0 && missing == 0 && extra == 0 && first.isEmpty();
     }
 }

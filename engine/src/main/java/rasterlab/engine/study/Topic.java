@@ -90,6 +90,16 @@ public interface Topic<C, I, O> {
     String errorUnit();
 
     /**
+     * The most items a method may produce before it is taken for endless, in a study, a lab, a run
+     * or an exercise: twice the right number and 1,000 more.
+     *
+     * @param exactItems the right number
+     */
+    default long mostBeforeEndless(long exactItems) {
+        return 2 * exactItems + 1_000;
+    }
+
+    /**
      * The method of that name.
      *
      * @throws IllegalArgumentException if there is none; the message lists those there are

@@ -1,6 +1,8 @@
 package rasterlab.engine.line;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.stream.Stream;
@@ -8,6 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Deviation;
 
@@ -69,12 +72,27 @@ class LineComparisonTest {
                         0,
                         "pixel (1, 0) is drawn again"),
                 argumentSet(
+                        "a pixel comes twice in a reversed line, and the first one is named",
+                        "4,0 3,0 2,0 3,0 1,0 0,0",
+                        0,
+                        0,
+                        0,
+                        "pixel (3, 0) is drawn again"),
+                argumentSet(
                         "the order is reversed",
                         "4,0 3,0 2,0 1,0 0,0",
                         0,
                         0,
                         0,
                         "pixel (4, 0) comes out of order"));
+    }
+
+    @ParameterizedTest(name = "{0} passes for exact")
+    @ValueSource(strings = {"0,0 1,0 1,0 2,0 3,0 4,0", "4,0 3,0 2,0 1,0 0,0"})
+    void whatIsRepeatedOrReversedIsDegraded(String drawn) {
+        LineTopic topic = new LineTopic();
+        assertFalse(compare(drawn).exact());
+        assertTrue(topic.usable(compare(drawn)));
     }
 
     @Test

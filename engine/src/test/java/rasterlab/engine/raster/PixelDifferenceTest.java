@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
@@ -59,6 +60,20 @@ class PixelDifferenceTest {
                 rows.get(0));
         assertEquals(41, rows.size());
         assertEquals("-" + ".".repeat(79), rows.get(1));
+    }
+
+    @Test
+    void saysWhichPartInEveryCountryInTheSameDigits() {
+        Locale before = Locale.getDefault();
+        Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
+        try {
+            var difference = PixelDifference.of(recording(0, 0, 90, 0), recording(0, 0, 90, 0));
+            assertEquals(
+                    "columns 0..79 of 0..90, rows 0..0 of 0..0",
+                    difference.text().lines().findFirst().orElseThrow());
+        } finally {
+            Locale.setDefault(before);
+        }
     }
 
     @Test

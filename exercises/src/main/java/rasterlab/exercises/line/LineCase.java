@@ -1,6 +1,7 @@
 package rasterlab.exercises.line;
 
 import java.util.List;
+import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 
 /**
@@ -36,11 +37,10 @@ public record LineCase(
         return segment.steps() >= firstPixels;
     }
 
-    /**
-     * The most pixels that a method may plot for that segment: twice the right number and some, so
-     * that what is extra can be shown.
-     */
+    /** The most pixels that a method may plot for that segment. */
     public int mostPixels(Segment segment) {
-        return cutShort(segment) ? firstPixels : (int) (2 * (segment.steps() + 1) + 64);
+        return cutShort(segment)
+                ? firstPixels
+                : (int) new LineTopic().mostBeforeEndless(segment.steps() + 1);
     }
 }

@@ -3,11 +3,16 @@ package rasterlab.exercises.line;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.study.Hazard;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.JsonFields;
+import rasterlab.exercises.json.JsonFields;
 
-/** Reads a case's input: the segment itself, or how to draw segments from a seed. */
+/**
+ * Reads a case's input: the segment itself or the name of a hazard, or how to draw segments from a
+ * seed.
+ */
 public final class LineCaseReader {
     private static final int OCTANTS = 8;
 
@@ -30,6 +35,7 @@ public final class LineCaseReader {
                 JsonFields.parse(
                         place,
                         one.input(),
+                        "hazard",
                         "from",
                         "to",
                         "alsoSwapped",
@@ -37,9 +43,7 @@ public final class LineCaseReader {
                         "inOrder",
                         "firstPixels",
                         "mayRefuse");
-        int[] from = fields.point("from");
-        int[] to = fields.point("to");
-        Segment segment = new Segment(from[0], from[1], to[0], to[1]);
+        Segment segment = fields.has("hazard") ? hazard(fields) : segment(fields);
         boolean swapped = fields.flag("alsoSwapped", false);
         LineCase read =
                 new LineCase(
@@ -54,6 +58,25 @@ public final class LineCaseReader {
                     "firstPixels",
                     "is needed: the segment has more than " + LineCase.MOST_PIXELS + " pixels");
         return read;
+    }
+
+    private static Segment segment(JsonFields fields) {
+        int[] from = fields.point("from");
+        int[] to = fields.point("to");
+        return new Segment(from[0], from[1], to[0], to[1]);
+    }
+
+    /** The segment of a hazard of the topic, so that lab, study and exercise have the same one. */
+    private static Segment hazard(JsonFields fields) {
+        for (String end : List.of("from", "to"))
+            if (fields.has(end)) throw fields.wrong(end, "must not stand beside 'hazard'");
+        List<Hazard<Segment>> hazards = new LineTopic().hazards();
+        String name = fields.word("hazard", hazards.stream().map(Hazard::name).toList());
+        return hazards.stream()
+                .filter(hazard -> hazard.name().equals(name))
+                .findFirst()
+                .orElseThrow()
+                .input();
     }
 
     private static LineCase generated(Case one, String place, long seed) {

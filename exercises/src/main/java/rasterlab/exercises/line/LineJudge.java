@@ -1,7 +1,7 @@
 package rasterlab.exercises.line;
 
-import java.util.HashSet;
-import java.util.Set;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
@@ -18,6 +18,7 @@ import rasterlab.exercises.score.Message;
 
 /** Compares what a method drew with the exact line, as the case and the exercise demand. */
 public final class LineJudge {
+    private static final JsonMapper MAPPER = new JsonMapper();
     private static final String REFUSAL = IllegalArgumentException.class.getName();
 
     private final LineTopic topic = new LineTopic();
@@ -60,18 +61,12 @@ public final class LineJudge {
 
     private Message difference(Segment segment, PixelRecording wanted, PixelRecording actual) {
         Deviation deviation = topic.compare(segment, wanted, actual);
-        if (!deviation.exact()) return FirstDifference.told(deviation.first());
-        Message repeated = firstRepeated(actual);
-        if (!repeated.isEmpty()) return repeated;
-        return demand.inOrder() ? FirstDifference.told(deviation.first()) : Message.NONE;
-    }
-
-    private static Message firstRepeated(PixelRecording actual) {
-        Set<Long> seen = new HashSet<>();
-        for (int i = 0; i < actual.size(); i++)
-            if (!seen.add((long) actual.x(i) << 32 | actual.y(i) & 0xFFFF_FFFFL))
-                return Message.of("pixel.twice", "(" + actual.x(i) + ", " + actual.y(i) + ")");
-        return Message.NONE;
+        boolean eachOnce =
+                deviation.missing() == 0
+                        && deviation.extra() == 0
+                        && actual.size() == wanted.size();
+        boolean accepted = demand.inOrder() ? deviation.exact() : eachOnce;
+        return accepted ? Message.NONE : FirstDifference.told(deviation.first());
     }
 
     /** Names the faulty textbook method that draws the very same; nothing where none does. */
@@ -104,8 +99,9 @@ public final class LineJudge {
 
     /** The case's segment as a scene file that the lab opens. */
     public static String scene(Segment segment) {
-        return String.format(
-                "{\"topic\":\"line\",\"from\":[%d,%d],\"to\":[%d,%d]}",
-                segment.x0(), segment.y0(), segment.x1(), segment.y1());
+        ObjectNode scene = MAPPER.createObjectNode().put("topic", "line");
+        scene.putArray("from").add(segment.x0()).add(segment.y0());
+        scene.putArray("to").add(segment.x1()).add(segment.y1());
+        return scene.toString();
     }
 }

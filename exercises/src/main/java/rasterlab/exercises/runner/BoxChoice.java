@@ -1,51 +1,83 @@
 package rasterlab.exercises.runner;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
-import rasterlab.exercises.runner.child.Wire;
+import java.util.concurrent.TimeUnit;
+import rasterlab.exercises.child.Wire;
+import rasterlab.exercises.runner.Isolation.ProcessLimit;
+import rasterlab.exercises.score.Message;
 
 /** Finds the strongest box that works on this machine by trying it once. */
 final class BoxChoice {
-    private static final Duration SELF_TEST_LIMIT = Duration.ofSeconds(10);
-
     private final Launcher launcher;
     private final ChildJars jars;
+    private final Duration limit;
 
-    BoxChoice(Launcher launcher, ChildJars jars) {
+    /**
+     * @param limit how long the box's program may take for one answer
+     */
+    BoxChoice(Launcher launcher, ChildJars jars, Duration limit) {
         this.launcher = launcher;
         this.jars = jars;
+        this.limit = limit;
+    }
+
+    static BoxChoice on(Launcher launcher, ChildJars jars) {
+        return new BoxChoice(launcher, jars, Duration.ofSeconds(10));
     }
 
     Box choose(JudgeSettings.Box wanted) {
-        if (wanted == JudgeSettings.Box.PROCESS_LIMITS_ONLY)
-            return new PlainBox(jars, "bubblewrap was not asked for");
-        Optional<String> program = Programs.onPath("bwrap");
-        if (program.isEmpty()) return new PlainBox(jars, "bwrap is not on the PATH");
-        String help = output(List.of(program.get(), "--help"));
-        if (!help.contains("--size"))
-            return new PlainBox(jars, "bwrap is older than 0.7: it cannot size a tmpfs");
-        Box box =
-                new BubblewrapBox(
-                        program.get(),
-                        output(List.of(program.get(), "--version")),
-                        help.contains("--disable-userns"),
-                        jars);
-        return selfTest(box)
-                .<Box>map(reason -> new PlainBox(jars, "bwrap does not work here: " + reason))
-                .orElse(box);
+        if (wanted == JudgeSettings.Box.PROCESS_LIMITS_ONLY) return plain("isolation.not-asked");
+        return Programs.onPath("bwrap")
+                .map(this::inBubblewrap)
+                .orElseGet(() -> plain("isolation.no-bwrap"));
+    }
+
+    /**
+     * A box by that program, or a plain one that says why not.
+     *
+     * @param program path of bwrap
+     */
+    Box inBubblewrap(String program) {
+        try {
+            String help = output(program, "--help");
+            if (!help.contains("--size")) return plain("isolation.old-bwrap");
+            return tried(program, output(program, "--version"), help.contains("--disable-userns"));
+        } catch (IOException e) {
+            return plain("isolation.bwrap-fails", e.getMessage());
+        }
+    }
+
+    private Box tried(String program, String version, boolean canDisable) {
+        ProcessLimit limit = expectedLimit();
+        Box box = new BubblewrapBox(program, version, canDisable, limit, jars);
+        Optional<String> fault = selfTest(box);
+        if (fault.isPresent() && limit == ProcessLimit.HOLDS) {
+            box = new BubblewrapBox(program, version, canDisable, ProcessLimit.TOO_LOW, jars);
+            fault = selfTest(box);
+        }
+        return fault.isEmpty() ? box : plain("isolation.bwrap-fails", fault.get());
+    }
+
+    private static ProcessLimit expectedLimit() {
+        if (Programs.onPath("prlimit").isEmpty()) return ProcessLimit.NO_PRLIMIT;
+        boolean root = "root".equals(System.getProperty("user.name"));
+        return root ? ProcessLimit.ROOT : ProcessLimit.HOLDS;
+    }
+
+    private Box plain(String reason, Object... arguments) {
+        return new PlainBox(jars, Message.of(reason, arguments));
     }
 
     /** Why a child in the box does not answer; empty when it does. */
     private Optional<String> selfTest(Box box) {
         try (Child child = new Child(launcher.start(box.command(ChildKind.RUN, false)))) {
             try {
-                child.ask(
-                        new Request(Wire.PING, out -> {}),
-                        SELF_TEST_LIMIT,
-                        (status, payload) -> status);
+                child.ask(new Request(Wire.PING, out -> {}), limit, (status, payload) -> status);
                 return Optional.empty();
             } catch (ChildLost lost) {
                 return Optional.of(
@@ -53,20 +85,40 @@ final class BoxChoice {
                                 ? lost.getMessage()
                                 : child.complaint().lines().findFirst().orElseThrow());
             } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
-                throw new IllegalStateException("interrupted while trying bubblewrap", e);
+                throw interrupted(e);
             }
         }
     }
 
-    private String output(List<String> command) {
-        Process process = launcher.start(command);
+    /**
+     * What the program prints; less than fills a pipe, as it is read only when it has ended.
+     *
+     * @throws IOException when it cannot be started or does not end
+     */
+    private String output(String program, String option) throws IOException {
+        Process process = started(program, option);
         try (var in = process.getInputStream()) {
+            if (!process.waitFor(limit.toNanos(), TimeUnit.NANOSECONDS))
+                throw new IOException(
+                        option + " gave no answer within " + Child.seconds(limit) + " s");
             return new String(in.readNBytes(1 << 16), StandardCharsets.UTF_8).strip();
-        } catch (IOException e) {
-            return "";
+        } catch (InterruptedException e) {
+            throw interrupted(e);
         } finally {
             process.destroyForcibly();
         }
+    }
+
+    private Process started(String program, String option) throws IOException {
+        try {
+            return launcher.start(List.of(program, option));
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        }
+    }
+
+    private static IllegalStateException interrupted(InterruptedException e) {
+        Thread.currentThread().interrupt();
+        return new IllegalStateException("interrupted while trying bubblewrap", e);
     }
 }

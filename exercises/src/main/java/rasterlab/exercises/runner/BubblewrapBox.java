@@ -21,6 +21,7 @@ final class BubblewrapBox implements Box {
 
     private final String program;
     private final boolean canDisableUserNamespaces;
+    private final Isolation.ProcessLimit limit;
     private final ChildJars jars;
     private final Isolation isolation;
 
@@ -28,13 +29,19 @@ final class BubblewrapBox implements Box {
      * @param program path of bwrap
      * @param version as bwrap prints it
      * @param canDisableUserNamespaces whether it knows --disable-userns (0.8 and later)
+     * @param limit on the number of processes; set unless it would be too low
      */
     BubblewrapBox(
-            String program, String version, boolean canDisableUserNamespaces, ChildJars jars) {
+            String program,
+            String version,
+            boolean canDisableUserNamespaces,
+            Isolation.ProcessLimit limit,
+            ChildJars jars) {
+        this.limit = limit;
         this.program = program;
         this.canDisableUserNamespaces = canDisableUserNamespaces;
         this.jars = jars;
-        this.isolation = Isolation.bubblewrap(version);
+        this.isolation = Isolation.bubblewrap(version, limit);
     }
 
     @Override
@@ -44,7 +51,8 @@ final class BubblewrapBox implements Box {
 
     @Override
     public List<String> command(ChildKind kind, boolean warm) {
-        List<String> command = new ArrayList<>(Programs.limits());
+        List<String> command =
+                new ArrayList<>(Programs.limits(limit != Isolation.ProcessLimit.TOO_LOW));
         command.add(program);
         command.addAll(List.of("--unshare-all", "--unshare-user", "--uid", "65534"));
         command.addAll(List.of("--gid", "65534", "--hostname", "box"));

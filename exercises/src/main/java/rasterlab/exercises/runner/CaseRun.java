@@ -4,16 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import rasterlab.engine.line.Segment;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
-import rasterlab.exercises.Visibility;
-import rasterlab.exercises.line.LineCase;
-import rasterlab.exercises.line.LineCaseReader;
-import rasterlab.exercises.line.LineJudge;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.TopicGrading.Call;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
@@ -21,13 +19,15 @@ import rasterlab.exercises.score.Message;
 /** Tries one loaded method on one case after the other, until it is stopped. */
 final class CaseRun {
     private final Exercise exercise;
+    private final TopicGrading topic;
     private final long seed;
     private final StudentRun run;
     private final List<Diagnostic> printed = new ArrayList<>();
     private Optional<Finding> stopped = Optional.empty();
 
-    CaseRun(Exercise exercise, long seed, StudentRun run) {
+    CaseRun(Exercise exercise, TopicGrading topic, long seed, StudentRun run) {
         this.exercise = exercise;
+        this.topic = topic;
         this.seed = seed;
         this.run = run;
     }
@@ -70,29 +70,25 @@ final class CaseRun {
     CaseReport judge(Case one) throws ChildLost, InterruptedException {
         if (stopped.isPresent())
             return report(one, Finding.of(stopped.get().verdict(), Message.of("not-run")), "");
-        LineCase demand = LineCaseReader.read(one, seed);
-        LineJudge judge = new LineJudge(demand, exercise.tolerance().eitherPixelOnTies());
-        String scene = LineJudge.scene(demand.segments().get(0));
-        for (Segment segment : demand.segments()) {
-            Finding finding = tried(one, segment, demand, judge);
-            if (finding.verdict() != GradingVerdict.OK)
-                return report(one, finding, LineJudge.scene(segment));
+        List<Call> calls = topic.calls(one, exercise.tolerance(), seed);
+        for (Call call : calls) {
+            Finding finding = tried(one, call);
+            if (finding.verdict() != GradingVerdict.OK) return report(one, finding, call.scene());
         }
-        return report(one, Finding.OK, scene);
+        return report(one, Finding.OK, calls.get(0).scene());
     }
 
-    private Finding tried(Case one, Segment segment, LineCase demand, LineJudge judge)
-            throws ChildLost, InterruptedException {
+    private Finding tried(Case one, Call call) throws ChildLost, InterruptedException {
         try {
-            Answer answer = run.draw(segment, demand.mostPixels(segment));
-            if (one.visibility() == Visibility.OPEN && !answer.printed().isBlank())
+            Answer answer = run.call(call);
+            if (one.visibility() == Disclosure.OPEN && !answer.printed().isBlank())
                 printed.add(
                         new Diagnostic(
                                 0,
                                 0,
                                 Message.of(
                                         "printed", one.name(), answer.printed().stripTrailing())));
-            Finding finding = judge.judge(segment, answer);
+            Finding finding = call.judge(answer);
             if (run.over()) stopped = Optional.of(finding);
             return finding;
         } catch (ChildLost lost) {

@@ -12,9 +12,10 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
-import rasterlab.exercises.runner.child.Frames;
-import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.child.Frames;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Message;
 
 /**
@@ -27,6 +28,9 @@ final class Child implements AutoCloseable {
 
     /** How long a child that closed its pipe may take to end by itself. */
     private static final Duration GRACE = Duration.ofMillis(500);
+
+    /** Longer than the system needs to end a killed process, unless it hangs in the kernel. */
+    private static final Duration DEATH = Duration.ofSeconds(2);
 
     private final Process process;
     private final ExecutorService threads =
@@ -64,7 +68,11 @@ final class Child implements AutoCloseable {
             throws ChildLost, InterruptedException {
         nonce = nonces.nextLong();
         byte[] frame = request.frame(nonce);
-        threads.execute(() -> send(frame));
+        try {
+            threads.execute(() -> send(frame));
+        } catch (RejectedExecutionException closed) {
+            throw closedByOurselves();
+        }
         return more(limit, reading);
     }
 
@@ -72,6 +80,7 @@ final class Child implements AutoCloseable {
     <T> T more(Duration limit, Reading<T> reading) throws ChildLost, InterruptedException {
         byte[] frame = frames.poll(limit.toNanos(), TimeUnit.NANOSECONDS);
         if (frame == null) {
+            if (threads.isShutdown()) throw closedByOurselves();
             close();
             throw new ChildLost(ChildLost.Reason.TIME, Message.of("child.time", seconds(limit)));
         }
@@ -85,6 +94,11 @@ final class Child implements AutoCloseable {
             throw new ChildLost(
                     ChildLost.Reason.PROTOCOL, Message.of("child.protocol", e.getMessage()));
         }
+    }
+
+    /** The judge ended while a grading went on: nothing that the student's method did. */
+    private static ChildLost closedByOurselves() {
+        return new ChildLost(ChildLost.Reason.KILLED, Message.of("child.no-judge"));
     }
 
     static String seconds(Duration limit) {
@@ -153,12 +167,14 @@ final class Child implements AutoCloseable {
         }
     }
 
-    /** Kills the process and all below it; returns when it is gone. */
+    /**
+     * Kills the process and all below it, and waits for its end, though not beyond {@link #DEATH}.
+     */
     @Override
     public void close() {
         process.descendants().forEach(ProcessHandle::destroyForcibly);
         process.destroyForcibly();
-        waitFor(Duration.ofSeconds(2));
+        waitFor(DEATH);
         threads.shutdownNow();
         // The reader may have been stopped before it could tell one who waits for an answer.
         frames.clear();

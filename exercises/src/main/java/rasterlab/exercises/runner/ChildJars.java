@@ -9,9 +9,10 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
-import rasterlab.contract.LineRasterizer;
-import rasterlab.exercises.runner.child.CompileMain;
-import rasterlab.exercises.runner.child.RunMain;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.child.CompileMain;
+import rasterlab.exercises.child.RunMain;
+import rasterlab.exercises.topic.TopicGradings;
 
 /**
  * The two jars that children get, in a temporary folder of our own: the harness and the contract.
@@ -58,9 +59,10 @@ final class ChildJars implements AutoCloseable {
     }
 
     private static void fill(Path folder) throws IOException {
-        write(
-                folder.resolve(CONTRACT),
-                ClassFiles.closure(LineRasterizer.class, "rasterlab/contract/"));
+        Map<String, byte[]> contracts = new TreeMap<>();
+        for (TopicGrading topic : TopicGradings.all())
+            contracts.putAll(ClassFiles.closure(topic.contract(), "rasterlab/contract/"));
+        write(folder.resolve(CONTRACT), contracts);
         Map<String, byte[]> harness = new TreeMap<>();
         String own = RunMain.class.getPackageName().replace('.', '/') + '/';
         harness.putAll(ClassFiles.closure(RunMain.class, own));

@@ -2,8 +2,8 @@ package rasterlab.exercises.runner;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.exercises.runner.child.CompileMain;
-import rasterlab.exercises.runner.child.RunMain;
+import rasterlab.exercises.child.CompileMain;
+import rasterlab.exercises.child.RunMain;
 
 /** The two kinds of children and the limits their Java machines get. */
 enum ChildKind {

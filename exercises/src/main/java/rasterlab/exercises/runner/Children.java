@@ -7,6 +7,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import rasterlab.exercises.score.Message;
 
 /**
  * Starts children and keeps some unused ones in reserve. A child serves one submission and is never
@@ -30,8 +31,13 @@ final class Children implements AutoCloseable {
         for (ChildKind kind : ChildKind.values()) waiting.put(kind, new ArrayDeque<>());
     }
 
-    /** A child that nobody used, to be closed by the caller. */
-    synchronized Child take(ChildKind kind) {
+    /**
+     * A child that nobody used, to be closed by the caller.
+     *
+     * @throws ChildLost when this was closed, as for the children that were in use then
+     */
+    synchronized Child take(ChildKind kind) throws ChildLost {
+        if (closed) throw new ChildLost(ChildLost.Reason.KILLED, Message.of("child.no-judge"));
         Deque<Child> reserve = waiting.get(kind);
         while (!reserve.isEmpty()) {
             Child child = reserve.remove();
@@ -52,7 +58,6 @@ final class Children implements AutoCloseable {
     }
 
     private Child start(ChildKind kind, boolean warm) {
-        if (closed) throw new IllegalStateException("the judge is closed");
         started.removeIf(child -> !child.isAlive());
         Child child = new Child(launcher.start(box.command(kind, warm)));
         started.add(child);

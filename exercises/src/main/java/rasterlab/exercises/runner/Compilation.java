@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import rasterlab.exercises.runner.child.Frames;
-import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.child.Frames;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
@@ -30,7 +30,7 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
     static Compilation of(String source, Child child, Duration limit)
             throws ChildLost, InterruptedException {
         byte[] bytes = source.getBytes(StandardCharsets.UTF_8);
-        Request request = new Request(Wire.COMPILE, out -> Frames.writeBytes(out, bytes));
+        Request request = new Request(Wire.COMPILE, out -> Frames.write(out, bytes));
         try {
             return child.ask(request, limit, Compilation::read);
         } catch (ChildLost lost) {
@@ -57,7 +57,7 @@ record Compilation(GradingVerdict verdict, Map<String, byte[]> classes, List<Dia
     private static Map<String, byte[]> classes(DataInputStream in) throws IOException {
         Map<String, byte[]> classes = new LinkedHashMap<>();
         for (int left = count(in, Wire.MOST_CLASSES); left > 0; left--)
-            classes.put(in.readUTF(), Frames.readBytes(in, Wire.MOST_CLASS_BYTES));
+            classes.put(in.readUTF(), Frames.read(in, Wire.MOST_CLASS_BYTES));
         return classes;
     }
 

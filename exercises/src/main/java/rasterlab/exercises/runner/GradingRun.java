@@ -6,26 +6,27 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import rasterlab.contract.LineRasterizer;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.Grading.CaseSelection;
-import rasterlab.exercises.Visibility;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.runner.scan.ByteCodeCheck;
 import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 import rasterlab.exercises.score.SpeedPoints;
+import rasterlab.exercises.topic.TopicGradings;
 
 /** One try at one grading, with three children of its own. */
 final class GradingRun {
-    private static final String CONTRACT = LineRasterizer.class.getName().replace('.', '/');
-
     private final JudgeSettings settings;
     private final ByteCodeCheck check;
     private final Exercise exercise;
+    private final TopicGrading topic;
     private final String source;
     private final CaseSelection selection;
     private final Consumer<CaseReport> progress;
@@ -42,6 +43,7 @@ final class GradingRun {
         this.settings = settings;
         this.check = check;
         this.exercise = exercise;
+        this.topic = TopicGradings.named(exercise.topic());
         this.source = source;
         this.selection = selection;
         this.progress = progress;
@@ -53,8 +55,8 @@ final class GradingRun {
      */
     static List<Case> selected(Exercise exercise, CaseSelection selection) {
         return exercise.cases().stream()
-                .filter(one -> selection.hidden() || one.visibility() == Visibility.OPEN)
-                .sorted(Comparator.comparing(one -> one.visibility() != Visibility.OPEN))
+                .filter(one -> selection.hidden() || one.visibility() == Disclosure.OPEN)
+                .sorted(Comparator.comparing(one -> one.visibility() != Disclosure.OPEN))
                 .toList();
     }
 
@@ -68,7 +70,8 @@ final class GradingRun {
             Compilation compiled = Compilation.of(source, compiler, settings.compileLimit());
             if (compiled.verdict() != GradingVerdict.OK)
                 return sheet.rejected(compiled.verdict(), compiled.errors());
-            ByteCodeCheck.Result checked = check.check(compiled.classes(), CONTRACT, source);
+            String contract = topic.contract().getName().replace('.', '/');
+            ByteCodeCheck.Result checked = check.check(compiled.classes(), contract, source);
             if (!checked.refusals().isEmpty())
                 return sheet.rejected(GradingVerdict.REFUSED, checked.refusals());
             return tried(
@@ -82,7 +85,7 @@ final class GradingRun {
     private Report tried(
             Compilation compiled, String entry, StudentRun student, StudentRun reference)
             throws ChildLost, InterruptedException {
-        CaseRun cases = new CaseRun(exercise, selection.seed(), student);
+        CaseRun cases = new CaseRun(exercise, topic, selection.seed(), student);
         Optional<Finding> unloaded = cases.load(entry, compiled.classes());
         List<CaseReport> reports = new ArrayList<>();
         for (Case one : selected(exercise, selection)) {
@@ -128,7 +131,8 @@ final class GradingRun {
     private SpeedTrial.Outcome speed(StudentRun student, StudentRun reference)
             throws ChildLost, InterruptedException {
         try {
-            return new SpeedTrial(student, reference, new SecureRandom().nextLong()).measure();
+            return new SpeedTrial(topic, student, reference, new SecureRandom().nextLong())
+                    .measure();
         } catch (ChildLost lost) {
             if (lost.reason() == ChildLost.Reason.KILLED) throw lost;
             return SpeedTrial.Outcome.none(Message.of("speed.stopped").and(lost.said()));

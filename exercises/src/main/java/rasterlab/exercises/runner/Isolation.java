@@ -1,34 +1,62 @@
 package rasterlab.exercises.runner;
 
+import rasterlab.exercises.score.Message;
+import rasterlab.exercises.score.Report;
+
 /**
  * What shuts the student's method in on this machine.
  *
- * @param name "bubblewrap" or "process limits only", as stored with a report
- * @param describe one honest line for start-up, log and result page
+ * @param name "bubblewrap" or "process limits only", as stored with a report; {@link
+ *     Report#isolationIn} has it in other languages
+ * @param said what it holds and what it lacks, for start-up, log and result page
  * @param exam whether it is meant to hold against a determined attacker, so that exams may be
  *     graded
  */
-public record Isolation(String name, String describe, boolean exam) {
-    /** Namespaces, an empty read-only root, no network, no other processes. */
-    static Isolation bubblewrap(String version) {
+public record Isolation(String name, Message said, boolean exam) {
+    /** What stands between the method and the number of processes that the machine can bear. */
+    enum ProcessLimit {
+        HOLDS,
+        NO_PRLIMIT,
+        /** The account runs too many already, so that no child could start under the limit. */
+        TOO_LOW,
+        /** The kernel limits nobody's processes who is root outside of the box. */
+        ROOT
+    }
+
+    /** Namespaces, a small read-only root, no network, no other processes. */
+    static Isolation bubblewrap(String version, ProcessLimit limit) {
+        Message missing =
+                switch (limit) {
+                    case HOLDS -> Message.NONE;
+                    case NO_PRLIMIT -> Message.of("isolation.no-prlimit");
+                    case TOO_LOW -> Message.of("isolation.too-low", Programs.MOST_PROCESSES);
+                    case ROOT -> Message.of("isolation.root");
+                };
         return new Isolation(
-                "bubblewrap",
-                version
-                        + ": own process, network and file namespaces, read-only root with nothing but the JDK, limits on heap, time and output",
-                true);
+                Report.BUBBLEWRAP,
+                Message.of("isolation.box", version)
+                        .and(Message.of("isolation.without"))
+                        .and(missing),
+                limit == ProcessLimit.HOLDS);
     }
 
     /**
      * Separate processes and their limits, nothing of the operating system's.
      *
-     * @param reason why bubblewrap is not used, such as "bwrap is not on the PATH"
+     * @param reason why bubblewrap is not used
      */
-    static Isolation processLimits(String reason) {
+    static Isolation processLimits(Message reason) {
         return new Isolation(
-                "process limits only",
-                "protected against mistakes and common tricks, not against a determined attacker; use your own students only, or the Linux server ("
-                        + reason
-                        + ")",
-                false);
+                Report.PROCESS_LIMITS, Message.of("isolation.plain").and(reason), false);
+    }
+
+    /** One honest line in English. */
+    public String describe() {
+        return describe("en");
+    }
+
+    /** The same in that language. */
+    public String describe(String language) {
+        return said.in(language);
     }
 }

@@ -8,6 +8,8 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading;
+import rasterlab.exercises.runner.scan.AllowList;
+import rasterlab.exercises.runner.scan.ByteCodeCheck;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
@@ -21,6 +23,7 @@ import rasterlab.exercises.score.Report;
  */
 public final class Judge implements Grading, AutoCloseable {
     private static final int TRIES = 2;
+    private static final System.Logger LOG = System.getLogger(Judge.class.getName());
 
     private final JudgeSettings settings;
     private final ChildJars jars;
@@ -31,25 +34,50 @@ public final class Judge implements Grading, AutoCloseable {
     private final AtomicBoolean released = new AtomicBoolean();
     private final Thread atExit;
 
-    private Judge(JudgeSettings settings) {
+    Judge(JudgeSettings settings, ChildJars jars, Launcher launcher, Box box) {
         this.settings = settings;
-        this.jars = ChildJars.assemble();
-        this.launcher = new Launcher(jars);
-        this.box = new BoxChoice(launcher, jars).choose(settings.box());
+        this.jars = jars;
+        this.launcher = launcher;
+        this.box = box;
         this.children = new Children(box, launcher, settings.spares());
         this.atExit = new Thread(this::release, "rasterlab-judge-exit");
         Runtime.getRuntime().addShutdownHook(atExit);
-        children.refill();
     }
 
-    /** Changes with everything of the judge that can change a grade. */
+    /**
+     * Changes with the allow-list, and with a number that whoever changes what this judge says to a
+     * source raises by hand.
+     */
     public static String version() {
-        return "judge-1 " + AllowList.text();
+        return "judge-2 " + AllowList.text();
     }
 
-    /** Finds the isolation that works here and prepares children. */
+    /**
+     * Finds the isolation that works here and prepares children.
+     *
+     * @throws RuntimeException when no child can be started here; nothing is left behind then
+     */
     public static Judge start(JudgeSettings settings) {
-        return new Judge(settings);
+        ChildJars jars = ChildJars.assemble();
+        Launcher launcher = new Launcher(jars);
+        try {
+            Box box = BoxChoice.on(launcher, jars).choose(settings.box());
+            return prepared(new Judge(settings, jars, launcher, box));
+        } catch (RuntimeException cannotStart) {
+            launcher.close();
+            jars.close();
+            throw cannotStart;
+        }
+    }
+
+    private static Judge prepared(Judge judge) {
+        try {
+            judge.children.refill();
+            return judge;
+        } catch (RuntimeException cannotStart) {
+            judge.close();
+            throw cannotStart;
+        }
     }
 
     /** What shuts the student's method in on this machine. */
@@ -81,7 +109,16 @@ public final class Judge implements Grading, AutoCloseable {
         try {
             return withRetry(run, sheet);
         } finally {
+            refill();
+        }
+    }
+
+    /** For the next grading; that it fails must not take this one's report away. */
+    private void refill() {
+        try {
             children.refill();
+        } catch (UncheckedIOException cannotStart) {
+            LOG.log(System.Logger.Level.WARNING, "no child can be kept in reserve", cannotStart);
         }
     }
 

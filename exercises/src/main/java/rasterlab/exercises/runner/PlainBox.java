@@ -2,13 +2,14 @@ package rasterlab.exercises.runner;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.exercises.score.Message;
 
 /** A process of its own and the limits that go with it, on every operating system. */
 final class PlainBox implements Box {
     private final ChildJars jars;
     private final Isolation isolation;
 
-    PlainBox(ChildJars jars, String reason) {
+    PlainBox(ChildJars jars, Message reason) {
         this.jars = jars;
         this.isolation = Isolation.processLimits(reason);
     }
@@ -20,7 +21,7 @@ final class PlainBox implements Box {
 
     @Override
     public List<String> command(ChildKind kind, boolean warm) {
-        List<String> command = new ArrayList<>(Programs.limits());
+        List<String> command = new ArrayList<>(Programs.limits(false));
         command.add(Programs.java());
         command.addAll(kind.arguments(jars.harness().toString(), jars.contract().toString(), warm));
         return command;

@@ -5,12 +5,19 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 
 /** Programs of this machine that children are started with. */
 final class Programs {
+    /**
+     * For all processes and threads of the account: beyond what a server with 64 workers and a
+     * person's session need, and far below what a machine can bear.
+     */
+    static final int MOST_PROCESSES = 4096;
+
     private Programs() {}
 
     /** The folder of the running JDK without symbolic links. */
@@ -42,18 +49,20 @@ final class Programs {
      * The beginning of a command that sets what the kernel limits for each process: no core dump,
      * no file written, few files open, half a minute of processor time. Empty where there is no
      * prlimit.
+     *
+     * @param processes whether the number of processes is limited too
      */
-    static List<String> limits() {
-        return onPath("prlimit")
-                .map(
-                        program ->
-                                List.of(
-                                        program,
-                                        "--core=0",
-                                        "--fsize=0",
-                                        "--nofile=256",
-                                        "--cpu=30",
-                                        "--"))
-                .orElse(List.of());
+    static List<String> limits(boolean processes) {
+        List<String> command = new ArrayList<>();
+        onPath("prlimit")
+                .ifPresent(
+                        program -> {
+                            command.add(program);
+                            command.addAll(
+                                    List.of("--core=0", "--fsize=0", "--nofile=256", "--cpu=30"));
+                            if (processes) command.add("--nproc=" + MOST_PROCESSES);
+                            command.add("--");
+                        });
+        return command;
     }
 }

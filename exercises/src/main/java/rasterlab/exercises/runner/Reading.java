@@ -7,7 +7,7 @@ import java.io.IOException;
 @FunctionalInterface
 interface Reading<T> {
     /**
-     * @param status of {@link rasterlab.exercises.runner.child.Wire}
+     * @param status of {@link rasterlab.exercises.child.Wire}
      * @throws IOException when the payload is not what the status promises
      */
     T read(int status, DataInputStream payload) throws IOException;

@@ -17,7 +17,7 @@ final class Request {
     private final Payload payload;
 
     /**
-     * @param operation of {@link rasterlab.exercises.runner.child.Wire}
+     * @param operation of {@link rasterlab.exercises.child.Wire}
      */
     Request(int operation, Payload payload) {
         this.operation = operation;

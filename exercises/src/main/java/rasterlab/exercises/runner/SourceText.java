@@ -1,7 +1,5 @@
 package rasterlab.exercises.runner;
 
-import java.nio.CharBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
 import rasterlab.exercises.Grading;
@@ -26,7 +24,7 @@ final class SourceText {
 
     static Optional<Fault> faultOf(String source) {
         if (source.length() > Grading.MOST_SOURCE_BYTES
-                || utf8Length(source) > Grading.MOST_SOURCE_BYTES)
+                || source.getBytes(StandardCharsets.UTF_8).length > Grading.MOST_SOURCE_BYTES)
             return Optional.of(
                     new Fault(
                             GradingVerdict.REFUSED,
@@ -38,14 +36,6 @@ final class SourceText {
             if (!wrong.isEmpty()) return fault(source, i, wrong);
         }
         return tooDeep(source);
-    }
-
-    private static long utf8Length(String source) {
-        try {
-            return StandardCharsets.UTF_8.newEncoder().encode(CharBuffer.wrap(source)).limit();
-        } catch (CharacterCodingException loneSurrogate) {
-            return source.length();
-        }
     }
 
     private static Message wrong(String source, int i) {

@@ -3,12 +3,11 @@ package rasterlab.exercises.runner;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.time.Duration;
-import java.util.List;
 import java.util.Map;
-import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
-import rasterlab.exercises.runner.child.Frames;
-import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.child.Frames;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Message;
 
@@ -46,7 +45,7 @@ final class StudentRun {
                             out.writeInt(classes.size());
                             for (Map.Entry<String, byte[]> one : classes.entrySet()) {
                                 out.writeUTF(one.getKey());
-                                Frames.writeBytes(out, one.getValue());
+                                Frames.write(out, one.getValue());
                             }
                         }),
                 (status, in) -> {
@@ -56,15 +55,10 @@ final class StudentRun {
                 });
     }
 
-    Answer draw(Segment segment, int mostPixels) throws ChildLost, InterruptedException {
+    Answer call(TopicGrading.Call call) throws ChildLost, InterruptedException {
         return call(
-                new Request(
-                        Wire.DRAW_LINE,
-                        out -> {
-                            for (int end : ends(segment)) out.writeInt(end);
-                            out.writeInt(mostPixels);
-                        }),
-                (status, in) -> drawn(status, in, mostPixels));
+                new Request(call.operation(), call::writeTo),
+                (status, in) -> drawn(status, in, call.mostPixels()));
     }
 
     /**
@@ -76,15 +70,8 @@ final class StudentRun {
      */
     record Timed(long nanos, long count, long sum, long printed, String thrown) {}
 
-    Timed time(List<Segment> segments) throws ChildLost, InterruptedException {
-        Request request =
-                new Request(
-                        Wire.TIME_LINES,
-                        out -> {
-                            out.writeInt(segments.size());
-                            for (Segment segment : segments)
-                                for (int end : ends(segment)) out.writeInt(end);
-                        });
+    Timed time(TopicGrading.Timing timing) throws ChildLost, InterruptedException {
+        Request request = new Request(timing.operation(), timing::writeTo);
         long start = System.nanoTime();
         return child.ask(
                 request,
@@ -95,10 +82,6 @@ final class StudentRun {
                             ? new Timed(nanos, in.readLong(), in.readLong(), in.readLong(), "")
                             : new Timed(nanos, 0, 0, 0, Wire.cut(in.readUTF()));
                 });
-    }
-
-    private static int[] ends(Segment segment) {
-        return new int[] {segment.x0(), segment.y0(), segment.x1(), segment.y1()};
     }
 
     private Answer call(Request request, Reading<Answer> reading)

@@ -1,6 +1,5 @@
 package rasterlab.exercises.score;
 
-import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.raster.PixelDifference;
 
@@ -17,11 +16,16 @@ public record CasePictures(
         String text, byte[] expectedPng, byte[] actualPng, byte[] differencePng) {
     /** The difference as pictures; none where no pixel is expected or drawn. */
     public static Optional<CasePictures> of(PixelDifference difference) {
-        String text = difference.text();
-        List<String> rows = text.lines().filter(row -> row.matches("[#+.-]+")).toList();
-        if (rows.isEmpty()) return Optional.empty();
-        GridPicture grid = new GridPicture(rows);
-        return Optional.of(
-                new CasePictures(text, grid.lit("#-"), grid.lit("#+"), grid.difference()));
+        return difference
+                .shown()
+                .map(
+                        shown -> {
+                            GridPicture grid = new GridPicture(shown);
+                            return new CasePictures(
+                                    difference.text(),
+                                    grid.lit(difference.right(), difference.missing()),
+                                    grid.lit(difference.right(), difference.extra()),
+                                    grid.difference(difference));
+                        });
     }
 }

@@ -1,7 +1,6 @@
 package rasterlab.exercises.score;
 
 import java.util.Optional;
-import rasterlab.exercises.Visibility;
 
 /**
  * One judged case.
@@ -14,7 +13,7 @@ import rasterlab.exercises.Visibility;
  */
 public record CaseReport(
         String name,
-        Visibility visibility,
+        Disclosure visibility,
         GradingVerdict verdict,
         int points,
         int of,
@@ -33,9 +32,9 @@ public record CaseReport(
 
     /** The same with what the student may not see taken out. */
     public CaseReport forStudent(boolean afterDeadline) {
-        if (visibility == Visibility.OPEN
-                || visibility == Visibility.AFTER_DEADLINE && afterDeadline) return this;
-        String shown = visibility == Visibility.NEVER ? "hidden" : name;
+        if (visibility == Disclosure.OPEN
+                || visibility == Disclosure.AFTER_DEADLINE && afterDeadline) return this;
+        String shown = visibility == Disclosure.NEVER ? "hidden" : name;
         return new CaseReport(
                 shown, visibility, verdict, points, of, verdict.hint(), Optional.empty(), "");
     }

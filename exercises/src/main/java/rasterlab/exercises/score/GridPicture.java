@@ -1,6 +1,5 @@
 package rasterlab.exercises.score;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
@@ -8,47 +7,55 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.List;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import javax.imageio.ImageIO;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import rasterlab.engine.raster.PixelBox;
+import rasterlab.engine.raster.PixelDifference;
+import rasterlab.engine.raster.PixelMark;
+import rasterlab.engine.raster.PixelSet;
 
-/**
- * Draws rows of {@code # + - .} as a zoomed pixel grid. Shapes tell as much as colours: right is a
- * filled square, extra a cross, missing an empty ring.
- */
+/** Draws the pixels of a box as a zoomed grid: those lit as squares, wrong ones as their marks. */
 final class GridPicture {
+    /** Size of a pixel in the picture. */
     private static final int CELL = 14;
+
     private static final Color PAPER = Color.WHITE;
     private static final Color GRID = new Color(0xD8DCE2);
-    private static final Color RIGHT = new Color(0x2B3A4A);
-    private static final Color EXTRA = new Color(0xC44E00);
-    private static final Color MISSING = new Color(0x0063B2);
+    private static final Color LIT = new Color(0x2B3A4A);
 
-    private final List<String> rows;
+    private final PixelBox box;
 
     /**
-     * @param rows of equal length, at least one
+     * @param box at most some hundred pixels wide and high
      */
-    GridPicture(List<String> rows) {
-        this.rows = rows;
+    GridPicture(PixelBox box) {
+        this.box = box;
     }
 
     /** Right, extra and missing pixels, as PNG. */
-    byte[] difference() {
-        return png("#+-");
+    byte[] difference(PixelDifference difference) {
+        return png(
+                graphics -> {
+                    squares(graphics, difference.right());
+                    marks(graphics, PixelMark.MISSING, difference.missing());
+                    marks(graphics, PixelMark.EXTRA, difference.extra());
+                });
     }
 
-    /** Only the pixels whose character is among {@code lit}, as PNG; all drawn as squares. */
-    byte[] lit(String lit) {
-        List<String> only =
-                rows.stream()
-                        .map(row -> row.replaceAll("[^" + lit + "]", ".").replaceAll("[+-]", "#"))
-                        .toList();
-        return new GridPicture(only).png("#");
+    /** The pixels of both sets, all as squares, as PNG. */
+    byte[] lit(PixelSet some, PixelSet others) {
+        return png(
+                graphics -> {
+                    squares(graphics, some);
+                    squares(graphics, others);
+                });
     }
 
-    private byte[] png(String marks) {
-        int width = rows.get(0).length() * CELL + 1;
-        int height = rows.size() * CELL + 1;
+    private byte[] png(Consumer<Graphics2D> pixels) {
+        int width = (int) box.width() * CELL + 1;
+        int height = (int) box.height() * CELL + 1;
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
         graphics.setRenderingHint(
@@ -58,40 +65,32 @@ final class GridPicture {
         graphics.setColor(GRID);
         for (int x = 0; x < width; x += CELL) graphics.drawLine(x, 0, x, height);
         for (int y = 0; y < height; y += CELL) graphics.drawLine(0, y, width, y);
-        graphics.setStroke(new BasicStroke(2.5f));
-        for (int y = 0; y < rows.size(); y++)
-            for (int x = 0; x < rows.get(y).length(); x++)
-                if (marks.indexOf(rows.get(y).charAt(x)) >= 0)
-                    draw(graphics, rows.get(y).charAt(x), x * CELL, y * CELL);
+        pixels.accept(graphics);
         graphics.dispose();
         return encoded(image);
     }
 
-    private static void draw(Graphics2D graphics, char mark, int left, int top) {
-        int near = 3;
-        int far = CELL - 3;
-        switch (mark) {
-            case '+' -> {
-                graphics.setColor(EXTRA);
-                graphics.drawLine(left + near, top + near, left + far, top + far);
-                graphics.drawLine(left + near, top + far, left + far, top + near);
-            }
-            case '-' -> {
-                graphics.setColor(MISSING);
-                graphics.drawOval(left + near, top + near, far - near, far - near);
-            }
-            default -> {
-                graphics.setColor(RIGHT);
-                graphics.fillRect(left + 2, top + 2, CELL - 3, CELL - 3);
-            }
-        }
+    private void squares(Graphics2D graphics, PixelSet pixels) {
+        graphics.setColor(LIT);
+        each(pixels, (left, top) -> graphics.fillRect(left + 2, top + 2, CELL - 3, CELL - 3));
+    }
+
+    private void marks(Graphics2D graphics, PixelMark mark, PixelSet pixels) {
+        each(pixels, (left, top) -> mark.paint(graphics, left, top, CELL));
+    }
+
+    /** Hands over the upper left corner of the cell of each pixel in the box. */
+    private void each(PixelSet pixels, BiConsumer<Integer, Integer> cell) {
+        for (int i = 0; i < pixels.size(); i++)
+            if (box.contains(pixels.x(i), pixels.y(i)))
+                cell.accept((pixels.x(i) - box.minX()) * CELL, (pixels.y(i) - box.minY()) * CELL);
     }
 
     private static byte[] encoded(BufferedImage image) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        try {
-            ImageIO.setUseCache(false);
-            if (!ImageIO.write(image, "png", bytes))
+        // in memory: what ImageIO takes by itself may lie in a temporary file
+        try (var out = new MemoryCacheImageOutputStream(bytes)) {
+            if (!ImageIO.write(image, "png", out))
                 throw new AssertionError("this JDK writes no PNG");
         } catch (IOException e) {
             throw new UncheckedIOException(e);

@@ -18,9 +18,30 @@ public record Report(
         List<Diagnostic> diagnostics,
         String isolation,
         double nanosPerItem) {
+    /** Names of what shuts a method in, as they are stored. */
+    public static final String BUBBLEWRAP = "bubblewrap";
+
+    public static final String PROCESS_LIMITS = "process limits only";
+
     public Report {
         cases = List.copyOf(cases);
         diagnostics = List.copyOf(diagnostics);
+    }
+
+    /** {@link #isolation} in that language. */
+    public String isolation(String language) {
+        return isolationIn(language, isolation);
+    }
+
+    /**
+     * The stored name of an isolation in that language; as it is where it has no translation.
+     *
+     * @param language such as "ru"
+     */
+    public static String isolationIn(String language, String stored) {
+        return stored.equals(PROCESS_LIMITS)
+                ? Message.of("isolation.process-limits").in(language)
+                : stored;
     }
 
     /**

@@ -2,7 +2,6 @@ package rasterlab.exercises.score;
 
 import java.util.List;
 import java.util.Locale;
-import rasterlab.exercises.Visibility;
 
 /** Points for speed, in bands, because a measured time is never the same twice. */
 public final class SpeedPoints {
@@ -59,7 +58,7 @@ public final class SpeedPoints {
     private static CaseReport report(GradingVerdict verdict, int points, int of, Message said) {
         return new CaseReport(
                 "speed",
-                Visibility.OPEN,
+                Disclosure.OPEN,
                 verdict,
                 points,
                 of,

@@ -1,11 +1,13 @@
 package rasterlab.exercises.line;
 
+import static java.util.stream.Collectors.toSet;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -13,18 +15,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.LineRasterizer;
-import rasterlab.contract.Pixels;
-import rasterlab.engine.line.BresenhamLine;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
-import rasterlab.exercises.Catalogue;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
@@ -85,82 +85,21 @@ class LineExerciseTest {
         return EXERCISE.cases().stream().filter(one -> one.kind() == Kind.ACCURACY).toList();
     }
 
-    /** Right methods with one mistake each, and the case that is named after it. */
-    static Stream<org.junit.jupiter.params.provider.Arguments> mutants() {
-        BresenhamLine line = new BresenhamLine();
-        return Stream.of(
-                mutant(
-                        "last-pixel-is-dropped",
-                        (x0, y0, x1, y1, out) ->
-                                line.draw(
-                                        x0,
-                                        y0,
-                                        x1,
-                                        y1,
-                                        (x, y) -> {
-                                            if (x != x1 || y != y1) out.plot(x, y);
-                                        })),
-                mutant(
-                        "pixels-come-backwards",
-                        (x0, y0, x1, y1, out) -> line.draw(x1, y1, x0, y0, out)),
-                mutant(
-                        "leftward-draws-nothing",
-                        (x0, y0, x1, y1, out) -> {
-                            if (x0 <= x1) line.draw(x0, y0, x1, y1, out);
-                        }),
-                mutant(
-                        "upward-goes-down",
-                        (x0, y0, x1, y1, out) ->
-                                line.draw(x0, y0, x1, y0 + Math.abs(y1 - y0), out)),
-                mutant(
-                        "single-point-is-skipped",
-                        (x0, y0, x1, y1, out) -> {
-                            if (x0 != x1 || y0 != y1) line.draw(x0, y0, x1, y1, out);
-                        }),
-                mutant(
-                        "vertical-divides-by-zero",
-                        (x0, y0, x1, y1, out) -> {
-                            if (x0 == x1 && y0 != y1) throw new ArithmeticException("/ by zero");
-                            line.draw(x0, y0, x1, y1, out);
-                        }),
-                mutant(
-                        "steep-line-leaves-gaps",
-                        (x0, y0, x1, y1, out) -> line.draw(x0, y0, x1, y1, oncePerColumn(out))),
-                mutant(
-                        "negative-coordinates-round-to-zero",
-                        (x0, y0, x1, y1, out) ->
-                                line.draw(
-                                        2 * x0,
-                                        2 * y0,
-                                        2 * x1,
-                                        2 * y1,
-                                        (x, y) -> {
-                                            if (x % 2 == 0) out.plot(x / 2, (int) (y / 2.0 + 0.5));
-                                        })),
-                mutant(
-                        "swapped-ends-differ-on-ties",
-                        (x0, y0, x1, y1, out) ->
-                                line.draw(-x0, -y0, -x1, -y1, (x, y) -> out.plot(-x, -y))));
-    }
-
-    private static Pixels oncePerColumn(Pixels out) {
-        List<Integer> seen = new ArrayList<>();
-        return (x, y) -> {
-            if (!seen.contains(x)) out.plot(x, y);
-            seen.add(x);
-        };
-    }
-
-    private static org.junit.jupiter.params.provider.Arguments mutant(
-            String name, LineRasterizer method) {
-        return org.junit.jupiter.params.provider.Arguments.argumentSet(name, name, method);
-    }
-
     @ParameterizedTest(name = "{argumentSetName}")
-    @MethodSource("mutants")
+    @MethodSource("rasterlab.exercises.line.LineMutants#all")
     void theCaseCatchesTheMistakeItIsNamedAfter(String name, LineRasterizer method) {
         List<String> failed = failed(method, EXERCISE.cases(), 3);
         assertTrue(failed.contains(name), failed::toString);
+    }
+
+    @Test
+    void everyNamedMistakeIsMadeByAMutant() {
+        assertEquals(
+                EXERCISE.cases().stream()
+                        .map(Case::name)
+                        .filter(name -> !name.startsWith("octant-"))
+                        .collect(toSet()),
+                LineMutants.all().map(mutant -> mutant.get()[0]).collect(toSet()));
     }
 
     @Test
@@ -271,6 +210,19 @@ class LineExerciseTest {
     }
 
     @Test
+    void theSceneIsJsonInEveryCountry() {
+        Locale before = Locale.getDefault();
+        Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
+        try {
+            assertEquals(
+                    "{\"topic\":\"line\",\"from\":[12,-3],\"to\":[0,7]}",
+                    LineJudge.scene(new Segment(12, -3, 0, 7)));
+        } finally {
+            Locale.setDefault(before);
+        }
+    }
+
+    @Test
     void aPixelPlottedTwiceIsWrong() {
         Segment segment = new Segment(0, 0, 1, 0);
         PixelRecording twice = new PixelRecording(3);
@@ -281,6 +233,6 @@ class LineExerciseTest {
         Finding finding =
                 new LineJudge(demand, true)
                         .judge(segment, new Answer(Answer.Ending.RETURNED, twice, "", "", ""));
-        assertEquals("pixel (1, 0) is plotted twice", finding.said().toString().split(";")[0]);
+        assertEquals("pixel (1, 0) is drawn again", finding.said().toString().split(";")[0]);
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.exercises.runner;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
@@ -20,7 +21,10 @@ class BubblewrapTest {
     static void start() {
         assumeTrue(Programs.onPath("bwrap").isPresent(), "bubblewrap is missing");
         unscanned = new Unscanned(JudgeSettings.Box.STRONGEST);
-        assertTrue(unscanned.box.isolation().exam(), unscanned.box.isolation()::describe);
+        assertEquals(
+                "bubblewrap",
+                unscanned.box.isolation().name(),
+                unscanned.box.isolation()::describe);
     }
 
     @AfterAll

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.exercises.runner.child.Wire;
+import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Answer;
 
 /** What a method that got past the byte-code check can do to the parent: nothing but lose. */
@@ -33,7 +33,7 @@ class ChildTest {
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("tricks")
-    void isLostWith(ChildLost.Reason reason, String body) {
+    void isLostWith(ChildLost.Reason reason, String body) throws Exception {
         try (Child runner = unscanned.child(ChildKind.RUN)) {
             ChildLost lost =
                     assertThrows(
@@ -91,7 +91,7 @@ class ChildTest {
     }
 
     @Test
-    void aKilledChildIsToldApartFromOneThatEnded() {
+    void aKilledChildIsToldApartFromOneThatEnded() throws Exception {
         try (Child child = unscanned.child(ChildKind.RUN)) {
             child.handle().destroyForcibly();
             ChildLost lost =
@@ -107,7 +107,7 @@ class ChildTest {
     }
 
     @Test
-    void aChildThatStopsReadingHoldsNobodyUp() {
+    void aChildThatStopsReadingHoldsNobodyUp() throws Exception {
         byte[] big = new byte[3 << 20];
         try (Child child = unscanned.child(ChildKind.RUN)) {
             ChildLost lost =
@@ -128,12 +128,10 @@ class ChildTest {
     void theHarnessIsNotOnTheStudentsClassPath() throws Exception {
         Answer answer =
                 unscanned.draw(
-                        method(
-                                guarded(
-                                        "Class.forName(\"rasterlab.exercises.runner.child.RunMain\");")));
+                        method(guarded("Class.forName(\"rasterlab.exercises.child.RunMain\");")));
         assertEquals(
                 "java.lang.RuntimeException: java.lang.ClassNotFoundException:"
-                        + " rasterlab.exercises.runner.child.RunMain",
+                        + " rasterlab.exercises.child.RunMain",
                 answer.thrown());
     }
 

@@ -18,11 +18,12 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
-import rasterlab.exercises.Catalogue;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Sources;
+import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 import rasterlab.exercises.score.Report;
 
 /** Children come and go as they should, whoever is killed or interrupted. */
@@ -88,6 +89,14 @@ class GradingLifeTest {
     }
 
     @Test
+    void aJudgeClosedInTheMiddleIsOurFaultAndNoMark() throws Exception {
+        Judge judge = Judge.start(JudgeSettings.once());
+        Report report =
+                judge.grade(EXERCISE, Sources.RIGHT, CaseSelection.open(), first -> judge.close());
+        assertEquals(GradingVerdict.INTERNAL, report.verdict());
+    }
+
+    @Test
     void twoGradingsAtOnceDoNotMix() throws Exception {
         ExecutorService threads = Executors.newFixedThreadPool(2);
         try (Judge judge = Judge.start(JudgeSettings.defaults())) {
@@ -129,6 +138,29 @@ class GradingLifeTest {
             Report report = grade(judge, Sources.RIGHT);
             assertEquals(GradingVerdict.OK, report.verdict(), report::toString);
             assertEquals("process limits only", report.isolation());
+        }
+    }
+
+    @Test
+    void aReserveThatCannotBeFilledTakesNoReportAway() throws Exception {
+        ChildJars jars = ChildJars.assemble();
+        Launcher launcher = new Launcher(jars);
+        Box withoutReserve = new WithoutReserve(new PlainBox(jars, Message.NONE));
+        try (Judge judge = new Judge(JudgeSettings.defaults(), jars, launcher, withoutReserve)) {
+            assertEquals(GradingVerdict.OK, grade(judge, Sources.RIGHT).verdict());
+        }
+    }
+
+    /** Starts a child that is needed now, and none to wait. */
+    private record WithoutReserve(Box box) implements Box {
+        @Override
+        public Isolation isolation() {
+            return box.isolation();
+        }
+
+        @Override
+        public List<String> command(ChildKind kind, boolean warm) {
+            return warm ? List.of("/no/such/program") : box.command(kind, warm);
         }
     }
 

@@ -13,10 +13,10 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.exercises.Catalogue;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Sources;
+import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
@@ -166,6 +166,11 @@ class HostileSourcesTest {
                 argumentSet(
                         "package line", "refused", "1:0 package mine", "package mine;\n" + rest),
                 argumentSet(
+                        "package line below a comment on packages",
+                        "refused",
+                        "3:0 package mine",
+                        "/* no\npackage */ // package\npackage mine;\n" + rest),
+                argumentSet(
                         "package of the harness",
                         "refused",
                         "1:0 package rasterlab.contract",
@@ -180,7 +185,7 @@ class HostileSourcesTest {
                         "harness class",
                         "compile_error",
                         "does not exist",
-                        method("rasterlab.exercises.runner.child.Wire.cut(\"\");\n")),
+                        method("rasterlab.exercises.child.Wire.cut(\"\");\n")),
                 argumentSet(
                         "200 classes more than its own",
                         "refused",
@@ -192,6 +197,12 @@ class HostileSourcesTest {
                         "refused",
                         "the class files are too long: ",
                         Sources.RIGHT + longClasses()),
+                argumentSet(
+                        "lattice of interfaces with more ways up than can be walked",
+                        "refused",
+                        "6:0 Tangled.getStackTrace",
+                        method("Tangled t = new Tangled();\nt.getStackTrace();\n")
+                                + Sources.latticeOf(10)),
                 argumentSet("no class", "refused", "no public class implements", "class A { }"),
                 argumentSet(
                         "two classes",
@@ -306,7 +317,7 @@ class HostileSourcesTest {
                 argumentSet(
                         "endless plotting",
                         "output_limit",
-                        "still plotting after 80 pixels where 8 are right",
+                        "still plotting after 1016 pixels where 8 are right",
                         method("while (true) out.plot(x0, y0);\n")),
                 argumentSet(
                         "endless plotting that swallows everything",

@@ -13,9 +13,9 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
-import rasterlab.exercises.Catalogue;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Sources;
+import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 

@@ -2,12 +2,13 @@ package rasterlab.exercises.runner;
 
 import java.time.Duration;
 import rasterlab.contract.LineRasterizer;
-import rasterlab.engine.line.Segment;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.line.LineGrading;
 import rasterlab.exercises.score.Answer;
 
 /** Runs sources without the byte-code check, to see what the process alone holds. */
 final class Unscanned implements AutoCloseable {
-    static final Segment SEGMENT = new Segment(0, 0, 7, 3);
+    private static final TopicGrading.Call CALL = new LineGrading().warmUp();
     private static final Duration CALL_LIMIT = Duration.ofSeconds(3);
     private static final Duration RUN_LIMIT = Duration.ofSeconds(30);
 
@@ -17,11 +18,11 @@ final class Unscanned implements AutoCloseable {
     private final Children children;
 
     Unscanned(JudgeSettings.Box wanted) {
-        box = new BoxChoice(launcher, jars).choose(wanted);
+        box = BoxChoice.on(launcher, jars).choose(wanted);
         children = new Children(box, launcher, false);
     }
 
-    Child child(ChildKind kind) {
+    Child child(ChildKind kind) throws ChildLost {
         return children.take(kind);
     }
 
@@ -33,7 +34,7 @@ final class Unscanned implements AutoCloseable {
                 throw new AssertionError(LineRasterizer.class + " " + compiled.errors());
             StudentRun run = new StudentRun(runner, CALL_LIMIT, RUN_LIMIT);
             run.load("Mine", compiled.classes());
-            return run.draw(SEGMENT, 100);
+            return run.call(CALL);
         }
     }
 

@@ -14,7 +14,9 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.exercises.Visibility;
+import rasterlab.engine.raster.PixelDifference;
+import rasterlab.engine.raster.PixelMark;
+import rasterlab.engine.raster.PixelRecording;
 
 /** What a student is shown and what not. */
 class ReportTest {
@@ -31,7 +33,7 @@ class ReportTest {
         "NEVER,          true,  hidden, wrong pixels on a hidden input, false",
     })
     void aHiddenCaseTellsOnlyTheClassOfTheError(
-            Visibility visibility, boolean late, String name, String message, boolean shown) {
+            Disclosure visibility, boolean late, String name, String message, boolean shown) {
         CaseReport one =
                 new CaseReport(
                         "gap",
@@ -75,23 +77,57 @@ class ReportTest {
 
     @Test
     void picturesTellMissingAndExtraByShape() throws IOException {
-        BufferedImage missing = picture("-");
-        BufferedImage extra = picture("+");
+        BufferedImage missing = picture(CasePictures.of(difference("-")).orElseThrow());
+        BufferedImage extra = picture(CasePictures.of(difference("+")).orElseThrow());
         assertEquals(15, missing.getWidth());
+        assertEquals(PixelMark.ARGB, extra.getRGB(7, 7), "the cross has the colour of each lab");
         assertNotEquals(missing.getRGB(7, 7), extra.getRGB(7, 7), "ring is open, cross is not");
         assertNotEquals(missing.getRGB(7, 3), missing.getRGB(7, 7));
     }
 
-    private static BufferedImage picture(String row) throws IOException {
-        byte[] png = new GridPicture(List.of(row)).difference();
-        return ImageIO.read(new ByteArrayInputStream(png));
+    private static BufferedImage picture(CasePictures pictures) throws IOException {
+        return ImageIO.read(new ByteArrayInputStream(pictures.differencePng()));
+    }
+
+    /** One row of # right, + extra and - missing pixels. */
+    private static PixelDifference difference(String row) {
+        PixelRecording exact = new PixelRecording(99);
+        PixelRecording actual = new PixelRecording(99);
+        for (int x = 0; x < row.length(); x++) {
+            if ("#-".indexOf(row.charAt(x)) >= 0) exact.plot(x, 0);
+            if ("#+".indexOf(row.charAt(x)) >= 0) actual.plot(x, 0);
+        }
+        return PixelDifference.of(exact, actual);
     }
 
     @Test
     void expectedAndActualLeaveOutWhatTheOtherHas() {
-        GridPicture both = new GridPicture(List.of("#+-"));
-        assertArrayEquals(new GridPicture(List.of("#.#")).difference(), both.lit("#-"));
-        assertArrayEquals(new GridPicture(List.of("##.")).difference(), both.lit("#+"));
-        assertTrue(both.difference().length > 0);
+        CasePictures both = CasePictures.of(difference("#+-#")).orElseThrow();
+        CasePictures exact = CasePictures.of(difference("#.##")).orElseThrow();
+        CasePictures drawn = CasePictures.of(difference("##.#")).orElseThrow();
+        assertArrayEquals(exact.differencePng(), both.expectedPng());
+        assertArrayEquals(drawn.differencePng(), both.actualPng());
+    }
+
+    @Test
+    void theBeginningOfALongPictureIsTheOneThatTheTextShows() throws IOException {
+        CasePictures pictures = CasePictures.of(difference("#".repeat(90) + "-")).orElseThrow();
+        BufferedImage picture = picture(pictures);
+        assertEquals(80 * 14 + 1, picture.getWidth());
+        assertTrue(pictures.text().endsWith("#-"), pictures::text);
+        assertNotEquals(
+                picture.getRGB(7, 7), picture.getRGB(79 * 14 + 7, 7), "the last is missing");
+    }
+
+    @Test
+    void theIsolationIsToldInRussian() {
+        assertEquals(
+                "только ограничения процесса", Report.isolationIn("ru", "process limits only"));
+        assertEquals("bubblewrap", Report.isolationIn("ru", "bubblewrap"));
+    }
+
+    @Test
+    void nothingIsDrawnWhereThereIsNoPixel() {
+        assertEquals(Optional.empty(), CasePictures.of(difference("")));
     }
 }

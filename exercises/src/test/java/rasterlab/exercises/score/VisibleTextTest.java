@@ -9,7 +9,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.exercises.Visibility;
 
 /** Nothing in a report acts on the terminal or hides on the page. */
 class VisibleTextTest {
@@ -54,7 +53,7 @@ class VisibleTextTest {
     private static String message(String text) {
         return new CaseReport(
                         "gap",
-                        Visibility.OPEN,
+                        Disclosure.OPEN,
                         GradingVerdict.WRONG,
                         0,
                         3,

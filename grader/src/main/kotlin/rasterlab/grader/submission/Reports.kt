@@ -1,10 +1,10 @@
 package rasterlab.grader.submission
 
 import org.jdbi.v3.core.Handle
-import rasterlab.exercises.Visibility
 import rasterlab.exercises.score.CasePictures
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Diagnostic
+import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.Points
@@ -164,7 +164,7 @@ class Reports(
                     }
                 CaseReport(
                     row.getString("name"),
-                    Visibility.valueOf(row.getString("visibility")),
+                    Disclosure.valueOf(row.getString("visibility")),
                     GradingVerdict.valueOf(row.getString("verdict")),
                     row.getInt("points"),
                     row.getInt("points_of"),

@@ -47,7 +47,6 @@ fun sourceOf(bytes: ByteArray): String {
                 .newDecoder()
                 .decode(ByteBuffer.wrap(bytes))
                 .toString()
-                .removePrefix("\uFEFF")
         } catch (failure: CharacterCodingException) {
             throw Rejection.NotUtf8()
         }

@@ -21,7 +21,8 @@ import kotlinx.html.span
 import kotlinx.html.strong
 import kotlinx.html.summary
 import kotlinx.html.ul
-import rasterlab.exercises.Visibility
+import rasterlab.exercises.score.Disclosure
+import rasterlab.exercises.score.Report
 import rasterlab.grader.report.CaseView
 import rasterlab.grader.report.DiagnosticView
 import rasterlab.grader.report.PicturesView
@@ -48,13 +49,11 @@ fun DIV.result(
     }
     view.isolation?.takeIf { it.isNotEmpty() }?.let { isolation ->
         p("isolation") {
-            +texts.say("result.isolation", isolation)
-            if (isolation == WEAK_ISOLATION) +" ${texts.say("result.weak")}"
+            +texts.say("result.isolation", Report.isolationIn(texts.language, isolation))
+            if (isolation == Report.PROCESS_LIMITS) +" ${texts.say("result.weak")}"
         }
     }
 }
-
-private const val WEAK_ISOLATION = "process limits only"
 
 private fun FlowContent.progress(
     texts: Texts,
@@ -125,7 +124,7 @@ private fun FlowContent.case(
     div("row") {
         status(texts, case.verdict, "")
         h3 { +case.name }
-        if (case.visibility != Visibility.OPEN.code()) span("hidden-case") { +texts.say("result.hidden") }
+        if (case.visibility != Disclosure.OPEN.code()) span("hidden-case") { +texts.say("result.hidden") }
         span("earned") { +texts.say("result.case.points", case.points, case.of) }
     }
     if (case.message.isNotEmpty()) p { +case.message }

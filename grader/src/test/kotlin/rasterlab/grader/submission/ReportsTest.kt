@@ -7,10 +7,10 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.EnumSource
-import rasterlab.exercises.Visibility
 import rasterlab.exercises.score.CasePictures
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Diagnostic
+import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
 import rasterlab.exercises.score.Points
@@ -61,7 +61,7 @@ class ReportsTest {
             GradingVerdict.entries.mapIndexed { number, verdict ->
                 CaseReport(
                     "case-${9 - number}",
-                    Visibility.entries[number % Visibility.entries.size],
+                    Disclosure.entries[number % Disclosure.entries.size],
                     verdict,
                     number,
                     100 + number,

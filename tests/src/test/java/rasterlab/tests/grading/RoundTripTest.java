@@ -15,7 +15,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import rasterlab.exercises.Catalogue;
+import rasterlab.exercises.catalogue.Catalogue;
 
 class RoundTripTest {
     private static final String EXERCISE = "line-bresenham";

@@ -2,6 +2,7 @@ package rasterlab.app.cli.run;
 
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.Pixels;
+import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelWindow;
 
@@ -17,13 +18,13 @@ final class LineSink implements Pixels {
     private long writes;
 
     /**
-     * @param exactPixels the number of pixels of the exact segment; a method may send twice as many
-     *     before it is taken for endless
+     * @param exactPixels the number of pixels of the exact segment, from which follows when a
+     *     method is taken for endless
      */
     LineSink(String method, PixelWindow window, long exactPixels) {
         this.method = method;
         this.window = window;
-        this.mostWrites = 2 * exactPixels + 16;
+        this.mostWrites = new LineTopic().mostBeforeEndless(exactPixels);
     }
 
     @Override
@@ -49,7 +50,7 @@ final class LineSink implements Pixels {
                 method
                         + " does not end: it sent more than "
                         + mostWrites
-                        + " pixels, twice what the segment has");
+                        + " pixels, more than twice what the segment has");
     }
 
     private static Complaint tooMany() {

@@ -1,0 +1,68 @@
+package rasterlab.exercises;
+
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.util.List;
+import java.util.Random;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Finding;
+
+/**
+ * All that grading has to know of one topic: what a student implements, how a case is read, handed
+ * to the child and judged, and what speed is measured on.
+ */
+public interface TopicGrading {
+    /** The engine's name of the topic. */
+    String name();
+
+    /** The interface that a student's class implements. */
+    Class<?> contract();
+
+    /**
+     * The calls that make up a case, to be tried one after the other; at least one.
+     *
+     * @param seed draws those of a generated case
+     * @throws CatalogueException when the case's input is not what the topic reads
+     */
+    List<Call> calls(Case one, Tolerance tolerance, long seed);
+
+    /** The right method that a student's speed is held against. */
+    Class<?> reference();
+
+    /** Something for the reference to draw before it is timed. */
+    Call warmUp();
+
+    /** New inputs to time a method on, unlike all before. */
+    Timing timing(Random random);
+
+    /** What a child is asked. */
+    interface Task {
+        /** One of {@link rasterlab.exercises.child.Wire}. */
+        int operation();
+
+        /** Writes what the child reads after the operation. */
+        void writeTo(DataOutputStream out) throws IOException;
+    }
+
+    /** One call of the student's method. */
+    interface Call extends Task {
+        /** The method is stopped beyond. */
+        int mostPixels();
+
+        Finding judge(Answer answer);
+
+        /** The input as a scene file that the lab opens. */
+        String scene();
+    }
+
+    /** A batch of inputs that are drawn into a sink which sums up. */
+    interface Timing extends Task {
+        /** Number of pixels of the right answers. */
+        long count();
+
+        /** Sum of the right answers. */
+        long sum();
+    }
+}

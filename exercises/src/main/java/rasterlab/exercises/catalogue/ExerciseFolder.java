@@ -1,0 +1,100 @@
+package rasterlab.exercises.catalogue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
+import rasterlab.exercises.CatalogueException;
+
+/** The files of one exercise, from a folder or from the class path; remembers what was read. */
+final class ExerciseFolder {
+    /** More than any honest statement or case file; a mistaken file is named, not loaded. */
+    private static final int MOST_BYTES = 1 << 20;
+
+    /** Opens a file of the folder by its name, "cases/open.json" for one in a sub-folder. */
+    @FunctionalInterface
+    interface Opener {
+        /**
+         * @throws IOException when there is no such file, or it cannot be read
+         */
+        InputStream open(String name) throws IOException;
+    }
+
+    private final String id;
+    private final String place;
+    private final Opener opener;
+    private final Map<String, byte[]> read = new TreeMap<>();
+
+    private ExerciseFolder(String id, String place, Opener opener) {
+        this.id = id;
+        this.place = place;
+        this.opener = opener;
+    }
+
+    static ExerciseFolder onDisk(Path folder) {
+        return new ExerciseFolder(
+                folder.getFileName().toString(),
+                folder.toString(),
+                name -> Files.newInputStream(folder.resolve(name)));
+    }
+
+    static ExerciseFolder onClassPath(String id) {
+        return new ExerciseFolder(
+                id,
+                "built-in exercise " + id,
+                name -> {
+                    InputStream in =
+                            Catalogue.class.getResourceAsStream(
+                                    "/rasterlab/exercises/" + id + "/" + name);
+                    if (in == null) throw new IOException("not on the class path");
+                    return in;
+                });
+    }
+
+    String id() {
+        return id;
+    }
+
+    /** What messages call a file of this folder. */
+    String place(String file) {
+        return place + "/" + file;
+    }
+
+    String text(String file) {
+        if (!file.matches("[A-Za-z0-9][A-Za-z0-9._-]*(/[A-Za-z0-9][A-Za-z0-9._-]*)?"))
+            throw new CatalogueException(
+                    place
+                            + ": '"
+                            + file
+                            + "' is not a file name of letters, digits, '.', '_' and '-', in at most one sub-folder");
+        byte[] bytes = bytes(file);
+        read.put(file, bytes);
+        try {
+            return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+        } catch (CharacterCodingException e) {
+            throw new CatalogueException(place(file) + " is not text in UTF-8", e);
+        }
+    }
+
+    private byte[] bytes(String file) {
+        try (InputStream in = opener.open(file)) {
+            byte[] bytes = in.readNBytes(MOST_BYTES + 1);
+            if (bytes.length > MOST_BYTES)
+                throw new CatalogueException(
+                        place(file) + " is longer than the allowed " + MOST_BYTES + " bytes");
+            return bytes;
+        } catch (IOException e) {
+            throw new CatalogueException(place(file) + " is missing or cannot be read: " + e, e);
+        }
+    }
+
+    /** Name to content of all files read so far, by name. */
+    Map<String, byte[]> read() {
+        return read;
+    }
+}

@@ -1,0 +1,176 @@
+package rasterlab.exercises.catalogue;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Kind;
+import rasterlab.exercises.Exercise.PointPlan;
+import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.json.JsonFields;
+import rasterlab.exercises.score.Disclosure;
+import rasterlab.exercises.topic.TopicGradings;
+
+/**
+ * Turns an exercise folder into an {@link Exercise}, or says which field of which file is wrong.
+ */
+final class ExerciseReader {
+    private static final List<String> LANGUAGES = List.of("en", "ru");
+    private static final String[] CASE_FIELDS = {
+        "name", "kind", "visibility", "points", "input", "generate"
+    };
+
+    private final ExerciseFolder folder;
+
+    ExerciseReader(ExerciseFolder folder) {
+        this.folder = folder;
+    }
+
+    Exercise read() {
+        String id = folder.id();
+        if (!id.matches("[a-z0-9]+(-[a-z0-9]+)*"))
+            throw new CatalogueException(
+                    "exercise folder '" + id + "' must be named in lower-case words with hyphens");
+        String file = "exercise.json";
+        JsonFields fields =
+                JsonFields.parse(
+                        folder.place(file),
+                        folder.text(file),
+                        "topic",
+                        "title",
+                        "tolerance",
+                        "points",
+                        "cases");
+        TopicGrading topic = TopicGradings.named(fields.word("topic", TopicGradings.names()));
+        PointPlan points = points(fields.object("points", "accuracy", "stability", "speed"));
+        List<Case> cases = new ArrayList<>();
+        for (String caseFile : fields.texts("cases")) cases.addAll(cases(caseFile, topic));
+        checkNames(cases);
+        checkSum(cases, Kind.ACCURACY, points.accuracy());
+        checkSum(cases, Kind.STABILITY, points.stability());
+        return new Exercise(
+                id,
+                topic.name(),
+                titles(fields.object("title", "en", "ru")),
+                statements(),
+                folder.text("Starter.java"),
+                Revision.of(folder.read()),
+                new Tolerance(
+                        fields.object("tolerance", "eitherPixelOnTies")
+                                .flag("eitherPixelOnTies", false)),
+                points,
+                cases);
+    }
+
+    private static Map<String, String> titles(JsonFields fields) {
+        Map<String, String> titles = new LinkedHashMap<>();
+        for (String language : LANGUAGES) titles.put(language, fields.text(language));
+        return titles;
+    }
+
+    private Map<String, String> statements() {
+        Map<String, String> statements = new LinkedHashMap<>();
+        for (String language : LANGUAGES)
+            statements.put(language, folder.text("statement." + language + ".md"));
+        return statements;
+    }
+
+    private static PointPlan points(JsonFields fields) {
+        PointPlan plan =
+                new PointPlan(
+                        fields.integer("accuracy", 0, Exercise.MOST_POINTS),
+                        fields.integer("stability", 0, Exercise.MOST_POINTS),
+                        fields.integer("speed", 0, Exercise.MOST_POINTS));
+        if (plan.total() != 100)
+            throw fields.wrong(
+                    "",
+                    "must add up to 100, got "
+                            + plan.accuracy()
+                            + " + "
+                            + plan.stability()
+                            + " + "
+                            + plan.speed());
+        return plan;
+    }
+
+    private List<Case> cases(String file, TopicGrading topic) {
+        List<Case> cases = new ArrayList<>();
+        for (JsonFields fields :
+                JsonFields.parseArray(folder.place(file), folder.text(file), CASE_FIELDS))
+            cases.add(checked(fields, oneCase(fields), topic));
+        return cases;
+    }
+
+    private static Case oneCase(JsonFields fields) {
+        String name = fields.text("name");
+        if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*"))
+            throw fields.wrong("name", "must be lower-case words with hyphens, got '" + name + "'");
+        boolean generated = fields.has("generate");
+        if (generated == fields.has("input"))
+            throw fields.wrong("", "must have either 'input' or 'generate', and not both");
+        Disclosure visibility =
+                Disclosure.valueOf(
+                        constant(
+                                fields.word(
+                                        "visibility",
+                                        List.of(
+                                                "open",
+                                                "verdict-only",
+                                                "after-deadline",
+                                                "never"))));
+        if (generated && visibility == Disclosure.OPEN)
+            throw fields.wrong("visibility", "must not be open where the case is generated");
+        return new Case(
+                name,
+                Kind.valueOf(constant(fields.word("kind", List.of("accuracy", "stability")))),
+                visibility,
+                fields.integer("points", 0, Exercise.MOST_POINTS),
+                fields.json(generated ? "generate" : "input"),
+                generated);
+    }
+
+    /** Reads the input as the runner will, so that a mistake shows before anybody submits. */
+    private static Case checked(JsonFields fields, Case one, TopicGrading topic) {
+        try {
+            topic.calls(one, new Tolerance(false), 0);
+            return one;
+        } catch (CatalogueException e) {
+            throw fields.wrong("", "cannot be used: " + e.getMessage());
+        }
+    }
+
+    private static String constant(String word) {
+        return word.toUpperCase(Locale.ROOT).replace('-', '_');
+    }
+
+    private void checkNames(List<Case> cases) {
+        Set<String> names = new HashSet<>();
+        for (Case one : cases)
+            if (!names.add(one.name()))
+                throw new CatalogueException(
+                        folder.place("exercise.json")
+                                + ", field 'cases': two cases are called '"
+                                + one.name()
+                                + "'");
+    }
+
+    private void checkSum(List<Case> cases, Kind kind, int planned) {
+        int sum = cases.stream().filter(one -> one.kind() == kind).mapToInt(Case::points).sum();
+        if (sum != planned)
+            throw new CatalogueException(
+                    folder.place("exercise.json")
+                            + ", field 'cases': the "
+                            + kind.name().toLowerCase(Locale.ROOT)
+                            + " cases have "
+                            + sum
+                            + " points together, field 'points' says "
+                            + planned);
+    }
+}

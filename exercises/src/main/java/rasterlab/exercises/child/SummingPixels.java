@@ -1,0 +1,35 @@
+package rasterlab.exercises.child;
+
+import rasterlab.contract.Pixels;
+
+/** Counts pixels and sums a mix of their coordinates, so that the parent sees they were drawn. */
+public final class SummingPixels implements Pixels {
+    /**
+     * 2⁶⁴ divided by the golden ratio, odd: spreads neighbours over all bits. Source: D. Knuth, The
+     * Art of Computer Programming 3, section 6.4.
+     */
+    private static final long FOR_X = 0x9E3779B97F4A7C15L;
+
+    /**
+     * Another odd number without a pattern. Source: the second 64-bit prime of xxHash, Y. Collet.
+     */
+    private static final long FOR_Y = 0xC2B2AE3D27D4EB4FL;
+
+    private long count;
+    private long sum;
+
+    @Override
+    public void plot(int x, int y) {
+        count++;
+        sum += x * FOR_X ^ y * FOR_Y;
+    }
+
+    public long count() {
+        return count;
+    }
+
+    /** Does not depend on the order of the pixels. */
+    public long sum() {
+        return sum;
+    }
+}

@@ -1,0 +1,84 @@
+package rasterlab.exercises.child;
+
+/**
+ * The words of the protocol between parent and child.
+ *
+ * <p>Each request begins with an operation (byte) and a nonce (long); each answer begins with that
+ * nonce and a status (byte). All numbers are big-endian, as {@link java.io.DataOutput} writes them.
+ */
+public final class Wire {
+    /** No payload; answered by {@link #DONE}. */
+    public static final int PING = 0;
+
+    /** Source as UTF-8 bytes. */
+    public static final int COMPILE = 1;
+
+    /** Name of the class to make an instance of, number of classes, then name and bytes of each. */
+    public static final int LOAD = 2;
+
+    /** x0, y0, x1, y1 and the most pixels to record. */
+    public static final int DRAW_LINE = 3;
+
+    /**
+     * Number of segments, then x0, y0, x1, y1 of each: drawn into a sink that only sums up;
+     * answered by the number of pixels, their sum and the number of bytes that were printed.
+     */
+    public static final int TIME_LINES = 4;
+
+    /** Payload depends on the operation. */
+    public static final int DONE = 0;
+
+    /** As DONE, but the method went on beyond the most pixels and was stopped. */
+    public static final int CUT = 1;
+
+    /** Class name of an exception; a {@link #MESSAGE} with the same nonce follows. */
+    public static final int THREW = 2;
+
+    /** The text of the exception. */
+    public static final int MESSAGE = 3;
+
+    /** Number of compiler messages, then line, column and text of each. */
+    public static final int COMPILER_ERRORS = 4;
+
+    /** The compiler gave up: stack or memory. */
+    public static final int TOO_COMPLEX = 5;
+
+    /** The contract has no class of that kind: abstract, without constructor, of another type. */
+    public static final int NOT_LOADABLE = 6;
+
+    /** More classes than {@link #MOST_CLASSES}: their number. */
+    public static final int TOO_MANY_CLASSES = 7;
+
+    /** Class files longer than {@link #MOST_CLASS_BYTES} together: their length in bytes. */
+    public static final int CLASSES_TOO_LONG = 8;
+
+    /** Exit status of a JVM that ran out of memory with -XX:+ExitOnOutOfMemoryError. */
+    public static final int EXIT_MEMORY = 3;
+
+    /** Exit status after too much printing, or plotting on after the limit. */
+    public static final int EXIT_OUTPUT = 65;
+
+    /** Exit status after a request that cannot be read. */
+    public static final int EXIT_PROTOCOL = 66;
+
+    public static final int MOST_CLASSES = 200;
+
+    /** For all class files of a source together. */
+    public static final int MOST_CLASS_BYTES = 2 << 20;
+
+    public static final int MOST_FRAME_BYTES = 4 << 20;
+    public static final int MOST_PIXELS = 1 << 16;
+    public static final int MOST_PRINTED_BYTES = 64 * 1024;
+
+    /** Characters of a printed text, compiler message or exception text that are passed on. */
+    public static final int MOST_SHOWN = 500;
+
+    private Wire() {}
+
+    /** The text's beginning, with "…" where something was cut off. */
+    public static String cut(String text) {
+        if (text.length() <= MOST_SHOWN) return text;
+        boolean insideCharacter = Character.isHighSurrogate(text.charAt(MOST_SHOWN - 1));
+        return text.substring(0, insideCharacter ? MOST_SHOWN - 1 : MOST_SHOWN) + "…";
+    }
+}

@@ -1,0 +1,89 @@
+package rasterlab.exercises.line;
+
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.util.List;
+import java.util.Random;
+import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.BresenhamLine;
+import rasterlab.engine.line.Segment;
+import rasterlab.exercises.Exercise.Case;
+import rasterlab.exercises.Exercise.Tolerance;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.child.Wire;
+import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.Finding;
+
+/** How the topic {@code line} is graded: each call draws one segment. */
+public final class LineGrading implements TopicGrading {
+    @Override
+    public String name() {
+        return "line";
+    }
+
+    @Override
+    public Class<?> contract() {
+        return LineRasterizer.class;
+    }
+
+    @Override
+    public List<Call> calls(Case one, Tolerance tolerance, long seed) {
+        LineCase demand = LineCaseReader.read(one, seed);
+        LineJudge judge = new LineJudge(demand, tolerance.eitherPixelOnTies());
+        return demand.segments().stream()
+                .<Call>map(segment -> new SegmentCall(segment, demand, judge))
+                .toList();
+    }
+
+    @Override
+    public Class<?> reference() {
+        return BresenhamLine.class;
+    }
+
+    @Override
+    public Call warmUp() {
+        Segment segment = new Segment(0, 0, LineTiming.STEPS, LineTiming.STEPS / 2);
+        LineCase demand = new LineCase(List.of(segment), false, false, LineCase.MOST_PIXELS, false);
+        return new SegmentCall(segment, demand, new LineJudge(demand, true));
+    }
+
+    @Override
+    public Timing timing(Random random) {
+        return new LineTiming(random);
+    }
+
+    static void write(DataOutputStream out, Segment segment) throws IOException {
+        out.writeInt(segment.x0());
+        out.writeInt(segment.y0());
+        out.writeInt(segment.x1());
+        out.writeInt(segment.y1());
+    }
+
+    private record SegmentCall(Segment segment, LineCase demand, LineJudge judge) implements Call {
+        @Override
+        public int operation() {
+            return Wire.DRAW_LINE;
+        }
+
+        @Override
+        public void writeTo(DataOutputStream out) throws IOException {
+            write(out, segment);
+            out.writeInt(mostPixels());
+        }
+
+        @Override
+        public int mostPixels() {
+            return demand.mostPixels(segment);
+        }
+
+        @Override
+        public Finding judge(Answer answer) {
+            return judge.judge(segment, answer);
+        }
+
+        @Override
+        public String scene() {
+            return LineJudge.scene(segment);
+        }
+    }
+}

@@ -1,0 +1,98 @@
+package rasterlab.exercises.runner.scan;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.objectweb.asm.ClassReader;
+import org.objectweb.asm.ClassVisitor;
+import org.objectweb.asm.FieldVisitor;
+import org.objectweb.asm.MethodVisitor;
+import org.objectweb.asm.Opcodes;
+
+/** The student's own classes: what each declares and what it inherits from. */
+final class OwnClasses {
+    /**
+     * @param access flags of the class file
+     * @param parents superclass first, then interfaces; internal names
+     * @param members name and descriptor of each declared field and method, joined
+     */
+    record Shape(int access, List<String> parents, Set<String> members) {}
+
+    private final Map<String, Shape> shapes = new HashMap<>();
+    private final Map<String, Set<String>> lineages = new HashMap<>();
+
+    /**
+     * @throws RuntimeException when the bytes are no class file
+     */
+    OwnClasses(Iterable<byte[]> classFiles) {
+        for (byte[] bytes : classFiles) {
+            ClassReader reader = new ClassReader(bytes);
+            Set<String> members = new HashSet<>();
+            reader.accept(collector(members), ClassReader.SKIP_CODE);
+            List<String> parents = new ArrayList<>();
+            if (reader.getSuperName() != null) parents.add(reader.getSuperName());
+            parents.addAll(List.of(reader.getInterfaces()));
+            shapes.put(reader.getClassName(), new Shape(reader.getAccess(), parents, members));
+        }
+    }
+
+    private static ClassVisitor collector(Set<String> members) {
+        return new ClassVisitor(Opcodes.ASM9) {
+            @Override
+            public FieldVisitor visitField(
+                    int access, String name, String type, String signature, Object value) {
+                members.add(name + type);
+                return null;
+            }
+
+            @Override
+            public MethodVisitor visitMethod(
+                    int access, String name, String type, String signature, String[] thrown) {
+                members.add(access(access) + name + type);
+                members.add(name + type);
+                return null;
+            }
+        };
+    }
+
+    private static String access(int access) {
+        return (access & Opcodes.ACC_PUBLIC) != 0 ? "public " : "";
+    }
+
+    boolean contains(String type) {
+        return shapes.containsKey(type);
+    }
+
+    Set<String> names() {
+        return shapes.keySet();
+    }
+
+    Shape shape(String type) {
+        return shapes.get(type);
+    }
+
+    /**
+     * The class and all that it inherits from, each once however many ways lead there: a lattice of
+     * interfaces has more ways than can be walked, and a class file may name itself as its parent.
+     * Ends at classes that are not the student's own.
+     */
+    Set<String> lineage(String type) {
+        return lineages.computeIfAbsent(type, this::walk);
+    }
+
+    private Set<String> walk(String type) {
+        Set<String> met = new LinkedHashSet<>();
+        Deque<String> open = new ArrayDeque<>(List.of(type));
+        while (!open.isEmpty()) {
+            String next = open.remove();
+            if (met.add(next) && contains(next)) open.addAll(shape(next).parents());
+        }
+        return met;
+    }
+}

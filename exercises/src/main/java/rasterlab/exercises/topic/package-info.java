@@ -1,0 +1,6 @@
+/**
+ * Which topics can be graded.
+ *
+ * <p>Start with {@link rasterlab.exercises.topic.TopicGradings}.
+ */
+package rasterlab.exercises.topic;

@@ -1,0 +1,210 @@
+package rasterlab.exercises.catalogue;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading;
+
+/** An instructor's folder is read, or its mistake is named with file and field. */
+class CatalogueTest {
+    private static final List<String> FILES =
+            List.of(
+                    "exercise.json",
+                    "cases.json",
+                    "hidden-cases.json",
+                    "Starter.java",
+                    "statement.en.md",
+                    "statement.ru.md");
+
+    @TempDir Path folder;
+    private Path mine;
+
+    @BeforeEach
+    void copyTheBuiltInExercise() throws IOException {
+        mine = Files.createDirectory(folder.resolve("my-line"));
+        for (String file : FILES)
+            try (InputStream in = Exercise.class.getResourceAsStream("line-bresenham/" + file)) {
+                Files.copy(in, mine.resolve(file));
+            }
+    }
+
+    @Test
+    void aFolderIsAddedWithoutCompiling() {
+        Catalogue catalogue = Catalogue.builtIn().withFolder(folder);
+        assertEquals(
+                List.of("line-bresenham", "my-line"),
+                catalogue.all().stream().map(Exercise::id).toList());
+        Exercise exercise = catalogue.named("my-line");
+        assertEquals(100, exercise.points().total());
+        assertTrue(exercise.statement("ru").contains("Брезенхем"), exercise.statement("ru"));
+        assertEquals(exercise.statement("en"), exercise.statement("de"));
+    }
+
+    @Test
+    void theRevisionChangesWithAnyFile() throws IOException {
+        String before = Catalogue.builtIn().withFolder(folder).named("my-line").revision();
+        assertEquals(Catalogue.builtIn().named("line-bresenham").revision(), before);
+        change("Starter.java", "So far", "As yet");
+        assertNotEquals(before, Catalogue.builtIn().withFolder(folder).named("my-line").revision());
+    }
+
+    @ParameterizedTest(name = "statement promises another longest source than is accepted: {0}")
+    @CsvSource({"en, 'at most %d KiB.'", "ru, 'не больше %d КиБ.'"})
+    void theStatementNamesTheLongestSource(String language, String promise) {
+        String statement = Catalogue.builtIn().named("line-bresenham").statement(language);
+        String promised = String.format(promise, Grading.MOST_SOURCE_BYTES / 1024);
+        assertTrue(statement.contains(promised), () -> promised + " is not in " + statement);
+    }
+
+    @Test
+    void anUnknownNameListsTheKnown() {
+        Exception e =
+                assertThrows(
+                        IllegalArgumentException.class, () -> Catalogue.builtIn().named("circle"));
+        assertEquals("no exercise called 'circle'; there are [line-bresenham]", e.getMessage());
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void isNamed(String file, String from, String to, String said) throws IOException {
+        change(file, from, to);
+        Exception e =
+                assertThrows(
+                        CatalogueException.class, () -> Catalogue.builtIn().withFolder(folder));
+        assertTrue(e.getMessage().contains(said), e::getMessage);
+        assertTrue(e.getMessage().contains("my-line"), e::getMessage);
+    }
+
+    static Stream<Arguments> mistakes() {
+        String json = "exercise.json";
+        String cases = "cases.json";
+        return Stream.of(
+                argumentSet("file is no JSON", json, "{", "[", "exercise.json is not JSON: line"),
+                argumentSet("array for object", cases, "[", "{} [", "cases.json is not JSON"),
+                argumentSet(
+                        "unknown topic",
+                        json,
+                        "\"line\"",
+                        "\"lines\"",
+                        "field 'topic' must be one of [line], got 'lines'"),
+                argumentSet(
+                        "unknown field", json, "\"topic\"", "\"topics\"", "field 'topics' is not"),
+                argumentSet(
+                        "title without Russian",
+                        json,
+                        ",\n    \"ru\": \"Отрезок по Брезенхему\"",
+                        "",
+                        "field 'title', field 'ru' is missing"),
+                argumentSet(
+                        "points beyond 100",
+                        json,
+                        "\"accuracy\": 70",
+                        "\"accuracy\": 700",
+                        "'accuracy' must be a whole number from 0 to 100, got 700"),
+                argumentSet(
+                        "points not adding up",
+                        json,
+                        "\"speed\": 10",
+                        "\"speed\": 9",
+                        "must add up to 100, got 70 + 20 + 9"),
+                argumentSet(
+                        "cases not adding up",
+                        cases,
+                        "\"points\": 4",
+                        "\"points\": 3",
+                        "accuracy cases have 69 points together, field 'points' says 70"),
+                argumentSet(
+                        "case file outside",
+                        json,
+                        "cases.json",
+                        "../cases.json",
+                        "'../cases.json' is not a file name"),
+                argumentSet(
+                        "case file missing",
+                        json,
+                        "hidden-",
+                        "lost-",
+                        "lost-cases.json is missing"),
+                argumentSet(
+                        "unknown kind",
+                        cases,
+                        "\"accuracy\"",
+                        "\"speed\"",
+                        "cases.json[0], field 'kind' must be one of [accuracy, stability]"),
+                argumentSet(
+                        "same name twice",
+                        cases,
+                        "last-pixel-is-dropped",
+                        "steep-line-leaves-gaps",
+                        "two cases are called 'steep-line-leaves-gaps'"),
+                argumentSet(
+                        "point with one number",
+                        cases,
+                        "[7, 3]",
+                        "[7]",
+                        "field 'to' must be a point [x, y], got [7]"),
+                argumentSet(
+                        "coordinate beyond int",
+                        cases,
+                        "[7, 3]",
+                        "[7, 3000000000]",
+                        "from -2147483648 to 2147483647, got 3000000000"),
+                argumentSet(
+                        "endless segment without a cut",
+                        cases,
+                        "\"firstPixels\": 4000, ",
+                        "",
+                        "field 'firstPixels' is needed"),
+                argumentSet(
+                        "hazard that the topic has not",
+                        cases,
+                        "\"beyond-2-30\"",
+                        "\"beyond-2-31\"",
+                        "field 'hazard' must be one of [first-octant, "),
+                argumentSet(
+                        "hazard and a segment",
+                        cases,
+                        "\"hazard\"",
+                        "\"to\": [1, 2], \"hazard\"",
+                        "field 'to' must not stand beside 'hazard'"),
+                argumentSet(
+                        "octant 9",
+                        "hidden-cases.json",
+                        "\"octant\": 1",
+                        "\"octant\": 9",
+                        "'octant' must be a whole number from 1 to 8, got 9"),
+                argumentSet(
+                        "generated case shown",
+                        "hidden-cases.json",
+                        "verdict-only",
+                        "open",
+                        "field 'visibility' must not be open"));
+    }
+
+    private void change(String file, String from, String to) throws IOException {
+        Path path = mine.resolve(file);
+        String text = Files.readString(path, StandardCharsets.UTF_8);
+        int at = text.indexOf(from);
+        assertTrue(at >= 0, () -> from + " is not in " + file);
+        Files.writeString(path, text.substring(0, at) + to + text.substring(at + from.length()));
+    }
+}

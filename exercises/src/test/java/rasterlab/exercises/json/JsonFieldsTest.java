@@ -1,0 +1,45 @@
+package rasterlab.exercises.json;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.exercises.CatalogueException;
+
+/** A text that is not JSON is answered with a place in it and a reason, nothing of the parser's. */
+class JsonFieldsTest {
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void isNamed(String json, String said) {
+        Exception e =
+                assertThrows(CatalogueException.class, () -> JsonFields.parse("a.json", json));
+        assertEquals("a.json " + said, e.getMessage());
+    }
+
+    static Stream<Arguments> mistakes() {
+        String open = "the text ends here, but something in it is not closed";
+        return Stream.of(
+                argumentSet("object is not closed", "{", "is not JSON: line 1, column 2: " + open),
+                argumentSet(
+                        "text is not closed",
+                        "{\n\"a\": \"b",
+                        "is not JSON: line 2, column 8: " + open),
+                argumentSet(
+                        "wrong bracket",
+                        "{\"a\": [1}",
+                        "is not JSON: line 1, column 9: Unexpected close marker '}': expected ']'"),
+                argumentSet(
+                        "second value",
+                        "{} []",
+                        "is not JSON: line 1, column 4: the value ends here, but something follows it"),
+                argumentSet(
+                        "field twice",
+                        "{\"a\": 1,\n\"a\": 2}",
+                        "is not JSON: line 2, column 4: Duplicate field 'a'"),
+                argumentSet("nothing", "", "must be an object {…}, got nothing"));
+    }
+}

@@ -1,0 +1,160 @@
+package rasterlab.exercises.runner.scan;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.lang.reflect.Member;
+import java.lang.reflect.Modifier;
+import java.net.URI;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The list holds what is harmless and nothing that reaches out. */
+class AllowListTest {
+    private final AllowList list = AllowList.builtIn();
+
+    @ParameterizedTest(name = "harmless, but refused: {0}")
+    @ValueSource(
+            strings = {
+                "java.util.PriorityQueue.poll",
+                "java.util.ArrayDeque.push",
+                "java.util.TreeMap.floorKey",
+                "java.util.NavigableMap.floorKey",
+                "java.util.LinkedHashMap.entrySet",
+                "java.util.EnumMap.<init>",
+                "java.util.EnumSet.noneOf",
+                "java.util.BitSet.nextSetBit",
+                "java.util.PrimitiveIterator$OfInt.nextInt",
+                "java.util.OptionalDouble.getAsDouble",
+                "java.util.Stack.push",
+                "java.util.StringJoiner.add",
+                "java.util.Arrays.stream",
+                "java.util.List.stream",
+                "java.util.stream.IntStream.rangeClosed",
+                "java.util.stream.Collectors.toList",
+                "java.lang.String.format",
+                "java.lang.String.chars",
+                "java.lang.System.lineSeparator",
+                "java.lang.Object.getClass",
+                "java.lang.Class.getSimpleName",
+                "java.lang.Class.getName",
+                "java.lang.Throwable.getCause",
+                "java.lang.Exception.printStackTrace"
+            })
+    void allows(String use) {
+        assertTrue(allowed(use));
+    }
+
+    @ParameterizedTest(name = "reaches out, but is allowed: {0}")
+    @ValueSource(
+            strings = {
+                "java.lang.Class.forName",
+                "java.lang.Class.getClassLoader",
+                "java.lang.Class.getMethods",
+                "java.lang.Class.getResourceAsStream",
+                "java.lang.Class.newInstance",
+                "java.lang.ClassLoader.getSystemClassLoader",
+                "java.lang.Enum.describeConstable",
+                "java.lang.Object.wait",
+                "java.lang.Object.notifyAll",
+                "java.lang.Process.destroy",
+                "java.lang.Runtime.exec",
+                "java.lang.StackWalker.getInstance",
+                "java.lang.System.exit",
+                "java.lang.System.getenv",
+                "java.lang.System.getProperty",
+                "java.lang.System.identityHashCode",
+                "java.lang.System.setOut",
+                "java.lang.Thread.<init>",
+                "java.lang.ThreadLocal.<init>",
+                "java.lang.Throwable.getStackTrace",
+                "java.lang.Integer.getInteger",
+                "java.lang.invoke.MethodHandles.lookup",
+                "java.lang.ref.Cleaner.create",
+                "java.lang.reflect.Method.invoke",
+                "java.io.File.<init>",
+                "java.io.ObjectInputStream.<init>",
+                "java.io.PrintStream.<init>",
+                "java.io.PrintStream.close",
+                "java.io.Serializable.<init>",
+                "java.net.Socket.<init>",
+                "java.nio.file.Files.readString",
+                "java.util.Arrays.parallelSort",
+                "java.util.ArrayList.parallelStream",
+                "java.util.Collections.shuffle",
+                "java.util.Locale.setDefault",
+                "java.util.Random.<init>",
+                "java.util.Scanner.<init>",
+                "java.util.ServiceLoader.load",
+                "java.util.Timer.<init>",
+                "java.util.WeakHashMap.<init>",
+                "java.util.concurrent.Executors.newCachedThreadPool",
+                "java.util.concurrent.CompletableFuture.runAsync",
+                "java.util.stream.BaseStream.parallel",
+                "java.util.stream.IntStream.parallel",
+                "java.util.stream.Stream.parallel",
+                "java.util.stream.StreamSupport.stream",
+                "java.util.stream.Collectors.toConcurrentMap",
+                "sun.misc.Unsafe.getUnsafe"
+            })
+    void refuses(String use) {
+        assertFalse(allowed(use));
+    }
+
+    private boolean allowed(String use) {
+        int dot = use.lastIndexOf('.');
+        return list.allows(use.substring(0, dot).replace('.', '/'), use.substring(dot + 1));
+    }
+
+    @Test
+    void allowsEveryFunctionInterface() throws IOException {
+        Path folder =
+                FileSystems.getFileSystem(URI.create("jrt:/"))
+                        .getPath("/modules/java.base/java/util/function");
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(
+                    List.of(),
+                    files.map(file -> file.getFileName().toString().replace(".class", ""))
+                            .filter(name -> !name.contains("package-info") && !name.contains("$"))
+                            .filter(name -> !list.allows("java/util/function/" + name, "apply"))
+                            .toList());
+        }
+    }
+
+    @Test
+    void namesNothingThatJavaDoesNotHave() throws ClassNotFoundException {
+        List<String> unknown = new ArrayList<>();
+        for (String line : AllowList.text().lines().toList()) {
+            if (line.isBlank() || line.startsWith("#")) continue;
+            String[] words = line.split("\\s+");
+            Set<String> members = members(Class.forName(words[0]));
+            for (int i = 1; i < words.length; i++) {
+                String name = words[i].replaceFirst("^-", "");
+                if (!name.equals("*") && !members.contains(name))
+                    unknown.add(words[0] + "." + name);
+            }
+        }
+        assertEquals(List.of(), unknown);
+    }
+
+    private static Set<String> members(Class<?> type) {
+        Set<String> names = new HashSet<>(Set.of("<init>"));
+        Stream.of(type.getMethods(), type.getDeclaredMethods(), type.getFields())
+                .flatMap(Stream::<Member>of)
+                .filter(one -> !Modifier.isPrivate(one.getModifiers()))
+                .map(Member::getName)
+                .forEach(names::add);
+        return names;
+    }
+}
