@@ -1,13 +1,11 @@
 // The grading server: its command line and how its parts are joined. Start here, then see submission.
 package rasterlab.grader
 
-import io.ktor.serialization.kotlinx.json.json
 import io.ktor.server.application.Application
 import io.ktor.server.application.ApplicationCallPipeline
 import io.ktor.server.application.install
 import io.ktor.server.auth.Authentication
 import io.ktor.server.auth.authenticate
-import io.ktor.server.plugins.contentnegotiation.ContentNegotiation
 import io.ktor.server.plugins.origin
 import io.ktor.server.plugins.ratelimit.RateLimit
 import io.ktor.server.plugins.ratelimit.RateLimitName
@@ -18,7 +16,6 @@ import io.ktor.server.routing.route
 import io.ktor.server.routing.routing
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
-import kotlinx.serialization.json.Json
 import rasterlab.exercises.Grading
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
@@ -85,7 +82,6 @@ class Server(
             // The database blocks its caller, so no request is handled on the few threads that serve the sockets.
             intercept(ApplicationCallPipeline.Setup) { withContext(Dispatchers.IO) { proceed() } }
             install(IgnoreTrailingSlash)
-            install(ContentNegotiation) { json(Json { encodeDefaults = true }) }
             install(StatusPages) { showProblems(ErrorPage) }
             install(Authentication) { byToken(accounts) }
             install(RateLimit) {

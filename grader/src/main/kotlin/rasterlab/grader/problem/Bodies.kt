@@ -1,10 +1,13 @@
 package rasterlab.grader.problem
 
+import io.ktor.http.BadContentTypeFormatException
 import io.ktor.http.ContentType
 import io.ktor.http.HttpHeaders
+import io.ktor.http.HttpStatusCode
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.request.contentType
 import io.ktor.server.request.receiveChannel
+import io.ktor.server.response.respondText
 import io.ktor.utils.io.discard
 import io.ktor.utils.io.readRemaining
 import kotlinx.coroutines.withTimeoutOrNull
@@ -33,9 +36,7 @@ suspend fun ApplicationCall.receiveAtMost(limit: Int): ByteArray {
 }
 
 suspend fun <T> ApplicationCall.receiveJson(format: DeserializationStrategy<T>): T {
-    if (!request.contentType().match(ContentType.Application.Json)) {
-        throw Rejection.WrongMediaType(request.headers[HttpHeaders.ContentType].orEmpty(), "application/json")
-    }
+    bodyType(ContentType.Application.Json)
     val text = receiveAtMost(JSON_BYTES).decodeToString()
     try {
         return Json.decodeFromString(format, text)
@@ -45,6 +46,27 @@ suspend fun <T> ApplicationCall.receiveJson(format: DeserializationStrategy<T>):
         )
     }
 }
+
+/** The one of [expected] that the sender says the body is. */
+fun ApplicationCall.bodyType(vararg expected: ContentType): ContentType {
+    val found =
+        try {
+            request.contentType()
+        } catch (malformed: BadContentTypeFormatException) {
+            null
+        }
+    return expected.firstOrNull { found != null && found.match(it) }
+        ?: throw Rejection.WrongMediaType(
+            request.headers[HttpHeaders.ContentType].orEmpty(),
+            expected.joinToString(" or "),
+        )
+}
+
+/** Answers in JSON, which is all that the API speaks: `Accept` is not asked after something was done. */
+suspend inline fun <reified T> ApplicationCall.respondJson(
+    value: T,
+    status: HttpStatusCode = HttpStatusCode.OK,
+) = respondText(Json.encodeToString(value), ContentType.Application.Json, status)
 
 /** The key under which the sender may repeat this request, or null. */
 fun ApplicationCall.idempotencyKey(least: Int = 1): String? {

@@ -5,6 +5,7 @@ import io.ktor.http.HttpHeaders
 import io.ktor.http.HttpStatusCode
 import io.ktor.http.HttpStatusCode.Companion.InternalServerError
 import io.ktor.http.HttpStatusCode.Companion.ServiceUnavailable
+import io.ktor.http.URLDecodeException
 import io.ktor.http.content.TextContent
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.plugins.BadRequestException
@@ -67,6 +68,9 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         _,
         ->
         show(call, HttpStatusCode.BadRequest, "malformed-request", "the request cannot be read")
+    }
+    exception<URLDecodeException> { call, malformed ->
+        show(call, HttpStatusCode.BadRequest, "malformed-request", "the address or the form: ${malformed.message}")
     }
     exception<Throwable> { call, failure ->
         log.error("{} {} failed", call.request.httpMethod.value, call.request.path(), failure)

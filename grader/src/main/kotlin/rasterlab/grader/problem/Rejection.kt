@@ -66,7 +66,8 @@ sealed class Rejection(
 
     class KeyReused : Rejection("this Idempotency-Key was used for a different request", "idempotency-key-reused")
 
-    class EmptySource : Rejection("the source is empty", "empty-source")
+    class EmptySource :
+        Rejection("the source is empty; it is the whole body, or the field 'source' of a form", "empty-source")
 
     class NotUtf8 : Rejection("the source is not UTF-8 text", "not-utf-8")
 

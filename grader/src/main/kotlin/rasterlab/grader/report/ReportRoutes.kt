@@ -4,7 +4,6 @@ import io.ktor.http.ContentType
 import io.ktor.http.HttpHeaders
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.response.header
-import io.ktor.server.response.respond
 import io.ktor.server.response.respondBytes
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
@@ -12,6 +11,7 @@ import io.ktor.server.util.getOrFail
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.respondJson
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Reports
 import rasterlab.grader.submission.Submissions
@@ -58,7 +58,7 @@ fun Route.results(
     results: Results,
     live: Live,
 ) {
-    get("/submissions/{id}") { call.respond(results.view(call.identity(), call.submissionId())) }
+    get("/submissions/{id}") { call.respondJson(results.view(call.identity(), call.submissionId())) }
     get("/submissions/{id}/events") {
         val who = call.identity()
         val id = call.submissionId()

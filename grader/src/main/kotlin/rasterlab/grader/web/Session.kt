@@ -11,6 +11,7 @@ import io.ktor.server.response.header
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.SESSION_COOKIE
+import rasterlab.grader.course.sessionCookie
 import rasterlab.grader.problem.Rejection
 
 /** Adds what browsers need to know to run nothing but our own files and to tell nobody where they were. */
@@ -36,12 +37,12 @@ fun ApplicationCall.signIn(
 }
 
 fun ApplicationCall.signOut(accounts: Accounts) {
-    request.cookies[SESSION_COOKIE]?.let(accounts::close)
+    sessionCookie()?.let(accounts::close)
     response.cookies.append(cookie(SESSION_COOKIE, "", 0, secure = false))
 }
 
 /** Who signed in with this browser, or null. */
-fun ApplicationCall.visitor(accounts: Accounts): Identity? = request.cookies[SESSION_COOKIE]?.let(accounts::inSession)
+fun ApplicationCall.visitor(accounts: Accounts): Identity? = sessionCookie()?.let(accounts::inSession)
 
 fun ApplicationCall.studentHere(accounts: Accounts): Identity.Student =
     someone(accounts) as? Identity.Student ?: throw Rejection.WrongRole("student")
@@ -59,7 +60,7 @@ fun ApplicationCall.requireOwnForm() {
 }
 
 private fun ApplicationCall.rememberLanguage() {
-    val asked = request.queryParameters["lang"] ?: return
+    val asked = request.rawQueryParameters["lang"] ?: return
     if (asked in LANGUAGES) response.cookies.append(cookie(LANGUAGE_COOKIE, asked, YEAR_SECONDS, secure = false))
 }
 

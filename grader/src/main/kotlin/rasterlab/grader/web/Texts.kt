@@ -1,5 +1,6 @@
 package rasterlab.grader.web
 
+import io.ktor.http.CookieEncoding
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.request.acceptLanguageItems
 import java.text.MessageFormat
@@ -42,7 +43,7 @@ class Texts private constructor(
 
 /** In the language that `?lang=`, the cookie or the browser asks for, the first that is spoken here. */
 fun ApplicationCall.texts(): Texts {
-    val asked = listOfNotNull(request.queryParameters["lang"], request.cookies[LANGUAGE_COOKIE])
+    val asked = listOfNotNull(request.rawQueryParameters["lang"], request.cookies[LANGUAGE_COOKIE, CookieEncoding.RAW])
     val accepted = request.acceptLanguageItems().map { it.value.substringBefore('-') }
     return Texts.of((asked + accepted).firstOrNull { it in LANGUAGES }.orEmpty())
 }
