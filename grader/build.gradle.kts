@@ -10,6 +10,7 @@ dependencies {
     implementation(libs.logback.classic)
     implementation(libs.db.scheduler)
     implementation(libs.hikari)
+    implementation(libs.jackson.databind)
     implementation(libs.picocli)
     implementation(libs.ktor.server.auth)
     implementation(libs.ktor.server.cio)

@@ -25,6 +25,7 @@ import rasterlab.grader.course.joining
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
 import rasterlab.grader.problem.showProblems
+import rasterlab.grader.problem.waitForBodies
 import rasterlab.grader.report.Results
 import rasterlab.grader.report.results
 import rasterlab.grader.storage.Database
@@ -42,16 +43,20 @@ import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
 import java.time.InstantSource
+import kotlin.time.Duration
 import kotlin.time.Duration.Companion.minutes
+import kotlin.time.Duration.Companion.seconds
 
 /**
  * @param workers submissions graded at the same time; on two cores one, so that measured speeds mean something
  * @param entriesPerMinute joins and sign-ins from one address; a class behind one router joins at once
+ * @param bodyPatience how long the body of a request may take to arrive
  */
 data class ServerSettings(
     val workers: Int = 1,
     val intake: IntakeLimits = IntakeLimits(),
     val entriesPerMinute: Int = 120,
+    val bodyPatience: Duration = 20.seconds,
 )
 
 /** The grading server without its socket: what it is made of, and how the parts are joined. */
@@ -81,6 +86,7 @@ class Server(
         with(application) {
             // The database blocks its caller, so no request is handled on the few threads that serve the sockets.
             intercept(ApplicationCallPipeline.Setup) { withContext(Dispatchers.IO) { proceed() } }
+            waitForBodies(settings.bodyPatience)
             install(IgnoreTrailingSlash)
             install(StatusPages) { showProblems(ErrorPage) }
             install(Authentication) { byToken(accounts) }

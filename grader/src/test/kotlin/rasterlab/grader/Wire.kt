@@ -61,24 +61,6 @@ class Wire(
 
     fun connect() = Socket("127.0.0.1", port).apply { soTimeout = PATIENCE_MILLIS }
 
-    /** What the server has logged from now on at [level] or above. */
-    fun <T> logging(
-        level: Level,
-        test: (List<ILoggingEvent>) -> T,
-    ): T {
-        val root = LoggerFactory.getLogger("rasterlab.grader") as Logger
-        val events = ListAppender<ILoggingEvent>().apply { start() }
-        val usual = root.level
-        root.level = level
-        root.addAppender(events)
-        try {
-            return test(events.list)
-        } finally {
-            root.detachAppender(events)
-            root.level = usual
-        }
-    }
-
     private fun json(answer: HttpResponse<String>) = Json.parseToJsonElement(answer.body()).jsonObject
 
     companion object {
@@ -86,6 +68,24 @@ class Wire(
 
         /** A server that hangs fails the test instead of holding it up. */
         private const val PATIENCE_MILLIS = 60_000
+    }
+}
+
+/** Gives [test] what the server logs meanwhile at [level] or above. */
+fun <T> logging(
+    level: Level,
+    test: (List<ILoggingEvent>) -> T,
+): T {
+    val root = LoggerFactory.getLogger("rasterlab.grader") as Logger
+    val events = ListAppender<ILoggingEvent>().apply { start() }
+    val usual = root.level
+    root.level = level
+    root.addAppender(events)
+    try {
+        return test(events.list)
+    } finally {
+        root.detachAppender(events)
+        root.level = usual
     }
 }
 

@@ -45,7 +45,7 @@ fun Route.courses(courses: Courses) {
 fun Route.joining(courses: Courses) {
     post("/join") {
         val request = call.receiveJson(JoinRequest.serializer())
-        val student = courses.join(request.course, Name.of(request.name), call.idempotencyKey(least = 16))
+        val student = courses.join(request.course, Name.of(request.name), call.idempotencyKey(secret = true))
         call.respondJson(JoinAnswer(student.id, student.token), Created)
     }
 }

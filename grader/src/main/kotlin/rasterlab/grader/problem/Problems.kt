@@ -55,11 +55,11 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
     ) = if (call.isForPrograms()) call.respondProblem(status, code, detail) else page.show(call, status, code, detail)
     exception<Rejection> { call, rejection ->
         rejection.retryAfter()?.let { call.response.header(HttpHeaders.RetryAfter, it.toString()) }
-        if (rejection is Rejection.NotSignedIn) {
-            call.response.header(
-                HttpHeaders.WWWAuthenticate,
-                "Bearer realm=\"rasterlab\"",
-            )
+        when (rejection) {
+            is Rejection.NotSignedIn -> call.response.header(HttpHeaders.WWWAuthenticate, "Bearer realm=\"rasterlab\"")
+            is Rejection.WrongMethod -> call.response.header(HttpHeaders.Allow, rejection.allowed.joinToString())
+            is Rejection.TooSlow -> call.response.header(HttpHeaders.Connection, "close")
+            else -> Unit
         }
         show(call, rejection.status(), rejection.code, rejection.message)
     }

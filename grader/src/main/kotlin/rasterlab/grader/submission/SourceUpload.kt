@@ -11,9 +11,9 @@ import kotlinx.io.IOException
 import kotlinx.io.readByteArray
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.bodyType
+import rasterlab.grader.problem.inTime
 import rasterlab.grader.problem.receiveAtMost
-import java.nio.ByteBuffer
-import java.nio.charset.CharacterCodingException
+import rasterlab.grader.problem.utf8
 
 const val LONGEST_SOURCE_BYTES = 128 * 1024
 private const val FORM_EXTRA_BYTES = 16 * 1024
@@ -29,16 +29,7 @@ suspend fun ApplicationCall.receiveSource(): String {
 /** Bytes of a source as text. */
 fun sourceOf(bytes: ByteArray): String {
     if (bytes.size > LONGEST_SOURCE_BYTES) throw Rejection.TooLarge(LONGEST_SOURCE_BYTES)
-    val text =
-        try {
-            Charsets.UTF_8
-                .newDecoder()
-                .decode(ByteBuffer.wrap(bytes))
-                .toString()
-                .removePrefix("\uFEFF")
-        } catch (failure: CharacterCodingException) {
-            throw Rejection.NotUtf8()
-        }
+    val text = utf8(bytes, Rejection::NotUtf8).removePrefix("\uFEFF")
     if (text.isBlank()) throw Rejection.EmptySource()
     return text
 }
@@ -51,12 +42,14 @@ suspend fun ApplicationCall.receiveFields(): Map<String, List<ByteArray>> {
     val fields = mutableMapOf<String, MutableList<ByteArray>>()
     var left = limit
     try {
-        receiveMultipart(formFieldLimit = limit.toLong()).forEachPart { part ->
-            val bytes = part.bytes(left)
-            left -= bytes.size
-            if (left < 0) throw Rejection.TooLarge(limit)
-            fields.getOrPut(part.name.orEmpty()) { mutableListOf() } += bytes
-            part.release()
+        inTime {
+            receiveMultipart(formFieldLimit = limit.toLong()).forEachPart { part ->
+                val bytes = part.bytes(left)
+                left -= bytes.size
+                if (left < 0) throw Rejection.TooLarge(limit)
+                fields.getOrPut(part.name.orEmpty()) { mutableListOf() } += bytes
+                part.release()
+            }
         }
     } catch (failure: IOException) {
         throw Rejection.Malformed("the form cannot be read")

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource
 import rasterlab.grader.Classroom
 import rasterlab.grader.Wire.Companion.JSON
 import rasterlab.grader.assertProblem
+import rasterlab.grader.logging
 import java.nio.file.Path
 
 /** Headers that no well-made program sends. */
