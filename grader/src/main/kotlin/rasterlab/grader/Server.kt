@@ -24,6 +24,7 @@ import rasterlab.grader.course.courses
 import rasterlab.grader.course.joining
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
+import rasterlab.grader.problem.refuseOtherMethods
 import rasterlab.grader.problem.showProblems
 import rasterlab.grader.problem.waitForBodies
 import rasterlab.grader.report.Results
@@ -109,7 +110,7 @@ class Server(
                         results(results, live)
                     }
                 }
-            }
+            }.refuseOtherMethods()
         }
 
     /** Lets running attempts end or puts them back. */

@@ -4,7 +4,6 @@ import io.ktor.http.ContentType
 import io.ktor.http.HttpHeaders
 import io.ktor.http.withCharset
 import io.ktor.server.application.ApplicationCall
-import io.ktor.server.request.acceptLanguageItems
 import io.ktor.server.response.header
 import io.ktor.server.response.respondText
 import io.ktor.server.routing.Route
@@ -55,14 +54,6 @@ fun Exercise.starterFile(): String =
     (Regex("""\bclass\s+(\w+)""").find(starter())?.groupValues?.get(1) ?: "Starter") + ".java"
 
 private fun ApplicationCall.exerciseId() = parameters.getOrFail("id")
-
-/** What `?lang=` or else the header asks for. */
-private fun ApplicationCall.language() =
-    request.queryParameters["lang"] ?: request
-        .acceptLanguageItems()
-        .firstOrNull()
-        ?.value
-        ?.substringBefore('-') ?: "en"
 
 private fun Exercise.view(language: String) =
     ExerciseView(

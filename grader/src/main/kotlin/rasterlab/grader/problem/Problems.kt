@@ -110,7 +110,6 @@ private fun ApplicationCall.isForPrograms() =
 private fun ApplicationCall.plainDetail(status: HttpStatusCode) =
     when (status) {
         HttpStatusCode.NotFound -> "nothing is at ${request.path()}"
-        HttpStatusCode.MethodNotAllowed -> "${request.httpMethod.value} is not for ${request.path()}"
         HttpStatusCode.TooManyRequests -> "too many requests from this address; see Retry-After"
         else -> status.description
     }

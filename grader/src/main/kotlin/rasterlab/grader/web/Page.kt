@@ -31,6 +31,7 @@ import kotlinx.html.script
 import kotlinx.html.span
 import kotlinx.html.title
 import rasterlab.grader.course.Identity
+import rasterlab.grader.exercise.LANGUAGES
 
 /** Answers with a page: heading, navigation for this role, and [content]. */
 suspend fun ApplicationCall.respondPage(

@@ -12,6 +12,7 @@ import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.SESSION_COOKIE
 import rasterlab.grader.course.sessionCookie
+import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.problem.Rejection
 
 /** Adds what browsers need to know to run nothing but our own files and to tell nobody where they were. */

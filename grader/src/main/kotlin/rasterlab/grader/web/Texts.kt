@@ -2,13 +2,13 @@ package rasterlab.grader.web
 
 import io.ktor.http.CookieEncoding
 import io.ktor.server.application.ApplicationCall
-import io.ktor.server.request.acceptLanguageItems
+import rasterlab.grader.exercise.LANGUAGES
+import rasterlab.grader.exercise.acceptedLanguage
 import java.text.MessageFormat
 import java.util.Locale
 import java.util.ResourceBundle
 
 const val LANGUAGE_COOKIE = "lang"
-val LANGUAGES = listOf("en", "ru")
 
 /** The words of the pages in one language. */
 class Texts private constructor(
@@ -44,6 +44,5 @@ class Texts private constructor(
 /** In the language that `?lang=`, the cookie or the browser asks for, the first that is spoken here. */
 fun ApplicationCall.texts(): Texts {
     val asked = listOfNotNull(request.rawQueryParameters["lang"], request.cookies[LANGUAGE_COOKIE, CookieEncoding.RAW])
-    val accepted = request.acceptLanguageItems().map { it.value.substringBefore('-') }
-    return Texts.of((asked + accepted).firstOrNull { it in LANGUAGES }.orEmpty())
+    return Texts.of((asked.firstOrNull { it in LANGUAGES } ?: acceptedLanguage()).orEmpty())
 }
