@@ -14,6 +14,8 @@ import io.ktor.server.request.httpMethod
 import io.ktor.server.request.path
 import io.ktor.server.response.header
 import io.ktor.server.response.respond
+import io.ktor.util.cio.ChannelIOException
+import kotlinx.coroutines.CancellationException
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 import org.jdbi.v3.core.JdbiException
@@ -69,6 +71,12 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         ->
         show(call, HttpStatusCode.BadRequest, "malformed-request", "the request cannot be read")
     }
+    // Whoever asked has gone: a page was closed, a download was broken off.
+    exception<ChannelIOException> { call, gone ->
+        log.debug("{} {}: {}", call.request.httpMethod.value, call.request.path(), gone.message)
+    }
+    // The server is stopping, which no page that is still open has to know.
+    exception<CancellationException> { _, stopping -> throw stopping }
     exception<URLDecodeException> { call, malformed ->
         show(call, HttpStatusCode.BadRequest, "malformed-request", "the address or the form: ${malformed.message}")
     }
