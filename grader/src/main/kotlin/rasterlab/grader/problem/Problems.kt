@@ -8,6 +8,7 @@ import io.ktor.http.HttpStatusCode.Companion.ServiceUnavailable
 import io.ktor.http.URLDecodeException
 import io.ktor.http.content.TextContent
 import io.ktor.server.application.ApplicationCall
+import io.ktor.server.http.content.HttpStatusCodeContent
 import io.ktor.server.plugins.BadRequestException
 import io.ktor.server.plugins.statuspages.StatusPagesConfig
 import io.ktor.server.request.httpMethod
@@ -94,8 +95,9 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         }
     }
     for (status in HttpStatusCode.allStatusCodes.filter { it.value >= HttpStatusCode.BadRequest.value }) {
-        status(status) { call, found ->
-            show(call, found, found.description.lowercase().replace(' ', '-'), call.plainDetail(found))
+        status(status) { found ->
+            // A page that says itself what is wrong stays as it is.
+            if (content is HttpStatusCodeContent) show(call, found, found.code(), call.plainDetail(found))
         }
     }
 }
@@ -108,6 +110,8 @@ suspend fun ApplicationCall.respondProblem(
     val problem = Problem("urn:rasterlab:problem:$code", status.description, status.value, detail)
     respond(TextContent(Json.encodeToString(problem), ContentType.Application.ProblemJson, status))
 }
+
+private fun HttpStatusCode.code() = description.lowercase().replace(' ', '-')
 
 private fun ApplicationCall.isForPrograms() =
     request.path().let { path ->

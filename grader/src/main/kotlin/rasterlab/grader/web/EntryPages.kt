@@ -82,7 +82,7 @@ private suspend fun ApplicationCall.respondWelcome(problem: String?) {
         problem?.let {
             p("problem") {
                 role = "alert"
-                +texts.problem(it, it)
+                +texts.problem(it)
             }
         }
         div("columns") {

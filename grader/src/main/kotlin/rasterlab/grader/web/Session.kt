@@ -2,11 +2,17 @@ package rasterlab.grader.web
 
 import io.ktor.http.Cookie
 import io.ktor.http.HttpHeaders
+import io.ktor.http.HttpMethod
+import io.ktor.http.hostWithPort
+import io.ktor.http.hostWithPortIfSpecified
+import io.ktor.http.parseUrl
 import io.ktor.server.application.Application
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.application.ApplicationCallPipeline
 import io.ktor.server.application.call
 import io.ktor.server.plugins.origin
+import io.ktor.server.request.httpMethod
+import io.ktor.server.request.path
 import io.ktor.server.response.header
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
@@ -59,6 +65,16 @@ fun ApplicationCall.requireOwnForm() {
     val sender = request.headers[HttpHeaders.Origin]
     if (host == null || sender?.substringAfter("://") != host) throw Rejection.ForeignOrigin()
 }
+
+/** The page of this server that this request was sent from, unless it was this one; null if no browser says. */
+fun ApplicationCall.pageBefore(): String? {
+    val page = request.headers[HttpHeaders.Referrer]?.let(::parseUrl) ?: return null
+    if (request.headers[HttpHeaders.Host] !in setOf(page.hostWithPort, page.hostWithPortIfSpecified)) return null
+    return page.encodedPath.here().takeIf { it != request.path() || request.httpMethod != HttpMethod.Get }
+}
+
+/** This path as one of ours, since `//host` would lead away. */
+fun String.here() = "/" + trimStart('/')
 
 private fun ApplicationCall.rememberLanguage() {
     val asked = request.rawQueryParameters["lang"] ?: return

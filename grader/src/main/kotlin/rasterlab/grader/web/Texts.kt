@@ -30,11 +30,9 @@ class Texts private constructor(
 
     fun verdict(code: String): String = say("verdict.$code")
 
-    /** The failure in this language, or as it says itself where there is no such text. */
-    fun problem(
-        code: String,
-        detail: String,
-    ): String = if (bundle.containsKey("problem.$code")) say("problem.$code") else detail
+    /** What happened and what to do about it. */
+    fun problem(code: String): String =
+        say(if (bundle.containsKey("problem.$code")) "problem.$code" else "problem.other")
 
     companion object {
         fun of(language: String) = Texts(language.takeIf { it in LANGUAGES } ?: LANGUAGES.first())
