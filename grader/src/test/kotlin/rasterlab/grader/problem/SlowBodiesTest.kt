@@ -43,7 +43,11 @@ class SlowBodiesTest {
         }
     }
 
-    private fun sendMuchMore(socket: Socket) = repeat(4_096) { socket.getOutputStream().write(ByteArray(64 * 1024)) }
+    /** Well-made pieces of a chunked body, which any other body may hold as well. */
+    private fun sendMuchMore(socket: Socket) {
+        val piece = "10000\r\n${"a".repeat(0x10000)}\r\n".toByteArray()
+        repeat(4_096) { socket.getOutputStream().write(piece) }
+    }
 
     companion object {
         private const val SUBMIT = "POST /api/v1/exercises/draw-dot/submissions HTTP/1.1"
@@ -56,7 +60,12 @@ class SlowBodiesTest {
         fun requests(): List<Arguments> =
             listOf(
                 argumentSet("source of a told length", 408, listOf(SUBMIT, JAVA, LONG), "class"),
-                argumentSet("source in pieces", 408, listOf(SUBMIT, JAVA, "Transfer-Encoding: chunked"), "5\r\nclass"),
+                argumentSet(
+                    "source in pieces",
+                    408,
+                    listOf(SUBMIT, JAVA, "Transfer-Encoding: chunked"),
+                    "5\r\nclass\r\n",
+                ),
                 argumentSet("form", 408, listOf(SUBMIT, FORM, LONG), FIELD),
                 argumentSet("JSON", 408, listOf("POST /api/v1/join HTTP/1.1", JSON, LONG), "{"),
                 argumentSet("body of no use", 403, listOf("POST /api/v1/courses HTTP/1.1", JSON, LONG), "{"),
