@@ -1,13 +1,11 @@
 // The grading server: its command line and how its parts are joined. Start here, then see submission.
 package rasterlab.grader
 
-import io.ktor.serialization.kotlinx.json.json
 import io.ktor.server.application.Application
 import io.ktor.server.application.ApplicationCallPipeline
 import io.ktor.server.application.install
 import io.ktor.server.auth.Authentication
 import io.ktor.server.auth.authenticate
-import io.ktor.server.plugins.contentnegotiation.ContentNegotiation
 import io.ktor.server.plugins.origin
 import io.ktor.server.plugins.ratelimit.RateLimit
 import io.ktor.server.plugins.ratelimit.RateLimitName
@@ -18,7 +16,6 @@ import io.ktor.server.routing.route
 import io.ktor.server.routing.routing
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.withContext
-import kotlinx.serialization.json.Json
 import rasterlab.exercises.Grading
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
@@ -27,7 +24,9 @@ import rasterlab.grader.course.courses
 import rasterlab.grader.course.joining
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.exercises
+import rasterlab.grader.problem.refuseOtherMethods
 import rasterlab.grader.problem.showProblems
+import rasterlab.grader.problem.waitForBodies
 import rasterlab.grader.report.Results
 import rasterlab.grader.report.results
 import rasterlab.grader.storage.Database
@@ -45,16 +44,20 @@ import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
 import java.time.InstantSource
+import kotlin.time.Duration
 import kotlin.time.Duration.Companion.minutes
+import kotlin.time.Duration.Companion.seconds
 
 /**
  * @param workers submissions graded at the same time; on two cores one, so that measured speeds mean something
  * @param entriesPerMinute joins and sign-ins from one address; a class behind one router joins at once
+ * @param bodyPatience how long the body of a request may take to arrive
  */
 data class ServerSettings(
     val workers: Int = 1,
     val intake: IntakeLimits = IntakeLimits(),
     val entriesPerMinute: Int = 120,
+    val bodyPatience: Duration = 20.seconds,
 )
 
 /** The grading server without its socket: what it is made of, and how the parts are joined. */
@@ -84,8 +87,8 @@ class Server(
         with(application) {
             // The database blocks its caller, so no request is handled on the few threads that serve the sockets.
             intercept(ApplicationCallPipeline.Setup) { withContext(Dispatchers.IO) { proceed() } }
+            waitForBodies(settings.bodyPatience)
             install(IgnoreTrailingSlash)
-            install(ContentNegotiation) { json(Json { encodeDefaults = true }) }
             install(StatusPages) { showProblems(ErrorPage) }
             install(Authentication) { byToken(accounts) }
             install(RateLimit) {
@@ -107,7 +110,7 @@ class Server(
                         results(results, live)
                     }
                 }
-            }
+            }.refuseOtherMethods()
         }
 
     /** Lets running attempts end or puts them back. */

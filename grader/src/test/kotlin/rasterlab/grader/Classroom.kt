@@ -9,8 +9,11 @@ import io.ktor.client.request.setBody
 import io.ktor.client.statement.HttpResponse
 import io.ktor.client.statement.bodyAsText
 import io.ktor.http.HttpHeaders
+import io.ktor.server.cio.CIO
+import io.ktor.server.engine.embeddedServer
 import io.ktor.server.testing.ApplicationTestBuilder
 import io.ktor.server.testing.testApplication
+import kotlinx.coroutines.runBlocking
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
@@ -54,17 +57,34 @@ class Classroom(
     fun open(
         grades: Boolean = true,
         test: suspend Visit.() -> Unit,
-    ) = Database.open(file).use { database ->
-        Server(database, Exercises(listOf(exercise)), grading, settings).use { server ->
-            val token = server.accounts.newInstructorToken() ?: "an earlier visit got it"
-            server.accounts.instructorAnnounced()
-            if (grades) server.startGrading()
-            testApplication {
-                application { server.install(this) }
-                Visit(this, database, token).test()
-            }
+    ) = serve { server, database, token ->
+        if (grades) server.startGrading()
+        testApplication {
+            application { server.install(this) }
+            Visit(this, database, token).test()
         }
     }
+
+    /** Behind a real socket, for what is only seen on the wire; nothing is graded. */
+    fun listen(test: Wire.() -> Unit) =
+        serve { server, database, token ->
+            val engine = embeddedServer(CIO, port = 0, host = "127.0.0.1") { server.install(this) }.start()
+            try {
+                val port = runBlocking { engine.engine.resolvedConnectors() }.first().port
+                Wire(port, database, token).test()
+            } finally {
+                engine.stop(0, 0)
+            }
+        }
+
+    private fun serve(use: (Server, Database, String) -> Unit) =
+        Database.open(file).use { database ->
+            Server(database, Exercises(listOf(exercise)), grading, settings).use { server ->
+                val token = server.accounts.newInstructorToken() ?: "an earlier visit got it"
+                server.accounts.instructorAnnounced()
+                use(server, database, token)
+            }
+        }
 
     companion object {
         val EXERCISE =
@@ -182,9 +202,18 @@ suspend fun HttpResponse.assertProblem(
     status: Int,
     type: String,
 ) {
-    val body = bodyAsText()
-    assertEquals(status, this.status.value, body)
-    assertEquals("application/problem+json", headers[HttpHeaders.ContentType])
+    assertProblem(status, type, this.status.value, headers[HttpHeaders.ContentType], bodyAsText())
+}
+
+fun assertProblem(
+    status: Int,
+    type: String,
+    found: Int,
+    contentType: String?,
+    body: String,
+) {
+    assertEquals(status, found, body)
+    assertEquals("application/problem+json", contentType)
     val problem = Json.parseToJsonElement(body).jsonObject
     assertEquals(setOf("type", "title", "status", "detail"), problem.keys)
     assertEquals("urn:rasterlab:problem:$type", problem.text("type"), body)

@@ -1,12 +1,12 @@
 package rasterlab.grader.course
 
 import io.ktor.http.HttpStatusCode.Companion.Created
-import io.ktor.server.response.respond
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.post
 import kotlinx.serialization.Serializable
 import rasterlab.grader.problem.idempotencyKey
 import rasterlab.grader.problem.receiveJson
+import rasterlab.grader.problem.respondJson
 
 @Serializable
 private data class CourseRequest(
@@ -37,7 +37,7 @@ fun Route.courses(courses: Courses) {
         val instructor = call.instructor()
         val request = call.receiveJson(CourseRequest.serializer())
         val course = courses.create(instructor, Name.of(request.name), call.idempotencyKey())
-        call.respond(Created, CourseAnswer(course.id, course.code))
+        call.respondJson(CourseAnswer(course.id, course.code), Created)
     }
 }
 
@@ -45,7 +45,7 @@ fun Route.courses(courses: Courses) {
 fun Route.joining(courses: Courses) {
     post("/join") {
         val request = call.receiveJson(JoinRequest.serializer())
-        val student = courses.join(request.course, Name.of(request.name), call.idempotencyKey(least = 16))
-        call.respond(Created, JoinAnswer(student.id, student.token))
+        val student = courses.join(request.course, Name.of(request.name), call.idempotencyKey(secret = true))
+        call.respondJson(JoinAnswer(student.id, student.token), Created)
     }
 }

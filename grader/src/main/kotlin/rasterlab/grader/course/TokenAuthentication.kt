@@ -1,5 +1,6 @@
 package rasterlab.grader.course
 
+import io.ktor.http.CookieEncoding
 import io.ktor.http.HttpHeaders
 import io.ktor.http.HttpMethod
 import io.ktor.server.application.ApplicationCall
@@ -10,6 +11,9 @@ import io.ktor.server.request.httpMethod
 import rasterlab.grader.problem.Rejection
 
 const val SESSION_COOKIE = "rasterlab"
+
+/** What the browser keeps of its session, as it was sent: our sessions need no decoding, and it may be anything. */
+fun ApplicationCall.sessionCookie(): String? = request.cookies[SESSION_COOKIE, CookieEncoding.RAW]
 
 /**
  * Lets in the holder of a bearer token.
@@ -36,7 +40,8 @@ private class TokenAuthentication(
             ?.let { accounts.holder(it.substring("Bearer ".length).trim()) }
 
     private fun session(call: ApplicationCall): Identity? =
-        call.request.cookies[SESSION_COOKIE]
+        call
+            .sessionCookie()
             ?.takeIf { call.request.httpMethod == HttpMethod.Get }
             ?.let(accounts::inSession)
 }

@@ -4,15 +4,14 @@ import io.ktor.http.ContentType
 import io.ktor.http.HttpHeaders
 import io.ktor.http.withCharset
 import io.ktor.server.application.ApplicationCall
-import io.ktor.server.request.acceptLanguageItems
 import io.ktor.server.response.header
-import io.ktor.server.response.respond
 import io.ktor.server.response.respondText
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.Exercise
+import rasterlab.grader.problem.respondJson
 
 @Serializable
 private data class ExerciseView(
@@ -34,8 +33,8 @@ private data class PlanView(
 
 /** Inside `authenticate`. Deadline and attempts left are null as long as nobody limits them. */
 fun Route.exercises(exercises: Exercises) {
-    get("/exercises") { call.respond(exercises.all.map { it.view(call.language()) }) }
-    get("/exercises/{id}") { call.respond(exercises.named(call.exerciseId()).view(call.language())) }
+    get("/exercises") { call.respondJson(exercises.all.map { it.view(call.language()) }) }
+    get("/exercises/{id}") { call.respondJson(exercises.named(call.exerciseId()).view(call.language())) }
     get("/exercises/{id}/starter") {
         val exercise = exercises.named(call.exerciseId())
         call.response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"${exercise.starterFile()}\"")
@@ -55,14 +54,6 @@ fun Exercise.starterFile(): String =
     (Regex("""\bclass\s+(\w+)""").find(starter())?.groupValues?.get(1) ?: "Starter") + ".java"
 
 private fun ApplicationCall.exerciseId() = parameters.getOrFail("id")
-
-/** What `?lang=` or else the header asks for. */
-private fun ApplicationCall.language() =
-    request.queryParameters["lang"] ?: request
-        .acceptLanguageItems()
-        .firstOrNull()
-        ?.value
-        ?.substringBefore('-') ?: "en"
 
 private fun Exercise.view(language: String) =
     ExerciseView(

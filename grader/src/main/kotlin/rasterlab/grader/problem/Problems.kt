@@ -5,14 +5,18 @@ import io.ktor.http.HttpHeaders
 import io.ktor.http.HttpStatusCode
 import io.ktor.http.HttpStatusCode.Companion.InternalServerError
 import io.ktor.http.HttpStatusCode.Companion.ServiceUnavailable
+import io.ktor.http.URLDecodeException
 import io.ktor.http.content.TextContent
 import io.ktor.server.application.ApplicationCall
+import io.ktor.server.http.content.HttpStatusCodeContent
 import io.ktor.server.plugins.BadRequestException
 import io.ktor.server.plugins.statuspages.StatusPagesConfig
 import io.ktor.server.request.httpMethod
 import io.ktor.server.request.path
 import io.ktor.server.response.header
 import io.ktor.server.response.respond
+import io.ktor.util.cio.ChannelIOException
+import kotlinx.coroutines.CancellationException
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 import org.jdbi.v3.core.JdbiException
@@ -54,11 +58,11 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
     ) = if (call.isForPrograms()) call.respondProblem(status, code, detail) else page.show(call, status, code, detail)
     exception<Rejection> { call, rejection ->
         rejection.retryAfter()?.let { call.response.header(HttpHeaders.RetryAfter, it.toString()) }
-        if (rejection is Rejection.NotSignedIn) {
-            call.response.header(
-                HttpHeaders.WWWAuthenticate,
-                "Bearer realm=\"rasterlab\"",
-            )
+        when (rejection) {
+            is Rejection.NotSignedIn -> call.response.header(HttpHeaders.WWWAuthenticate, "Bearer realm=\"rasterlab\"")
+            is Rejection.WrongMethod -> call.response.header(HttpHeaders.Allow, rejection.allowed.joinToString())
+            is Rejection.TooSlow -> call.response.header(HttpHeaders.Connection, "close")
+            else -> Unit
         }
         show(call, rejection.status(), rejection.code, rejection.message)
     }
@@ -67,6 +71,15 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         _,
         ->
         show(call, HttpStatusCode.BadRequest, "malformed-request", "the request cannot be read")
+    }
+    // Whoever asked has gone: a page was closed, a download was broken off.
+    exception<ChannelIOException> { call, gone ->
+        log.debug("{} {}: {}", call.request.httpMethod.value, call.request.path(), gone.message)
+    }
+    // The server is stopping, which no page that is still open has to know.
+    exception<CancellationException> { _, stopping -> throw stopping }
+    exception<URLDecodeException> { call, malformed ->
+        show(call, HttpStatusCode.BadRequest, "malformed-request", "the address or the form: ${malformed.message}")
     }
     exception<Throwable> { call, failure ->
         log.error("{} {} failed", call.request.httpMethod.value, call.request.path(), failure)
@@ -82,8 +95,9 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         }
     }
     for (status in HttpStatusCode.allStatusCodes.filter { it.value >= HttpStatusCode.BadRequest.value }) {
-        status(status) { call, found ->
-            show(call, found, found.description.lowercase().replace(' ', '-'), call.plainDetail(found))
+        status(status) { found ->
+            // A page that says itself what is wrong stays as it is.
+            if (content is HttpStatusCodeContent) show(call, found, found.code(), call.plainDetail(found))
         }
     }
 }
@@ -97,6 +111,8 @@ suspend fun ApplicationCall.respondProblem(
     respond(TextContent(Json.encodeToString(problem), ContentType.Application.ProblemJson, status))
 }
 
+private fun HttpStatusCode.code() = description.lowercase().replace(' ', '-')
+
 private fun ApplicationCall.isForPrograms() =
     request.path().let { path ->
         path.startsWith("/api/") ||
@@ -106,7 +122,6 @@ private fun ApplicationCall.isForPrograms() =
 private fun ApplicationCall.plainDetail(status: HttpStatusCode) =
     when (status) {
         HttpStatusCode.NotFound -> "nothing is at ${request.path()}"
-        HttpStatusCode.MethodNotAllowed -> "${request.httpMethod.value} is not for ${request.path()}"
         HttpStatusCode.TooManyRequests -> "too many requests from this address; see Retry-After"
         else -> status.description
     }

@@ -4,6 +4,7 @@ package rasterlab.grader.problem
 import io.ktor.http.HttpStatusCode
 import io.ktor.http.HttpStatusCode.Companion.BadRequest
 import io.ktor.http.HttpStatusCode.Companion.Forbidden
+import io.ktor.http.HttpStatusCode.Companion.MethodNotAllowed
 import io.ktor.http.HttpStatusCode.Companion.NotFound
 import io.ktor.http.HttpStatusCode.Companion.PayloadTooLarge
 import io.ktor.http.HttpStatusCode.Companion.RequestTimeout
@@ -12,6 +13,7 @@ import io.ktor.http.HttpStatusCode.Companion.TooManyRequests
 import io.ktor.http.HttpStatusCode.Companion.Unauthorized
 import io.ktor.http.HttpStatusCode.Companion.UnprocessableEntity
 import io.ktor.http.HttpStatusCode.Companion.UnsupportedMediaType
+import kotlin.time.Duration
 
 /**
  * Why the server does not do what it was asked.
@@ -59,16 +61,37 @@ sealed class Rejection(
         limit: Int,
     ) : Rejection("'$what' must have 1 to $limit visible characters and no control characters", "bad-name")
 
+    /** @param secret whether the key alone gets the answer again */
     class BadKey(
-        least: Int,
-        most: Int,
-    ) : Rejection("Idempotency-Key must have $least to $most printable ASCII characters here", "bad-idempotency-key")
+        length: Int,
+        allowed: IntRange,
+        secret: Boolean,
+    ) : Rejection(
+            "Idempotency-Key must have ${allowed.first} to ${allowed.last} printable ASCII characters, not spaces; " +
+                "it has $length" +
+                if (secret) "; whoever repeats it here gets the token, so it must be hard to guess" else "",
+            "bad-idempotency-key",
+        )
 
     class KeyReused : Rejection("this Idempotency-Key was used for a different request", "idempotency-key-reused")
 
-    class EmptySource : Rejection("the source is empty", "empty-source")
+    class EmptySource :
+        Rejection("the source is empty; it is the whole body, or the field 'source' of a form", "empty-source")
 
-    class NotUtf8 : Rejection("the source is not UTF-8 text", "not-utf-8")
+    class NotUtf8(
+        place: String,
+    ) : Rejection("the source is not UTF-8 text: $place", "not-utf-8")
+
+    class UnknownLanguage(
+        asked: String,
+        allowed: List<String>,
+    ) : Rejection("lang is '$asked', allowed are ${allowed.joinToString()}", "unknown-language")
+
+    class WrongMethod(
+        method: String,
+        path: String,
+        val allowed: List<String>,
+    ) : Rejection("$method is not for $path, allowed are ${allowed.joinToString()}", "method-not-allowed")
 
     class TooLarge(
         limit: Int,
@@ -80,8 +103,8 @@ sealed class Rejection(
     ) : Rejection("Content-Type is '$found', expected $expected", "wrong-media-type")
 
     class TooSlow(
-        seconds: Long,
-    ) : Rejection("the body did not arrive within $seconds s", "too-slow")
+        patience: Duration,
+    ) : Rejection("the body did not arrive within $patience", "too-slow")
 
     class TooManyQueued(
         limit: Int,
@@ -104,7 +127,8 @@ fun Rejection.status(): HttpStatusCode =
         is Rejection.UnknownPicture, is Rejection.UnknownCourse -> NotFound
         is Rejection.Malformed -> BadRequest
         is Rejection.BadName, is Rejection.BadKey, is Rejection.KeyReused -> UnprocessableEntity
-        is Rejection.EmptySource, is Rejection.NotUtf8 -> UnprocessableEntity
+        is Rejection.EmptySource, is Rejection.NotUtf8, is Rejection.UnknownLanguage -> UnprocessableEntity
+        is Rejection.WrongMethod -> MethodNotAllowed
         is Rejection.TooLarge -> PayloadTooLarge
         is Rejection.WrongMediaType -> UnsupportedMediaType
         is Rejection.TooSlow -> RequestTimeout

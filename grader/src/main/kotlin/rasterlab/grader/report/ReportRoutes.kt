@@ -4,14 +4,15 @@ import io.ktor.http.ContentType
 import io.ktor.http.HttpHeaders
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.response.header
-import io.ktor.server.response.respond
 import io.ktor.server.response.respondBytes
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.util.getOrFail
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
+import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Rejection
+import rasterlab.grader.problem.respondJson
 import rasterlab.grader.submission.Live
 import rasterlab.grader.submission.Reports
 import rasterlab.grader.submission.Submissions
@@ -61,8 +62,7 @@ fun Route.results(
     live: Live,
 ) {
     get("/submissions/{id}") {
-        val language = call.request.queryParameters["lang"] ?: "en"
-        call.respond(results.view(call.identity(), call.submissionId(), language))
+        call.respondJson(results.view(call.identity(), call.submissionId(), call.language()))
     }
     get("/submissions/{id}/events") {
         val who = call.identity()

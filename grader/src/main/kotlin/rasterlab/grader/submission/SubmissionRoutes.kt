@@ -3,7 +3,6 @@ package rasterlab.grader.submission
 import io.ktor.http.HttpHeaders
 import io.ktor.http.HttpStatusCode.Companion.Accepted
 import io.ktor.server.response.header
-import io.ktor.server.response.respond
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.post
 import io.ktor.server.util.getOrFail
@@ -11,6 +10,7 @@ import kotlinx.serialization.Serializable
 import rasterlab.grader.course.student
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.problem.idempotencyKey
+import rasterlab.grader.problem.respondJson
 
 @Serializable
 private data class SubmissionAnswer(
@@ -31,6 +31,6 @@ fun Route.submissions(
         val accepted = intake.accept(student, exercise, call.receiveSource(), call.idempotencyKey())
         queue.ring(accepted.id)
         call.response.header(HttpHeaders.Location, "/api/v1/submissions/${accepted.id}")
-        call.respond(Accepted, SubmissionAnswer(accepted.id, accepted.state.code, accepted.position))
+        call.respondJson(SubmissionAnswer(accepted.id, accepted.state.code, accepted.position), Accepted)
     }
 }

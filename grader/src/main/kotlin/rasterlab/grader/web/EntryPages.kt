@@ -24,7 +24,9 @@ import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Courses
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.Name
+import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.receiveAtMost
+import rasterlab.grader.problem.utf8
 
 private const val FORM_BYTES = 16 * 1024
 
@@ -69,7 +71,9 @@ fun Route.entering(
 
 /** The fields of a small form. */
 suspend fun ApplicationCall.receiveForm(): Parameters =
-    receiveAtMost(FORM_BYTES).decodeToString().replace("+", "%20").parseUrlEncodedParameters()
+    utf8(receiveAtMost(FORM_BYTES)) { Rejection.Malformed("the form is not UTF-8 text: $it") }
+        .replace("+", "%20")
+        .parseUrlEncodedParameters()
 
 private suspend fun ApplicationCall.respondWelcome(problem: String?) {
     val texts = texts()
@@ -78,7 +82,7 @@ private suspend fun ApplicationCall.respondWelcome(problem: String?) {
         problem?.let {
             p("problem") {
                 role = "alert"
-                +texts.problem(it, it)
+                +texts.problem(it)
             }
         }
         div("columns") {

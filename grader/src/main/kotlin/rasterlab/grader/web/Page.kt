@@ -1,9 +1,11 @@
 package rasterlab.grader.web
 
 import io.ktor.http.HttpHeaders
+import io.ktor.http.HttpMethod
 import io.ktor.http.HttpStatusCode
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.html.respondHtml
+import io.ktor.server.request.httpMethod
 import io.ktor.server.request.path
 import io.ktor.server.response.header
 import kotlinx.html.FlowContent
@@ -31,6 +33,7 @@ import kotlinx.html.script
 import kotlinx.html.span
 import kotlinx.html.title
 import rasterlab.grader.course.Identity
+import rasterlab.grader.exercise.LANGUAGES
 
 /** Answers with a page: heading, navigation for this role, and [content]. */
 suspend fun ApplicationCall.respondPage(
@@ -40,7 +43,8 @@ suspend fun ApplicationCall.respondPage(
     status: HttpStatusCode = HttpStatusCode.OK,
     content: MAIN.() -> Unit,
 ) {
-    val path = request.path()
+    // A form's address shows nothing by itself, so another language begins where the form was.
+    val path = if (request.httpMethod == HttpMethod.Get) request.path().here() else pageBefore() ?: "/"
     response.header(HttpHeaders.CacheControl, "no-store")
     respondHtml(status) {
         lang = texts.language

@@ -2,15 +2,23 @@ package rasterlab.grader.web
 
 import io.ktor.http.Cookie
 import io.ktor.http.HttpHeaders
+import io.ktor.http.HttpMethod
+import io.ktor.http.hostWithPort
+import io.ktor.http.hostWithPortIfSpecified
+import io.ktor.http.parseUrl
 import io.ktor.server.application.Application
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.application.ApplicationCallPipeline
 import io.ktor.server.application.call
 import io.ktor.server.plugins.origin
+import io.ktor.server.request.httpMethod
+import io.ktor.server.request.path
 import io.ktor.server.response.header
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.SESSION_COOKIE
+import rasterlab.grader.course.sessionCookie
+import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.problem.Rejection
 
 /** Adds what browsers need to know to run nothing but our own files and to tell nobody where they were. */
@@ -36,12 +44,12 @@ fun ApplicationCall.signIn(
 }
 
 fun ApplicationCall.signOut(accounts: Accounts) {
-    request.cookies[SESSION_COOKIE]?.let(accounts::close)
+    sessionCookie()?.let(accounts::close)
     response.cookies.append(cookie(SESSION_COOKIE, "", 0, secure = false))
 }
 
 /** Who signed in with this browser, or null. */
-fun ApplicationCall.visitor(accounts: Accounts): Identity? = request.cookies[SESSION_COOKIE]?.let(accounts::inSession)
+fun ApplicationCall.visitor(accounts: Accounts): Identity? = sessionCookie()?.let(accounts::inSession)
 
 fun ApplicationCall.studentHere(accounts: Accounts): Identity.Student =
     someone(accounts) as? Identity.Student ?: throw Rejection.WrongRole("student")
@@ -58,8 +66,18 @@ fun ApplicationCall.requireOwnForm() {
     if (host == null || sender?.substringAfter("://") != host) throw Rejection.ForeignOrigin()
 }
 
+/** The page of this server that this request was sent from, unless it was this one; null if no browser says. */
+fun ApplicationCall.pageBefore(): String? {
+    val page = request.headers[HttpHeaders.Referrer]?.let(::parseUrl) ?: return null
+    if (request.headers[HttpHeaders.Host] !in setOf(page.hostWithPort, page.hostWithPortIfSpecified)) return null
+    return page.encodedPath.here().takeIf { it != request.path() || request.httpMethod != HttpMethod.Get }
+}
+
+/** This path as one of ours, since `//host` would lead away. */
+fun String.here() = "/" + trimStart('/')
+
 private fun ApplicationCall.rememberLanguage() {
-    val asked = request.queryParameters["lang"] ?: return
+    val asked = request.rawQueryParameters["lang"] ?: return
     if (asked in LANGUAGES) response.cookies.append(cookie(LANGUAGE_COOKIE, asked, YEAR_SECONDS, secure = false))
 }
 

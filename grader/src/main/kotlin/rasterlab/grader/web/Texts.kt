@@ -1,13 +1,14 @@
 package rasterlab.grader.web
 
+import io.ktor.http.CookieEncoding
 import io.ktor.server.application.ApplicationCall
-import io.ktor.server.request.acceptLanguageItems
+import rasterlab.grader.exercise.LANGUAGES
+import rasterlab.grader.exercise.acceptedLanguage
 import java.text.MessageFormat
 import java.util.Locale
 import java.util.ResourceBundle
 
 const val LANGUAGE_COOKIE = "lang"
-val LANGUAGES = listOf("en", "ru")
 
 /** The words of the pages in one language. */
 class Texts private constructor(
@@ -29,11 +30,9 @@ class Texts private constructor(
 
     fun verdict(code: String): String = say("verdict.$code")
 
-    /** The failure in this language, or as it says itself where there is no such text. */
-    fun problem(
-        code: String,
-        detail: String,
-    ): String = if (bundle.containsKey("problem.$code")) say("problem.$code") else detail
+    /** What happened and what to do about it. */
+    fun problem(code: String): String =
+        say(if (bundle.containsKey("problem.$code")) "problem.$code" else "problem.other")
 
     companion object {
         fun of(language: String) = Texts(language.takeIf { it in LANGUAGES } ?: LANGUAGES.first())
@@ -42,7 +41,6 @@ class Texts private constructor(
 
 /** In the language that `?lang=`, the cookie or the browser asks for, the first that is spoken here. */
 fun ApplicationCall.texts(): Texts {
-    val asked = listOfNotNull(request.queryParameters["lang"], request.cookies[LANGUAGE_COOKIE])
-    val accepted = request.acceptLanguageItems().map { it.value.substringBefore('-') }
-    return Texts.of((asked + accepted).firstOrNull { it in LANGUAGES }.orEmpty())
+    val asked = listOfNotNull(request.rawQueryParameters["lang"], request.cookies[LANGUAGE_COOKIE, CookieEncoding.RAW])
+    return Texts.of((asked.firstOrNull { it in LANGUAGES } ?: acceptedLanguage()).orEmpty())
 }

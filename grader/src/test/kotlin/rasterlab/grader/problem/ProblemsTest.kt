@@ -12,11 +12,13 @@ import io.ktor.http.HttpHeaders
 import io.ktor.http.HttpMethod
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.Arguments
 import org.junit.jupiter.params.provider.Arguments.argumentSet
+import org.junit.jupiter.params.provider.CsvSource
 import org.junit.jupiter.params.provider.MethodSource
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
@@ -24,7 +26,11 @@ import rasterlab.grader.assertProblem
 import rasterlab.grader.bearer
 import rasterlab.grader.json
 import rasterlab.grader.submission.LONGEST_SOURCE_BYTES
+import rasterlab.grader.text
+import java.nio.charset.Charset
 import java.nio.file.Path
+import kotlin.text.Charsets.ISO_8859_1
+import kotlin.text.Charsets.UTF_16LE
 
 private typealias Ask = suspend Visit.() -> HttpResponse
 
@@ -39,6 +45,45 @@ class ProblemsTest {
         type: String,
         ask: Ask,
     ) = Classroom(folder).open(grades = false) { ask().assertProblem(status, type) }
+
+    @ParameterizedTest(name = "{0} {1} is not there")
+    @CsvSource(
+        "DELETE, /api/v1/submissions/x, GET",
+        "PATCH, /api/v1/exercises/draw-dot/submissions, POST",
+        "GET, /api/v1/exercises/draw-dot/submissions, POST",
+        "POST, /api/v1/exercises/draw-dot/statement, GET",
+        "PUT, /api/v1/join, POST",
+        "DELETE, /api/v1/submissions/x/cases/y/z.png, GET",
+        "POST, /healthz, GET",
+    )
+    fun namesTheMethodsOfAPath(
+        method: String,
+        path: String,
+        allowed: String,
+    ) = Classroom(folder).open(grades = false) {
+        val answer = send(HttpMethod(method), path, newStudent())
+        answer.assertProblem(405, "method-not-allowed")
+        assertEquals(allowed, answer.headers[HttpHeaders.Allow])
+    }
+
+    @Test
+    fun namesAllMethodsOfAPage() =
+        Classroom(folder).open(grades = false) {
+            val answer = send(HttpMethod.Delete, "/exercises/draw-dot", null)
+            assertEquals(405, answer.status.value)
+            assertEquals("GET, POST", answer.headers[HttpHeaders.Allow])
+        }
+
+    @Test
+    fun tellsWhatAnAnswerAcceptsAndWhere() =
+        Classroom(folder).open(grades = false) {
+            suspend fun detail(answer: HttpResponse) = answer.json().text("detail")
+            assertTrue("'name' in line 1, column 19" in detail(course("""{"name":"a","name":"b"}""")))
+            assertTrue("byte 10 of 12 is 0xE9" in detail(course("""{"name":"é"}""", ISO_8859_1)))
+            assertTrue("en, ru" in detail(look(instructor, "/api/v1/exercises?lang=xx")))
+            val short = detail(join("Ada", key = "1"))
+            assertTrue("16 to 200" in short && "hard to guess" in short, short)
+        }
 
     @Test
     fun tellsHowToSignIn() =
@@ -92,8 +137,13 @@ class ProblemsTest {
             setBody(body)
         }
 
-        private suspend fun Visit.course(body: String) =
-            send(HttpMethod.Post, "/api/v1/courses", instructor) { json(body) }
+        private suspend fun Visit.course(
+            body: String,
+            encoding: Charset = Charsets.UTF_8,
+        ) = send(HttpMethod.Post, "/api/v1/courses", instructor) {
+            header(HttpHeaders.ContentType, "application/json")
+            setBody(body.toByteArray(encoding))
+        }
 
         private suspend fun Visit.join(
             name: String,
@@ -124,6 +174,14 @@ class ProblemsTest {
                     405,
                     "method-not-allowed",
                 ) { send(HttpMethod.Delete, "/api/v1/courses", instructor) },
+                asked("language that is not spoken", 422, "unknown-language") {
+                    look(instructor, "/api/v1/exercises/draw-dot/statement?lang=xx")
+                },
+                asked(
+                    "language in capitals",
+                    422,
+                    "unknown-language",
+                ) { look(instructor, "/api/v1/exercises?lang=RU") },
                 asked("no token", 401, "not-signed-in") { send(HttpMethod.Get, "/api/v1/exercises", null) },
                 asked("made-up token", 401, "not-signed-in") { send(HttpMethod.Get, "/api/v1/exercises", "abc") },
                 asked("token of another scheme", 401, "not-signed-in") {
@@ -203,6 +261,10 @@ class ProblemsTest {
                 asked("broken JSON", 400, "malformed-request") { course("{\"name\":") },
                 asked("JSON of another shape", 400, "malformed-request") { course("[1]") },
                 asked("JSON without the name", 400, "malformed-request") { course("{}") },
+                asked("field that comes twice", 400, "malformed-request") { course("""{"name":"a","name":"b"}""") },
+                asked("field that is not known", 400, "malformed-request") { course("""{"name":"a","nam":"b"}""") },
+                asked("JSON in another encoding", 400, "malformed-request") { course("""{"name":"Адá"}""", UTF_16LE) },
+                asked("name in another encoding", 400, "malformed-request") { course("""{"name":"é"}""", ISO_8859_1) },
                 asked("JSON of another type", 415, "wrong-media-type") {
                     send(HttpMethod.Post, "/api/v1/courses", instructor) { setBody("name=x") }
                 },

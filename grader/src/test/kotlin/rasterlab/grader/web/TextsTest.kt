@@ -9,7 +9,7 @@ class TextsTest {
     @ParameterizedTest(name = "page names another longest source than is accepted: {0}")
     @ValueSource(strings = ["en", "ru"])
     fun `names the longest source`(language: String) {
-        val text = Texts.of(language).problem("too-large", "")
+        val text = Texts.of(language).problem("too-large")
         assertTrue(" ${Grading.MOST_SOURCE_BYTES / 1024} " in text, text)
     }
 }

@@ -61,6 +61,11 @@ record Browser(ChromeDriver driver, Path profile) implements AutoCloseable {
         return waiting().until(driver -> driver.findElement(By.cssSelector(css)));
     }
 
+    /** What the element says; one that the page replaces meanwhile is looked up again. */
+    String text(String css) {
+        return waiting().until(driver -> driver.findElement(By.cssSelector(css)).getText());
+    }
+
     WebDriverWait waiting() {
         var wait = new WebDriverWait(driver, PATIENCE);
         wait.ignoring(org.openqa.selenium.NoSuchElementException.class);

@@ -40,10 +40,8 @@ class StudentPageTest {
         try (var browser = Browser.open(profile, "en")) {
             join(browser);
             handIn(browser, source(Solutions.WRONG));
-            var verdict = browser.element("#live .verdict .status.wrong");
-            assertEquals(
-                    "wrong",
-                    verdict.getText().strip().toLowerCase(Locale.ROOT).replaceAll("[^a-z]", ""));
+            var verdict = browser.text("#live .verdict .status.wrong");
+            assertEquals("wrong", verdict.toLowerCase(Locale.ROOT).replaceAll("[^a-z]", ""));
             browser.waiting().until(driver -> allPicturesAreThere(browser));
             browser.screenshot("student-result-wrong");
             assertNothingWentWrong(browser);
@@ -56,9 +54,9 @@ class StudentPageTest {
             join(browser);
             var hostile = "\"<img src=x onerror=document.title='broken'>\"";
             handIn(browser, source(Solutions.FORBIDDEN).replace("0);", hostile + ".length());"));
-            var diagnostics = browser.element("#live .diagnostics");
-            assertTrue(diagnostics.getText().contains("System.exit"), diagnostics.getText());
-            assertTrue(diagnostics.getText().contains(hostile), diagnostics.getText());
+            var diagnostics = browser.text("#live .diagnostics");
+            assertTrue(diagnostics.contains("System.exit"), diagnostics);
+            assertTrue(diagnostics.contains(hostile), diagnostics);
             assertFalse(browser.driver().getTitle().contains("broken"));
             assertNothingWentWrong(browser);
         }
@@ -72,8 +70,7 @@ class StudentPageTest {
             join(browser);
             browser.driver().get(exercise().toString());
             browser.screenshot("student-exercise-russian");
-            assertTrue(
-                    browser.element(".statement").getText().matches("(?s).*\\p{IsCyrillic}{4}.*"));
+            assertTrue(browser.text(".statement").matches("(?s).*\\p{IsCyrillic}{4}.*"));
             assertFitsIntoItsWidth(browser);
         }
     }

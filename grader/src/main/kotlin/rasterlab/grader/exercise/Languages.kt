@@ -1,0 +1,18 @@
+package rasterlab.grader.exercise
+
+import io.ktor.server.application.ApplicationCall
+import io.ktor.server.request.acceptLanguageItems
+import rasterlab.grader.problem.Rejection
+
+/** What exercises and pages are written in; the first is for those who speak none of them. */
+val LANGUAGES = listOf("en", "ru")
+
+/** The one that `?lang=` names, or else the header. */
+fun ApplicationCall.language(): String {
+    val asked = request.queryParameters["lang"] ?: return acceptedLanguage() ?: LANGUAGES.first()
+    return asked.takeIf { it in LANGUAGES } ?: throw Rejection.UnknownLanguage(asked, LANGUAGES)
+}
+
+/** The one that `Accept-Language` likes best, or null if it names none of ours. */
+fun ApplicationCall.acceptedLanguage(): String? =
+    request.acceptLanguageItems().map { it.value.substringBefore('-').lowercase() }.firstOrNull { it in LANGUAGES }
