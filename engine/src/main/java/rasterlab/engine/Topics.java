@@ -1,6 +1,7 @@
 package rasterlab.engine;
 
 import java.util.List;
+import rasterlab.engine.clip.SegmentClipTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Topic;
 
@@ -10,7 +11,7 @@ public final class Topics {
 
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
-        return List.of(new LineTopic());
+        return List.of(new LineTopic(), new SegmentClipTopic());
     }
 
     /**

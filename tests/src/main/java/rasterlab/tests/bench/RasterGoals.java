@@ -1,12 +1,13 @@
 package rasterlab.tests.bench;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /** What the raster methods should reach. */
 final class RasterGoals {
     private RasterGoals() {}
 
     static List<Goal> all() {
-        return List.copyOf(LineBenchmark.GOALS);
+        return Stream.of(LineBenchmark.GOALS, ClipBenchmark.GOALS).flatMap(List::stream).toList();
     }
 }
