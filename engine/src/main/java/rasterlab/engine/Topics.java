@@ -2,6 +2,7 @@ package rasterlab.engine;
 
 import java.util.List;
 import rasterlab.engine.clip.SegmentClipTopic;
+import rasterlab.engine.clip.VolumeClipTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Topic;
 
@@ -11,7 +12,7 @@ public final class Topics {
 
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
-        return List.of(new LineTopic(), new SegmentClipTopic());
+        return List.of(new LineTopic(), new SegmentClipTopic(), new VolumeClipTopic());
     }
 
     /**
