@@ -10,7 +10,8 @@ package rasterlab.contract;
  *
  * <p>What is left is the part of the subject's area in the window, as one polygon for each
  * connected piece, counter-clockwise where y grows up. A piece without area (a touched corner or
- * side) is not sent. A corner in the window stays as it is.
+ * side), or of which rounding leaves fewer than three corners, is not sent. A corner in the window
+ * stays as it is.
  */
 @FunctionalInterface
 public interface PolygonClipper {

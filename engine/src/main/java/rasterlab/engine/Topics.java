@@ -1,6 +1,7 @@
 package rasterlab.engine;
 
 import java.util.List;
+import rasterlab.engine.clip.PolygonClipTopic;
 import rasterlab.engine.clip.SegmentClipTopic;
 import rasterlab.engine.clip.VolumeClipTopic;
 import rasterlab.engine.line.LineTopic;
@@ -12,7 +13,11 @@ public final class Topics {
 
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
-        return List.of(new LineTopic(), new SegmentClipTopic(), new VolumeClipTopic());
+        return List.of(
+                new LineTopic(),
+                new SegmentClipTopic(),
+                new PolygonClipTopic(),
+                new VolumeClipTopic());
     }
 
     /**

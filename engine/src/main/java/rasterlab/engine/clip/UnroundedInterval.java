@@ -1,7 +1,6 @@
 package rasterlab.engine.clip;
 
 import java.math.BigDecimal;
-import java.math.MathContext;
 
 /**
  * The t of what is left of a segment, as fractions without rounding: what methods hand over to
@@ -13,27 +12,8 @@ import java.math.MathContext;
  * across.
  */
 final class UnroundedInterval {
-    /** Digits of a new coordinate before it becomes a double: ample for one correct rounding. */
-    private static final MathContext DIGITS = new MathContext(40);
-
-    private Fraction enter = new Fraction(BigDecimal.ZERO, BigDecimal.ONE);
-    private Fraction leave = new Fraction(BigDecimal.ONE, BigDecimal.ONE);
-
-    /** over/under, under being above 0. */
-    private record Fraction(BigDecimal over, BigDecimal under) {
-        boolean above(Fraction other) {
-            return over.multiply(other.under).compareTo(other.over.multiply(under)) > 0;
-        }
-
-        double between(double from, double to) {
-            BigDecimal start = new BigDecimal(from);
-            BigDecimal change = new BigDecimal(to).subtract(start);
-            return start.multiply(under)
-                    .add(change.multiply(over))
-                    .divide(under, DIGITS)
-                    .doubleValue();
-        }
-    }
+    private Fraction enter = Fraction.ZERO;
+    private Fraction leave = Fraction.ONE;
 
     /**
      * Cuts at one border.
@@ -47,12 +27,12 @@ final class UnroundedInterval {
         if (out0 && out1) return false;
         if (out0) {
             var t = new Fraction(d0.negate(), d1.subtract(d0));
-            if (t.above(enter)) enter = t;
+            if (t.compareTo(enter) > 0) enter = t;
         } else if (out1) {
             var t = new Fraction(d0, d0.subtract(d1));
-            if (leave.above(t)) leave = t;
+            if (t.compareTo(leave) < 0) leave = t;
         }
-        return !enter.above(leave);
+        return enter.compareTo(leave) <= 0;
     }
 
     /** Cuts at the border coordinate = {@code least}, the larger coordinates being within. */
@@ -77,6 +57,6 @@ final class UnroundedInterval {
 
     /** The same coordinate where it leaves. */
     double atLeave(double c0, double c1) {
-        return leave.over().equals(leave.under()) ? c1 : leave.between(c0, c1);
+        return leave.equals(Fraction.ONE) ? c1 : leave.between(c0, c1);
     }
 }
