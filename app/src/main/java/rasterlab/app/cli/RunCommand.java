@@ -20,7 +20,13 @@ import rasterlab.app.outcome.ExitCode;
         description = {
             "Runs one method on JSON from standard input and prints JSON.",
             "Topic line: {\"from\":[x,y], \"to\":[x,y], \"window\":[xmin,ymin,xmax,ymax]},",
-            "the window being optional; answers {\"pixels\":[[x,y],...]} in drawing order."
+            "the window being optional; answers {\"pixels\":[[x,y],...]} in drawing order.",
+            "Topic clip-segment: {\"window\":[xmin,ymin,xmax,ymax], \"segments\":[[x0,y0,x1,y1],...]};",
+            "answers {\"segments\":[...]} in their order, null where nothing is left.",
+            "Topic clip-polygon: {\"window\":..., \"polygon\":[[x,y],...]}, the window as above or the",
+            "corners of a convex polygon; answers {\"polygons\":[[[x,y],...],...]}, counter-clockwise.",
+            "Topic clip-volume: {\"zmin\":z, \"segments\":[[x0,y0,z0,x1,y1,z1],...]}, 0 < z < 1;",
+            "answers {\"segments\":[...]} as clip-segment does."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

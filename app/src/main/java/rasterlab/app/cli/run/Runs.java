@@ -17,7 +17,13 @@ public final class Runs {
      * @throws Complaint listing the topics, if there is none
      */
     public static TopicRun named(String topic) {
-        List<TopicRun> all = List.of(new LineRun(new Watch(LONGEST)));
+        var watch = new Watch(LONGEST);
+        List<TopicRun> all =
+                List.of(
+                        new LineRun(watch),
+                        new ClipSegmentRun(watch),
+                        new ClipPolygonRun(watch),
+                        new ClipVolumeRun(watch));
         return all.stream()
                 .filter(run -> run.topic().name().equals(topic))
                 .findFirst()
