@@ -14,7 +14,10 @@ public interface ClipWalk {
     /** What the last step looked at, in a word: a side of the window, an end. */
     String at();
 
-    /** The number the last step decided by; see {@link SteppedSegmentClipper#decisionFormula}. */
+    /**
+     * The number the last step decided by; see {@link SteppedSegmentClipper#decisionFormula}. Not a
+     * number where there is none.
+     */
     double decision();
 
     /** Sends the part not yet cut off, rounded, as it is after the last step. */

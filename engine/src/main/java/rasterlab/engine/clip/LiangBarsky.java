@@ -5,20 +5,27 @@ import rasterlab.contract.SegmentSink;
 /**
  * The segment as an interval of t that each side makes shorter.
  *
- * <p>The line x = side is met at t = (side − x0)/(x1 − x0). Of two opposite sides the segment meets
- * first, at the smaller t, the one it enters by, and leaves by the other. So enter is the largest
- * of 0 and the two smaller t, leave the smallest of 1 and the two larger ones, and enter ≤ t ≤
- * leave is what is left. Parallel to two sides, it lies between them or not: compared exactly.
+ * <p>Of the left and the right side a segment with x1 &gt; x0 can enter by the left one only, and
+ * leave by the right one; with x1 &lt; x0 the other way round. It enters at t = (near − x0)/(x1 −
+ * x0) and leaves at t = 1 − (x1 − far)/(x1 − x0). So x cuts these two shares off its ends where
+ * they are above 0, and y likewise. The larger share counts at each end: {@code enter} and {@code
+ * back}. Something is left where enter + back &lt; 1.
  *
- * <p>Each t up to 1 errs by less than 2⁻⁵¹, so an interval longer or emptier than {@value #SURE} is
- * judged right; one closer to a single point is handed over. Since rounding keeps the order of
- * numbers, an end inside gets a t that is not within 0..1, and stays where it is.
+ * <p>A share errs by 4·u of itself (u = 2⁻⁵³), so enter + back is known to within 2⁻⁵⁰: nearer to 1
+ * than {@value #SURE}, it is handed over. A share is at most 0 exactly where the end is within, so
+ * such an end stays where it is. A cut end gets the side's own coordinate on the axis with the
+ * larger share; on the other axis it lies inside by {@value #SURE} of the segment's extent, more
+ * than rounding takes, or else is handed over.
+ *
+ * <p>Where the segment lies is as good as random, so every branch on it is guessed wrong often;
+ * near and far sides and larger shares are therefore picked by sign bits.
  *
  * <p>Source: Y.-D. Liang and B. A. Barsky, A new concept and method for line clipping, ACM
  * Transactions on Graphics 3(1), 1984, pp. 1–22.
  */
 public final class LiangBarsky implements SteppedSegmentClipper {
     private static final double SURE = 0x1p-48;
+    private static final double FLATTEST = 0x1p-900;
 
     @Override
     public void clip(
@@ -32,9 +39,11 @@ public final class LiangBarsky implements SteppedSegmentClipper {
             double y1,
             SegmentSink out) {
         var walk = new Walk(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
-        walk.columns();
-        walk.rows();
-        walk.settle();
+        if (!walk.beyondOneSide()) {
+            walk.cutColumns();
+            walk.cutRows();
+            walk.settle();
+        }
         walk.send(out);
     }
 
@@ -53,15 +62,19 @@ public final class LiangBarsky implements SteppedSegmentClipper {
 
     @Override
     public String decisionFormula() {
-        return "t = (side − x0)/(x1 − x0), (side − y0)/(y1 − y0); enters at the smaller of two opposite sides'";
+        return "t = (near − x0)/(x1 − x0) or 1 − (x1 − far)/(x1 − x0), the same in y";
     }
 
     private static final class Walk extends WindowWalk {
-        private double enter;
-        private double leave = 1;
-        private double t = Double.NaN;
-        private String at = "";
-        private double high = Double.NaN;
+        private final double nearX;
+        private final double farX;
+        private final double nearY;
+        private final double farY;
+        private double enterX = -1;
+        private double enterY = -1;
+        private double backX = -1;
+        private double backY = -1;
+        private boolean kept;
         private int steps;
 
         Walk(
@@ -74,78 +87,140 @@ public final class LiangBarsky implements SteppedSegmentClipper {
                 double x1,
                 double y1) {
             super(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
+            nearX = picked(xmin, xmax, signs(dx));
+            farX = picked(xmax, xmin, signs(dx));
+            nearY = picked(ymin, ymax, signs(dy));
+            farY = picked(ymax, ymin, signs(dy));
+        }
+
+        /** Whether both ends are beyond one side: two differences have a sign bit in common. */
+        boolean beyondOneSide() {
+            return (signs(x0 - xmin) & signs(x1 - xmin)
+                            | signs(xmax - x0) & signs(xmax - x1)
+                            | signs(y0 - ymin) & signs(y1 - ymin)
+                            | signs(ymax - y0) & signs(ymax - y1))
+                    != 0;
         }
 
         @Override
         public boolean advance() {
-            if (steps == 4 || enter - leave > SURE || unsure()) return false;
-            switch (steps++) {
-                case 0 -> step("left", columns());
-                case 1 -> step("right", high);
-                case 2 -> step("bottom", rows());
-                default -> step("top", high);
-            }
-            if (steps == 4) settle();
+            if (steps == 4 || unsure() || steps == 0 && beyondOneSide()) return false;
+            if (steps == 0) cutColumns();
+            if (steps == 2) cutRows();
+            if (++steps == 4) settle();
             return true;
         }
 
-        private void step(String side, double parameter) {
-            at = side;
-            t = parameter;
-        }
-
-        /** Cuts at the left and the right side; the t of the left one. */
-        double columns() {
-            return cut(xmin - x0, xmax - x0, dx);
-        }
-
-        /** Cuts at the bottom and the top side; the t of the bottom one. */
-        double rows() {
-            return cut(ymin - y0, ymax - y0, dy);
-        }
-
-        /**
-         * Cuts at two opposite sides, without a branch that depends on where the segment lies.
-         *
-         * @param toLow from the first end to the lower side, {@code toHigh} to the higher one
-         */
-        private double cut(double toLow, double toHigh, double rate) {
-            if (rate == 0) {
-                if (toLow > 0 || toHigh < 0) leave = Double.NEGATIVE_INFINITY;
-                high = Double.NaN;
-                return Double.NaN;
+        void cutColumns() {
+            if (Math.abs(dx) < FLATTEST) {
+                parallel(dx);
+                return;
             }
-            double low = toLow / rate;
-            high = toHigh / rate;
-            divisions += 2;
-            enter = Math.max(enter, Math.min(low, high));
-            leave = Math.min(leave, Math.max(low, high));
-            return low;
+            double slowness = 1 / dx;
+            divisions++;
+            enterX = (nearX - x0) * slowness;
+            backX = (x1 - farX) * slowness;
         }
 
-        /** Hands over where the four sides left about a single point. */
+        void cutRows() {
+            if (Math.abs(dy) < FLATTEST) {
+                parallel(dy);
+                return;
+            }
+            double slowness = 1 / dy;
+            divisions++;
+            enterY = (nearY - y0) * slowness;
+            backY = (y1 - farY) * slowness;
+        }
+
+        /** Parallel to two sides and not beyond one, it lies between them and is not cut. */
+        private void parallel(double change) {
+            if (change != 0) handOver();
+        }
+
+        /** Decides, or hands over what rounding might decide. */
         void settle() {
-            if (Math.abs(leave - enter) <= SURE) handOver();
+            double enter = enter();
+            double back = back();
+            double left = 1 - enter - back;
+            kept = left > 0;
+            if (Math.abs(left) <= SURE) handOver();
+            if (Math.abs(enterX - enterY) <= SURE && enter > 0) handOver();
+            if (Math.abs(backX - backY) <= SURE && back > 0) handOver();
+        }
+
+        private double enter() {
+            return positive(picked(enterX, enterY, signs(enterX - enterY)));
+        }
+
+        private double back() {
+            return positive(picked(backX, backY, signs(backX - backY)));
         }
 
         @Override
         boolean kept() {
-            return enter <= leave;
+            return kept;
         }
 
         @Override
         public void piece(SegmentSink out) {
-            sendPart(enter, leave, out);
+            double enter = enter();
+            double back = back();
+            long byY = signs(enterX - enterY);
+            long backByY = signs(backX - backY);
+            long cut = set(enter);
+            long backCut = set(back);
+            out.segment(
+                    picked(x0 + enter * dx, nearX, cut & ~byY),
+                    picked(y0 + enter * dy, nearY, cut & byY),
+                    picked(x1 - back * dx, farX, backCut & ~backByY),
+                    picked(y1 - back * dy, farY, backCut & backByY));
+        }
+
+        /** All bits set where the sign bit is, else none. */
+        private static long signs(double number) {
+            return Double.doubleToRawLongBits(number) >> 63;
+        }
+
+        /** All bits set where a number that is not below 0 is not 0. */
+        private static long set(double number) {
+            return -Double.doubleToRawLongBits(number) >> 63;
+        }
+
+        /** The second number where the bits are set, else the first. */
+        private static double picked(double first, double second, long bits) {
+            long one = Double.doubleToRawLongBits(first);
+            long other = Double.doubleToRawLongBits(second);
+            return Double.longBitsToDouble(one ^ (one ^ other) & bits);
+        }
+
+        /** The number, or 0 where it is below. */
+        private static double positive(double number) {
+            long bits = Double.doubleToRawLongBits(number);
+            return Double.longBitsToDouble(bits & ~(bits >> 63));
         }
 
         @Override
         public String at() {
-            return at;
+            return switch (steps) {
+                case 0 -> "";
+                case 1 -> dx < 0 ? "right" : "left";
+                case 2 -> dx < 0 ? "left" : "right";
+                case 3 -> dy < 0 ? "top" : "bottom";
+                default -> dy < 0 ? "bottom" : "top";
+            };
         }
 
         @Override
         public double decision() {
-            return t;
+            if ((steps < 3 ? dx : dy) == 0) return Double.NaN;
+            return switch (steps) {
+                case 1 -> enterX;
+                case 2 -> 1 - backX;
+                case 3 -> enterY;
+                case 4 -> 1 - backY;
+                default -> Double.NaN;
+            };
         }
     }
 }

@@ -81,10 +81,11 @@ final class SegmentClipMethods {
         return new Method<>(
                 "liang-barsky",
                 new About(
-                        "t = −inside/rate for each side; enter = max of the t with rate > 0 and"
-                                + " 0, leave = min of the t with rate < 0 and 1",
-                        "what is left of the sides so far is enter ≤ t ≤ leave",
-                        "at most four divisions; none for sides the segment is parallel to",
+                        "enter = max(0, (near − x0)/(x1 − x0), the same in y); back = max(0, (x1 −"
+                                + " far)/(x1 − x0), the same in y); left where enter + back < 1",
+                        "what is left of the sides so far is enter ≤ t ≤ 1 − back",
+                        "two divisions and four multiplications, none where both ends are beyond"
+                                + " one side",
                         "none known; intervals about as short as rounding are handed over to"
                                 + " unrounded arithmetic",
                         "Y.-D. Liang and B. A. Barsky, A new concept and method for line"

@@ -7,9 +7,10 @@ import rasterlab.contract.SegmentSink;
  *
  * <p>With u = 2⁻⁵³, a difference of two doubles and a quotient each err by a share u at most, so a
  * t computed as (side − x0)/(x1 − x0) errs by a share of 3·u, and p0 + t·(p1 − p0) by 5·u·|p1 − p0|
- * and its own rounding. With |x1 − x0|, |y1 − y0| ≤ 1024·size, size being the window's larger
- * extent, that is 5.7·10⁻¹³·size. Beyond, and where size is so small or large that products might
- * underflow or overflow, and for everything not finite, a walk is {@link #unsure} from the start.
+ * and its own rounding. With |x1 − x0|, |y1 − y0| ≤ 512·size, size being the window's width and
+ * height together, that is 5.7·10⁻¹³ of the larger one. Beyond, and where size is so small or large
+ * that products might underflow or overflow, and for everything not finite, a walk is {@link
+ * #unsure} from the start.
  */
 abstract class WindowWalk implements ClipWalk {
     static final int TOP = 1;
@@ -17,7 +18,7 @@ abstract class WindowWalk implements ClipWalk {
     static final int RIGHT = 4;
     static final int LEFT = 8;
 
-    private static final double LONGEST = 1024;
+    private static final double LONGEST = 512;
     private static final double SMALLEST = 0x1p-300;
     private static final double LARGEST = 0x1p300;
 
@@ -54,10 +55,11 @@ abstract class WindowWalk implements ClipWalk {
         this.y1 = y1;
         dx = x1 - x0;
         dy = y1 - y0;
-        size = Math.max(xmax - xmin, ymax - ymin);
+        size = (xmax - xmin) + (ymax - ymin);
         // Written so that NaN makes it false.
         boolean sure =
-                Math.max(Math.abs(dx), Math.abs(dy)) <= LONGEST * size
+                Math.abs(dx) <= LONGEST * size
+                        && Math.abs(dy) <= LONGEST * size
                         && size >= SMALLEST
                         && size <= LARGEST
                         && xmin <= xmax
