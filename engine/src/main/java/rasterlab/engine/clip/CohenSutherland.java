@@ -63,7 +63,6 @@ public final class CohenSutherland implements SteppedSegmentClipper {
         private int fromCode;
         private int toCode;
         private int code;
-        private String at = "";
 
         Walk(
                 double xmin,
@@ -84,7 +83,7 @@ public final class CohenSutherland implements SteppedSegmentClipper {
         }
 
         boolean open() {
-            return (fromCode | toCode) != 0 && (fromCode & toCode) == 0 && !unsure();
+            return (fromCode & toCode) == 0 && (fromCode | toCode) != 0 && !unsure();
         }
 
         @Override
@@ -94,33 +93,32 @@ public final class CohenSutherland implements SteppedSegmentClipper {
             return true;
         }
 
+        /** Moves an end onto a side; on the other axis it lies anywhere, on this one within. */
         void cut() {
             code = fromCode != 0 ? fromCode : toCode;
             divisions++;
             if ((code & (LEFT | RIGHT)) != 0) {
-                double x = (code & LEFT) != 0 ? xmin : xmax;
+                double x = picked(xmax, xmin, -(code & LEFT));
                 double y = y0 + (x - x0) / dx * dy;
-                at = (code & LEFT) != 0 ? "left" : "right";
-                if (near(y, ymin) || near(y, ymax)) handOver();
-                move(x, y);
+                if (near(y, ymin, ymax)) handOver();
+                move(x, y, rowCode(y));
             } else {
-                double y = (code & BOTTOM) != 0 ? ymin : ymax;
+                double y = picked(ymax, ymin, -(code & BOTTOM));
                 double x = x0 + (y - y0) / dy * dx;
-                at = (code & BOTTOM) != 0 ? "bottom" : "top";
-                if (near(x, xmin) || near(x, xmax)) handOver();
-                move(x, y);
+                if (near(x, xmin, xmax)) handOver();
+                move(x, y, columnCode(x));
             }
         }
 
-        private void move(double x, double y) {
+        private void move(double x, double y, int newCode) {
             if (fromCode != 0) {
                 fromX = x;
                 fromY = y;
-                fromCode = code(x, y);
+                fromCode = newCode;
             } else {
                 toX = x;
                 toY = y;
-                toCode = code(x, y);
+                toCode = newCode;
             }
         }
 
@@ -136,7 +134,8 @@ public final class CohenSutherland implements SteppedSegmentClipper {
 
         @Override
         public String at() {
-            return at;
+            if ((code & (LEFT | RIGHT)) != 0) return (code & LEFT) != 0 ? "left" : "right";
+            return code == 0 ? "" : (code & BOTTOM) != 0 ? "bottom" : "top";
         }
 
         @Override

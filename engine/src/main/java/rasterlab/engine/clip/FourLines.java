@@ -104,7 +104,7 @@ public final class FourLines implements SteppedSegmentClipper {
             divisions++;
             if (side < Math.min(from, to) || side > Math.max(from, to)) return;
             double along = start + t * rate;
-            if (near(along, lo) || near(along, hi)) handOver();
+            if (near(along, lo, hi)) handOver();
             if (along < lo || along > hi) return;
             first = Math.min(first, t);
             last = Math.max(last, t);

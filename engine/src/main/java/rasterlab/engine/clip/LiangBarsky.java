@@ -187,13 +187,6 @@ public final class LiangBarsky implements SteppedSegmentClipper {
             return -Double.doubleToRawLongBits(number) >> 63;
         }
 
-        /** The second number where the bits are set, else the first. */
-        private static double picked(double first, double second, long bits) {
-            long one = Double.doubleToRawLongBits(first);
-            long other = Double.doubleToRawLongBits(second);
-            return Double.longBitsToDouble(one ^ (one ^ other) & bits);
-        }
-
         /** The number, or 0 where it is below. */
         private static double positive(double number) {
             long bits = Double.doubleToRawLongBits(number);

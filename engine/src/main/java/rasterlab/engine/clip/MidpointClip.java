@@ -111,7 +111,7 @@ public final class MidpointClip implements SteppedSegmentClipper {
         private void seek() {
             t = (enter + leave) / 2;
             int code = middle();
-            if (nearSide(t * dx, xmin - x0, xmax - x0) || nearSide(t * dy, ymin - y0, ymax - y0))
+            if (near(t * dx, xmin - x0, xmax - x0) || near(t * dy, ymin - y0, ymax - y0))
                 handOver();
             else if (code == 0) found(t);
             else if (rejected(code)) part = Part.OVER;
@@ -165,10 +165,6 @@ public final class MidpointClip implements SteppedSegmentClipper {
                     | (up < ymin - y0 ? BOTTOM : 0)
                     | (right > xmax - x0 ? RIGHT : 0)
                     | (right < xmin - x0 ? LEFT : 0);
-        }
-
-        private boolean nearSide(double way, double low, double high) {
-            return near(way, low) || near(way, high);
         }
 
         @Override

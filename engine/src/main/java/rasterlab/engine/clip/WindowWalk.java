@@ -77,10 +77,15 @@ abstract class WindowWalk implements ClipWalk {
      * doubles has the right sign always, and that of equals is +0.
      */
     final int code(double x, double y) {
-        return sign(ymax - y) * TOP
-                | sign(y - ymin) * BOTTOM
-                | sign(xmax - x) * RIGHT
-                | sign(x - xmin) * LEFT;
+        return columnCode(x) | rowCode(y);
+    }
+
+    final int columnCode(double x) {
+        return sign(xmax - x) * RIGHT | sign(x - xmin) * LEFT;
+    }
+
+    final int rowCode(double y) {
+        return sign(ymax - y) * TOP | sign(y - ymin) * BOTTOM;
     }
 
     private static int sign(double difference) {
@@ -88,11 +93,23 @@ abstract class WindowWalk implements ClipWalk {
     }
 
     /**
-     * Whether the rounding of a computed coordinate may hide on which side of a line it is; twice
-     * the bound above.
+     * Whether the rounding of a computed coordinate may hide on which side of one of two lines it
+     * is; more than the bound above.
      */
-    final boolean near(double computed, double side) {
-        return Math.abs(computed - side) <= 0x1p-40 * size + 0x1p-51 * Math.abs(side);
+    final boolean near(double computed, double low, double high) {
+        double most = 0x1p-40 * size + 0x1p-51 * (Math.abs(low) + Math.abs(high));
+        return Math.abs(computed - low) <= most | Math.abs(computed - high) <= most;
+    }
+
+    /**
+     * The second number where the sign bit is set, else the first: a choice without a branch.
+     *
+     * @param sign below 0 or not
+     */
+    static double picked(double first, double second, long sign) {
+        long one = Double.doubleToRawLongBits(first);
+        long other = Double.doubleToRawLongBits(second);
+        return Double.longBitsToDouble(one ^ (one ^ other) & sign >> 63);
     }
 
     /** The coordinate where it is in lo..hi, else the nearer of the two. */
