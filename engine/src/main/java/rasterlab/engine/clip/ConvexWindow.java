@@ -1,5 +1,7 @@
 package rasterlab.engine.clip;
 
+import java.util.Arrays;
+
 /** Accepts windows that are convex and have an area, and turns them counter-clockwise. */
 final class ConvexWindow {
     private ConvexWindow() {}
@@ -30,7 +32,7 @@ final class ConvexWindow {
                 kept[size++] = ring.x(i);
                 kept[size++] = ring.y(i);
             }
-        return new Ring(java.util.Arrays.copyOf(kept, size));
+        return new Ring(Arrays.copyOf(kept, size));
     }
 
     /** Turning left all the time, a ring may still go round twice: then x rises more than once. */

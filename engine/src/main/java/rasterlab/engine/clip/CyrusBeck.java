@@ -20,22 +20,6 @@ public final class CyrusBeck implements SteppedSegmentClipper {
     private static final String[] SIDES = {"bottom", "right", "top", "left"};
 
     @Override
-    public void clip(
-            double xmin,
-            double ymin,
-            double xmax,
-            double ymax,
-            double x0,
-            double y0,
-            double x1,
-            double y1,
-            SegmentSink out) {
-        var walk = new Walk(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
-        while (walk.advance()) continue;
-        walk.send(out);
-    }
-
-    @Override
     public ClipWalk walk(
             double xmin,
             double ymin,

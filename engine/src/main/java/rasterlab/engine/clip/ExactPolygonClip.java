@@ -1,6 +1,8 @@
 package rasterlab.engine.clip;
 
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 
@@ -64,7 +66,7 @@ public final class ExactPolygonClip {
         Ratio area = Ratio.ZERO;
         for (int i = 1; i + 1 < ring.size(); i++)
             area = area.plus(ring.get(0).turn(ring.get(i), ring.get(i + 1)));
-        if (area.signum() < 0) java.util.Collections.reverse(ring);
+        if (area.signum() < 0) Collections.reverse(ring);
         return ring;
     }
 
@@ -159,6 +161,6 @@ public final class ExactPolygonClip {
             xy[size++] = ring.get(i).x().toDouble();
             xy[size++] = ring.get(i).y().toDouble();
         }
-        return java.util.Arrays.copyOf(xy, size);
+        return Arrays.copyOf(xy, size);
     }
 }

@@ -1,5 +1,7 @@
 package rasterlab.engine.clip;
 
+import java.util.ArrayList;
+
 /**
  * Whether there is a right answer at all, found out by looking at all pairs of edges in fractions;
  * for the exact reference.
@@ -20,7 +22,7 @@ final class ProperInput {
     }
 
     private static Ratio[][] distinct(double[] xy) {
-        var ring = new java.util.ArrayList<Ratio[]>();
+        var ring = new ArrayList<Ratio[]>();
         for (int i = 0; i < xy.length; i += 2) {
             Ratio[] corner = {Ratio.of(xy[i]), Ratio.of(xy[i + 1])};
             if (ring.isEmpty() || !same(ring.get(ring.size() - 1), corner)) ring.add(corner);

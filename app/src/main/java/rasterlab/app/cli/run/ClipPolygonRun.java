@@ -3,6 +3,7 @@ package rasterlab.app.cli.run;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.PolygonClipper;
@@ -55,7 +56,7 @@ public final class ClipPolygonRun implements TopicRun {
             throw Complaint.badInput(
                     "/window: expected [xmin,ymin,xmax,ymax] or an array of points of 2 numbers"
                             + " each");
-        double[] numbers = parts.stream().flatMapToDouble(java.util.Arrays::stream).toArray();
+        double[] numbers = parts.stream().flatMapToDouble(Arrays::stream).toArray();
         return width == 2 ? numbers : rectangle(numbers);
     }
 
