@@ -22,12 +22,13 @@ final class SegmentClipHazards {
 
     static List<Hazard<SegmentsInWindow>> all() {
         var all = new ArrayList<>(ordinary());
+        all.addAll(around());
         all.addAll(touching());
         all.addAll(extreme());
         return all;
     }
 
-    /** Hazards of whole numbers of ordinary size: the listings' faults. */
+    /** What the listings get wrong even in plain cases. */
     private static List<Hazard<SegmentsInWindow>> ordinary() {
         return List.of(
                 hazard(
@@ -63,7 +64,12 @@ final class SegmentClipHazards {
                         "Neither the ends nor the crossings are whole numbers.",
                         TEN,
                         recorded(WRONG, EXACT, EXACT),
-                        s(0.25, 0.5, 5.5, 11.75)),
+                        s(0.25, 0.5, 5.5, 11.75)));
+    }
+
+    /** Ends in the regions around the window, in whole numbers. */
+    private static List<Hazard<SegmentsInWindow>> around() {
+        return List.of(
                 hazard(
                         "only-left",
                         "An end to the left, neither above nor below.",
