@@ -3,6 +3,9 @@ package rasterlab.engine;
 import java.util.List;
 import rasterlab.engine.circle.CircleTopic;
 import rasterlab.engine.circle.EllipseTopic;
+import rasterlab.engine.clip.PolygonClipTopic;
+import rasterlab.engine.clip.SegmentClipTopic;
+import rasterlab.engine.clip.VolumeClipTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.polygon.inside.PointInPolygonTopic;
@@ -25,6 +28,9 @@ public final class Topics {
                 new PointInTriangleTopic(),
                 new PointInPolygonTopic(),
                 new TriangulateTopic(),
+                new SegmentClipTopic(),
+                new PolygonClipTopic(),
+                new VolumeClipTopic(),
                 new SplineFunctionTopic(),
                 new CurveTopic());
     }

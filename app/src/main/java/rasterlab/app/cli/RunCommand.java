@@ -34,7 +34,13 @@ import rasterlab.app.outcome.ExitCode;
             "  answers {\"inside\":[true,...]}.",
             "point-in-polygon: {\"polygon\":[[x,y],...], \"points\":[[x,y],...]}; the same.",
             "triangulate: {\"polygon\":[[x,y],...]}; answers {\"triangles\":[[i,j,k],...]},",
-            "  corner numbers from 0, counter-clockwise with y up."
+            "  corner numbers from 0, counter-clockwise with y up.",
+            "clip-segment: {\"window\":[xmin,ymin,xmax,ymax], \"segments\":[[x0,y0,x1,y1],...]};",
+            "  answers {\"segments\":[...]} in their order, null where nothing is left.",
+            "clip-polygon: {\"window\":..., \"polygon\":[[x,y],...]}, the window as above or the",
+            "  corners of a convex polygon; answers {\"polygons\":[[[x,y],...],...]}, counter-clockwise.",
+            "clip-volume: {\"zmin\":z, \"segments\":[[x0,y0,z0,x1,y1,z1],...]}, 0 < z < 1;",
+            "  answers {\"segments\":[...]} as clip-segment does."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

@@ -9,6 +9,7 @@ final class RasterGoals {
 
     static List<Goal> all() {
         return Stream.of(
+                        ClipBenchmark.GOALS,
                         ClippedLineBenchmark.GOALS,
                         CurveBenchmark.GOALS,
                         LineBenchmark.GOALS,

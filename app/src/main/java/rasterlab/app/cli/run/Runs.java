@@ -26,6 +26,9 @@ public final class Runs {
                         new PointInTriangleRun(watch),
                         new PointInPolygonRun(watch),
                         new TriangulateRun(watch),
+                        new ClipSegmentRun(watch),
+                        new ClipPolygonRun(watch),
+                        new ClipVolumeRun(watch),
                         new SplineFunctionRun(watch),
                         new CurveRun(watch));
         try {

@@ -1,0 +1,120 @@
+package rasterlab.app.cli.run;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.contract.PolygonClipper;
+import rasterlab.engine.clip.ClipWindow;
+import rasterlab.engine.clip.PolygonClipTopic;
+import rasterlab.engine.clip.PolygonInWindow;
+import rasterlab.engine.clip.PolygonWalk;
+import rasterlab.engine.clip.SteppedPolygonClipper;
+import rasterlab.engine.study.Topic;
+
+/**
+ * Topic {@code clip-polygon}: {@code window} as [xmin,ymin,xmax,ymax] or the corners of a convex
+ * polygon, {@code polygon}; {@code polygons} out.
+ */
+public final class ClipPolygonRun implements TopicRun {
+    private static final int MOST_WINDOW_CORNERS = 1_000;
+    private static final JsonField<double[]> WINDOW =
+            JsonField.required("window", ClipPolygonRun::window);
+    private static final JsonField<double[]> POLYGON =
+            JsonField.required("polygon", json -> json.points(2, 0, ClipRun.MOST));
+
+    private final PolygonClipTopic topic = new PolygonClipTopic();
+    private final Watch watch;
+
+    /**
+     * @param watch gives up a method that does not end
+     */
+    ClipPolygonRun(Watch watch) {
+        this.watch = watch;
+    }
+
+    @Override
+    public Topic<?, ?, ?> topic() {
+        return topic;
+    }
+
+    private static double[] window(StrictJson json) throws IOException {
+        List<double[]> parts =
+                json.list(
+                        "numbers, or points of 2 numbers each",
+                        part ->
+                                part.startsArray()
+                                        ? part.numbers(2, 2)
+                                        : new double[] {part.number()},
+                        3,
+                        MOST_WINDOW_CORNERS);
+        int width = parts.get(0).length;
+        if (parts.stream().anyMatch(part -> part.length != width)
+                || width == 1 && parts.size() != 4)
+            throw Complaint.badInput(
+                    "/window: expected [xmin,ymin,xmax,ymax] or an array of points of 2 numbers"
+                            + " each");
+        double[] numbers = parts.stream().flatMapToDouble(Arrays::stream).toArray();
+        return width == 2 ? numbers : rectangle(numbers);
+    }
+
+    private static double[] rectangle(double[] sides) {
+        try {
+            var window = new ClipWindow(sides[0], sides[1], sides[2], sides[3]);
+            return PolygonInWindow.rectangle(
+                    window.xmin(), window.ymin(), window.xmax(), window.ymax());
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput("/window: " + e.getMessage());
+        }
+    }
+
+    @Override
+    public Answer answer(String method, byte[] text, int length, boolean steps) {
+        Given given = StrictJson.object(text, length, WINDOW, POLYGON);
+        var input = new PolygonInWindow(given.get(WINDOW), given.get(POLYGON));
+        PolygonClipper clipper = topic.method(method).implementation();
+        List<double[]> pieces =
+                watch.call(method, () -> topic.record(clipper, input, Integer.MAX_VALUE));
+        if (!steps) return json -> writePieces(json, pieces);
+        if (!(clipper instanceof SteppedPolygonClipper stepped))
+            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
+        List<Step> walk = watch.call(method, () -> steps(stepped, input));
+        return json -> {
+            writePieces(json, pieces);
+            json.writeArrayFieldStart("steps");
+            for (Step step : walk) step.write(json);
+            json.writeEndArray();
+        };
+    }
+
+    private record Step(String at, double[] polygon) {
+        void write(JsonGenerator json) throws IOException {
+            json.writeStartObject();
+            json.writeStringField("at", at);
+            json.writeFieldName("polygon");
+            JsonNumbers.writePoints(json, polygon, 2);
+            json.writeEndObject();
+        }
+    }
+
+    private static List<Step> steps(SteppedPolygonClipper method, PolygonInWindow input) {
+        if (input.subject().length > 2 * ClipRun.MOST_STEPPED)
+            throw Complaint.badInput(
+                    "--steps: at most "
+                            + ClipRun.MOST_STEPPED
+                            + " corners, got "
+                            + input.subject().length / 2);
+        var steps = new ArrayList<Step>();
+        PolygonWalk walk = method.walk(input.window(), input.subject());
+        while (walk.advance()) steps.add(new Step(walk.at(), walk.polygon()));
+        return steps;
+    }
+
+    private static void writePieces(JsonGenerator json, List<double[]> pieces) throws IOException {
+        json.writeArrayFieldStart("polygons");
+        for (double[] piece : pieces) JsonNumbers.writePoints(json, piece, 2);
+        json.writeEndArray();
+    }
+}

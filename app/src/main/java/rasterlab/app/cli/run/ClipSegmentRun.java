@@ -1,0 +1,86 @@
+package rasterlab.app.cli.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.contract.SegmentClipper;
+import rasterlab.engine.clip.ClipWalk;
+import rasterlab.engine.clip.ClipWindow;
+import rasterlab.engine.clip.ClippedEnds;
+import rasterlab.engine.clip.SegmentClipTopic;
+import rasterlab.engine.clip.SegmentsInWindow;
+import rasterlab.engine.clip.SteppedSegmentClipper;
+import rasterlab.engine.study.Topic;
+
+/** Topic {@code clip-segment}: {@code window}, {@code segments}; {@code segments} out. */
+public final class ClipSegmentRun implements TopicRun {
+    private static final JsonField<double[]> WINDOW =
+            JsonField.required("window", json -> json.numbers(4, 4));
+    private static final JsonField<double[]> SEGMENTS =
+            JsonField.required("segments", json -> json.points(4, 0, ClipRun.MOST));
+
+    private final SegmentClipTopic topic = new SegmentClipTopic();
+    private final Watch watch;
+
+    /**
+     * @param watch gives up a method that does not end
+     */
+    ClipSegmentRun(Watch watch) {
+        this.watch = watch;
+    }
+
+    @Override
+    public Topic<?, ?, ?> topic() {
+        return topic;
+    }
+
+    @Override
+    public Answer answer(String method, byte[] text, int length, boolean steps) {
+        Given given = StrictJson.object(text, length, WINDOW, SEGMENTS);
+        List<double[]> segments = ClipRun.rows(given.get(SEGMENTS), 4);
+        var input = new SegmentsInWindow(window(given.get(WINDOW)), segments);
+        SegmentClipper clipper = topic.method(method).implementation();
+        ClippedEnds left =
+                ClipRun.watched(
+                        watch, method, () -> topic.record(clipper, input, Integer.MAX_VALUE));
+        if (!steps) return json -> ClipRun.writeParts(json, left.parts());
+        if (!(clipper instanceof SteppedSegmentClipper stepped))
+            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
+        ClipRun.requireFewStepped(segments.size());
+        var walks = segments.stream().map(s -> steps(stepped, input.window(), s)).toList();
+        return json -> {
+            ClipRun.writeParts(json, left.parts());
+            ClipRun.writeSteps(json, stepped.decisionFormula(), walks);
+        };
+    }
+
+    private static ClipWindow window(double[] sides) {
+        try {
+            return new ClipWindow(sides[0], sides[1], sides[2], sides[3]);
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput("/window: " + e.getMessage());
+        }
+    }
+
+    /** The walk, which is known to end, and that it was handed over, if it was. */
+    private static List<ClipRun.Step> steps(
+            SteppedSegmentClipper method, ClipWindow window, double[] segment) {
+        var steps = new ArrayList<ClipRun.Step>();
+        ClipWalk walk = SegmentClipTopic.walk(method, window, segment);
+        while (walk.advance()) steps.add(step(walk.at(), walk.decision(), walk));
+        if (walk.unsure()) steps.add(step("without rounding", Double.NaN, walk));
+        return steps;
+    }
+
+    private static ClipRun.Step step(String at, double decision, ClipWalk walk) {
+        var left = new double[4];
+        walk.piece(
+                (x0, y0, x1, y1) -> {
+                    left[0] = x0;
+                    left[1] = y0;
+                    left[2] = x1;
+                    left[3] = y1;
+                });
+        return new ClipRun.Step(at, decision, left);
+    }
+}

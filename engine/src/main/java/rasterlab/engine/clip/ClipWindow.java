@@ -1,0 +1,37 @@
+package rasterlab.engine.clip;
+
+/**
+ * The points with xmin ≤ x ≤ xmax and ymin ≤ y ≤ ymax; it may have no width or no height or
+ * neither.
+ */
+public record ClipWindow(double xmin, double ymin, double xmax, double ymax) {
+    /** A 1024th of the largest coordinate, below which doubles are too sparse to be compared. */
+    private static final double SPARSE = 1.0 / 1024;
+
+    public ClipWindow {
+        FiniteNumbers.requireOrdered("xmin", xmin, "xmax", xmax);
+        FiniteNumbers.requireOrdered("ymin", ymin, "ymax", ymax);
+    }
+
+    /** The sides as an array: xmin, ymin, xmax, ymax. */
+    public double[] sides() {
+        return new double[] {xmin, ymin, xmax, ymax};
+    }
+
+    /**
+     * What errors are measured in: the larger extent, or a 1024th of the largest coordinate where
+     * that is more, so that 10⁻¹² of it is never less than four steps between doubles.
+     */
+    double unit() {
+        double far = 0;
+        for (double side : sides()) far = Math.max(far, Math.abs(side));
+        double width = xmax / 2 - xmin / 2;
+        double height = ymax / 2 - ymin / 2;
+        return Math.max(2 * Math.min(Math.max(width, height), Double.MAX_VALUE / 2), far * SPARSE);
+    }
+
+    @Override
+    public String toString() {
+        return "[" + xmin + ", " + xmax + "] × [" + ymin + ", " + ymax + "]";
+    }
+}

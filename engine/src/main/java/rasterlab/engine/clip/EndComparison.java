@@ -1,0 +1,89 @@
+package rasterlab.engine.clip;
+
+import java.util.Arrays;
+import java.util.Optional;
+import rasterlab.engine.study.Deviation;
+
+/**
+ * How far clipped segments are from the exact ones.
+ *
+ * <p>A segment is misjudged where something is left of it and nothing was sent (missing), or the
+ * other way round (extra); this is decided for the exact segment, so touching a corner counts and
+ * passing it by any distance does not. A segment sent with an end that is not finite is both. Of
+ * the others the worst error is the largest distance of a coordinate of an end from the exact one,
+ * in the unit given.
+ */
+final class EndComparison {
+    private final double unit;
+    private double worst;
+    private long missing;
+    private long extra;
+    private String first = "";
+
+    private EndComparison(double unit) {
+        this.unit = unit;
+    }
+
+    static Deviation compare(ClippedEnds exact, ClippedEnds actual, double unit) {
+        var comparison = new EndComparison(unit);
+        for (int i = 0; i < exact.parts().size(); i++)
+            comparison.segment(i, exact.parts().get(i), actual.parts().get(i));
+        if (actual.again() > 0) {
+            comparison.extra += actual.again();
+            comparison.say(actual.again() + " segments were sent again");
+        }
+        return new Deviation(
+                comparison.worst,
+                comparison.missing,
+                comparison.extra,
+                exact.kept(),
+                comparison.first);
+    }
+
+    private void segment(int index, Optional<double[]> exact, Optional<double[]> actual) {
+        if (exact.isPresent() && actual.isPresent())
+            ends("segment " + index, exact.get(), actual.get());
+        else if (exact.isPresent()) {
+            missing++;
+            say("segment " + index + " is missing, of which " + text(exact.get()) + " is left");
+        } else if (actual.isPresent()) {
+            extra++;
+            say("segment " + index + " is sent as " + text(actual.get()) + ", nothing is left");
+        }
+    }
+
+    private void ends(String segment, double[] exact, double[] actual) {
+        double farthest = 0;
+        for (int i = 0; i < exact.length; i++) {
+            if (!Double.isFinite(actual[i])) {
+                missing++;
+                extra++;
+                say(segment + " is sent as " + text(actual));
+                return;
+            }
+            farthest = Math.max(farthest, distance(exact[i], actual[i]));
+        }
+        worst = Math.max(worst, farthest);
+        if (farthest > 0)
+            say(segment + " is " + text(actual) + " where " + text(exact) + " is right");
+    }
+
+    private double distance(double exact, double actual) {
+        if (exact == actual) return 0;
+        return Math.min(Math.abs(exact / unit - actual / unit), Double.MAX_VALUE);
+    }
+
+    private void say(String difference) {
+        if (first.isEmpty()) first = difference;
+    }
+
+    private static String text(double[] ends) {
+        int dimension = ends.length / 2;
+        return point(ends, 0, dimension) + "→" + point(ends, dimension, ends.length);
+    }
+
+    private static String point(double[] ends, int start, int end) {
+        String inside = Arrays.toString(Arrays.copyOfRange(ends, start, end));
+        return "(" + inside.substring(1, inside.length() - 1) + ")";
+    }
+}

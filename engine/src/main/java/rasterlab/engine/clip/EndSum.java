@@ -1,0 +1,24 @@
+package rasterlab.engine.clip;
+
+import rasterlab.contract.SegmentSink;
+import rasterlab.contract.SpaceSegmentSink;
+
+/** Adds up the ends, so that a compiler cannot leave them uncomputed. */
+final class EndSum implements SegmentSink, SpaceSegmentSink {
+    private double sum;
+
+    @Override
+    public void segment(double x0, double y0, double x1, double y1) {
+        sum += x0 + y0 + x1 + y1;
+    }
+
+    @Override
+    public void segment(double x0, double y0, double z0, double x1, double y1, double z1) {
+        sum += x0 + y0 + z0 + x1 + y1 + z1;
+    }
+
+    void requireComputed() {
+        // Never true of workloads, but only they know: the ends have to be computed.
+        if (sum == Double.POSITIVE_INFINITY) throw new AssertionError("sum of ends overflowed");
+    }
+}

@@ -1,0 +1,39 @@
+package rasterlab.engine.clip;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.contract.SegmentSink;
+import rasterlab.contract.SpaceSegmentSink;
+
+/** Takes what methods send, segment after segment. */
+final class PartCapture implements SegmentSink, SpaceSegmentSink {
+    private final List<Optional<double[]>> parts = new ArrayList<>();
+    private int again;
+    private double[] part = {};
+
+    @Override
+    public void segment(double x0, double y0, double x1, double y1) {
+        take(x0, y0, x1, y1);
+    }
+
+    @Override
+    public void segment(double x0, double y0, double z0, double x1, double y1, double z1) {
+        take(x0, y0, z0, x1, y1, z1);
+    }
+
+    private void take(double... ends) {
+        if (part.length > 0) again++;
+        else part = ends;
+    }
+
+    /** Closes the account of one segment. */
+    void next() {
+        parts.add(part.length > 0 ? Optional.of(part) : Optional.empty());
+        part = new double[0];
+    }
+
+    ClippedEnds captured() {
+        return new ClippedEnds(parts, again);
+    }
+}

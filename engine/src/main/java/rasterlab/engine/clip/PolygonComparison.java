@@ -1,0 +1,42 @@
+package rasterlab.engine.clip;
+
+import java.util.Arrays;
+import java.util.List;
+import rasterlab.engine.study.Deviation;
+
+/**
+ * How far clipped polygons are from the exact pieces: the area only one of the two covers, as a
+ * share of the window's, and how many pieces are missing or too many.
+ *
+ * <p>Pieces are counted, not paired: where two are joined by a bridge, one is missing.
+ */
+final class PolygonComparison {
+    private PolygonComparison() {}
+
+    static Deviation compare(double[] window, List<double[]> exact, List<double[]> actual) {
+        long missing = Math.max(0, exact.size() - actual.size());
+        long extra = Math.max(0, actual.size() - exact.size());
+        for (double[] piece : actual)
+            if (!Arrays.stream(piece).allMatch(Double::isFinite))
+                return new Deviation(
+                        1, exact.size(), actual.size(), exact.size(), text(piece) + " is no place");
+        double area = AreaBetween.of(exact, actual);
+        double share = area == 0 ? 0 : area / Math.abs(PolygonArea.of(window));
+        return new Deviation(share, missing, extra, exact.size(), first(exact, actual, share));
+    }
+
+    private static String first(List<double[]> exact, List<double[]> actual, double share) {
+        if (exact.size() != actual.size())
+            return actual.size() + " pieces where " + exact.size() + " are right" + sample(actual);
+        if (share == 0) return "";
+        return "a share of " + share + " of the window is covered by one of the two only";
+    }
+
+    private static String sample(List<double[]> actual) {
+        return actual.isEmpty() ? "" : "; the first is " + text(actual.get(0));
+    }
+
+    private static String text(double[] xy) {
+        return Arrays.toString(xy);
+    }
+}
