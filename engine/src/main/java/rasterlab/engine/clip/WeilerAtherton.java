@@ -59,7 +59,7 @@ public final class WeilerAtherton implements SteppedPolygonClipper {
             add(chain.leave().x(), chain.leave().y());
             followed = chain;
             InnerChain following = following();
-            addRim(chain.leave(), following.enter(), chain.touchesHollow());
+            addRim(chain.leave(), following.enter());
             chain = following == first ? close() : following;
             return true;
         }
@@ -92,10 +92,9 @@ public final class WeilerAtherton implements SteppedPolygonClipper {
         }
 
         /** Adds the window's corners between two places on its rim. */
-        private void addRim(RimPoint from, RimPoint to, boolean allRound) {
-            int order = from.compareTo(to);
+        private void addRim(RimPoint from, RimPoint to) {
             int corners = Math.floorMod(to.side() - from.side(), window.size());
-            if (order > 0 && corners == 0 || order == 0 && allRound) corners = window.size();
+            if (corners == 0 && from.compareTo(to) > 0) corners = window.size();
             for (int i = 1; i <= corners; i++)
                 add(window.x(from.side() + i), window.y(from.side() + i));
         }
