@@ -3,6 +3,8 @@ package rasterlab.engine;
 import java.util.List;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.transform.axis.AxisTopic;
+import rasterlab.engine.transform.matrix.MatrixTopic;
 
 /** The list of every topic there is. */
 public final class Topics {
@@ -10,7 +12,10 @@ public final class Topics {
 
     /** All topics, in the course's order. */
     public static List<Topic<?, ?, ?>> all() {
-        return List.of(new LineTopic());
+        return List.of(
+                new LineTopic(), //
+                new MatrixTopic(),
+                new AxisTopic());
     }
 
     /**
