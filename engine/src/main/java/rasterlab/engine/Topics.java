@@ -5,6 +5,7 @@ import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
+import rasterlab.engine.transform.rotate.RotateTopic;
 
 /** The list of every topic there is. */
 public final class Topics {
@@ -15,6 +16,7 @@ public final class Topics {
         return List.of(
                 new LineTopic(), //
                 new MatrixTopic(),
+                new RotateTopic(),
                 new AxisTopic());
     }
 

@@ -8,6 +8,8 @@ public final class Coordinates {
     /** The same for methods that compute in float. */
     public static final double LARGEST_FLOAT = 0x1p120;
 
+    private static final double SMALLEST_FLOAT = 0x1p-100;
+
     private Coordinates() {}
 
     /**
@@ -26,6 +28,23 @@ public final class Coordinates {
                         "points[" + i / dimension + "]." + "xyz".charAt(i % dimension),
                         points[i],
                         largest);
+    }
+
+    /**
+     * The same for methods that compute in float: a coordinate may also not be so small that a
+     * float is 0 or has lost digits.
+     */
+    public static void requireFloat(double[] points, int dimension) {
+        require(points, dimension, LARGEST_FLOAT);
+        for (int i = 0; i < points.length; i++)
+            if (points[i] != 0 && Math.abs(points[i]) < SMALLEST_FLOAT)
+                throw new IllegalArgumentException(
+                        "points[%d].%s must be 0 or at least %s in magnitude for a float, got %s"
+                                .formatted(
+                                        i / dimension,
+                                        "xyz".charAt(i % dimension),
+                                        SMALLEST_FLOAT,
+                                        points[i]));
     }
 
     /** The same for one vector of three numbers. */
