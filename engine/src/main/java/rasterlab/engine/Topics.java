@@ -4,6 +4,7 @@ import java.util.List;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.axis.AxisTopic;
+import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 import rasterlab.engine.transform.rotate.RotateTopic;
 
@@ -16,6 +17,7 @@ public final class Topics {
         return List.of(
                 new LineTopic(), //
                 new MatrixTopic(),
+                new TransformTopic(),
                 new RotateTopic(),
                 new AxisTopic());
     }
