@@ -19,8 +19,8 @@ public interface PointTransformer {
      * @param points d numbers each, one after the other; may be empty
      * @param h receives H of each point
      * @throws IllegalArgumentException if an array has a wrong length, a number is not finite or,
-     *     for a method in float, out of float's range, or a product or an image is too large
-     *     or so small that digits would be lost; the message names the place
+     *     for a method in float, out of float's range, or a product or an image is too large or so
+     *     small that digits would be lost; the message names the place
      */
     void transform(int dimension, double[][] matrices, double[] points, double[] h);
 }

@@ -20,7 +20,15 @@ import rasterlab.app.outcome.ExitCode;
         description = {
             "Runs one method on JSON from standard input and prints JSON.",
             "Topic line: {\"from\":[x,y], \"to\":[x,y], \"window\":[xmin,ymin,xmax,ymax]},",
-            "the window being optional; answers {\"pixels\":[[x,y],...]} in drawing order."
+            "the window being optional; answers {\"pixels\":[[x,y],...]} in drawing order.",
+            "Topic matrix: {\"name\":\"ROT3DX\", \"angle\":30}, see `./lab methods matrix`;",
+            "answers {\"matrix\":[[...],...]} row by row, for points as rows.",
+            "Topic transform: {\"matrices\":[...], \"points\":[[x,y,z],...]}, each matrix by name as",
+            "above or by its rows; answers {\"points\":[...], \"h\":[...]}, null where h is 0.",
+            "Topic rotate: {\"points\":[[x,y],...], \"degrees\":a, \"times\":n}, times being optional;",
+            "answers {\"points\":[[x,y],...]}.",
+            "Topic rotate-axis: {\"points\":[[x,y,z],...], \"through\":[x,y,z], \"direction\":[l,m,n],",
+            "\"degrees\":a}; answers {\"points\":[[x,y,z],...]}."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

@@ -9,6 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import rasterlab.engine.Topics;
+import rasterlab.engine.study.Topic;
 
 class RunCommandTest {
     private static final String SEGMENT = "{\"from\":[0,0],\"to\":[5,2]}";
@@ -132,8 +134,11 @@ class RunCommandTest {
 
     @Test
     void unknownNamesListTheKnownOnes() {
-        Ran.lab("run", "circle", "midpoint")
-                .assertComplains(2, "./lab run: unknown topic 'circle'; allowed are [line]");
+        Ran.lab("run", "cricle", "midpoint")
+                .assertComplains(
+                        2,
+                        "./lab run: unknown topic 'cricle'; allowed are "
+                                + Topics.all().stream().map(Topic::name).toList());
         Ran ran = Ran.lab("run", "line", "bresenhem");
         assertTrue(ran.err().contains("no method 'bresenhem'; allowed are ["), ran.err());
         assertEquals(2, ran.exitCode());

@@ -17,7 +17,14 @@ public final class Runs {
      * @throws Complaint listing the topics, if there is none
      */
     public static TopicRun named(String topic) {
-        List<TopicRun> all = List.of(new LineRun(new Watch(LONGEST)));
+        var watch = new Watch(LONGEST);
+        List<TopicRun> all =
+                List.of(
+                        new LineRun(watch), //
+                        new MatrixRun(watch),
+                        new TransformRun(watch),
+                        new RotateRun(watch),
+                        new AxisRun(watch));
         return all.stream()
                 .filter(run -> run.topic().name().equals(topic))
                 .findFirst()

@@ -68,7 +68,7 @@ public record MatrixParameter(String name, int size, Range range, OptionalDouble
     /**
      * @throws IllegalArgumentException if a number is out of range
      */
-    void require(double value, int component) {
+    public void require(double value, int component) {
         if (range.allows(value)) return;
         String place = size == 1 ? name : name + "[" + component + "]";
         throw new IllegalArgumentException(place + " must be " + range.text() + ", got " + value);
