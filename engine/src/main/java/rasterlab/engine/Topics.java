@@ -7,6 +7,7 @@ import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 import rasterlab.engine.transform.rotate.RotateTopic;
+import rasterlab.engine.transform.view.ViewTopic;
 
 /** The list of every topic there is. */
 public final class Topics {
@@ -18,6 +19,7 @@ public final class Topics {
                 new LineTopic(), //
                 new MatrixTopic(),
                 new TransformTopic(),
+                new ViewTopic(),
                 new RotateTopic(),
                 new AxisTopic());
     }

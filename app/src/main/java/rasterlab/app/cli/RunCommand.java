@@ -25,6 +25,8 @@ import rasterlab.app.outcome.ExitCode;
             "answers {\"matrix\":[[...],...]} row by row, for points as rows.",
             "Topic transform: {\"matrices\":[...], \"points\":[[x,y,z],...]}, each matrix by name as",
             "above or by its rows; answers {\"points\":[...], \"h\":[...]}, null where h is 0.",
+            "Topic view: {\"points\":[[x,y,z],...], \"theta\":a, \"phi\":b, \"rho\":r}; answers",
+            "{\"points\":[[x,y,z],...]} in the left-handed space of the eye.",
             "Topic rotate: {\"points\":[[x,y],...], \"degrees\":a, \"times\":n}, times being optional;",
             "answers {\"points\":[[x,y],...]}.",
             "Topic rotate-axis: {\"points\":[[x,y,z],...], \"through\":[x,y,z], \"direction\":[l,m,n],",

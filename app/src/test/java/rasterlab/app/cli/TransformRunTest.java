@@ -67,6 +67,12 @@ class TransformRunTest {
                         "{\"matrices\":[],\"points\":[]}",
                         "{\"points\":[],\"h\":[]}"),
                 argumentSet(
+                        "the view from the pole is turned",
+                        "view",
+                        "taken-apart",
+                        "{\"points\":[[1,2,3]],\"theta\":0,\"phi\":0,\"rho\":10}",
+                        "{\"points\":[[2.0,-1.0,7.0]]}"),
+                argumentSet(
                         "one turn is not the default",
                         "rotate",
                         "direct",

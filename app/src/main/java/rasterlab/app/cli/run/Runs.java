@@ -23,6 +23,7 @@ public final class Runs {
                         new LineRun(watch), //
                         new MatrixRun(watch),
                         new TransformRun(watch),
+                        new ViewRun(watch),
                         new RotateRun(watch),
                         new AxisRun(watch));
         return all.stream()
