@@ -8,6 +8,7 @@ import static rasterlab.engine.transform.chain.TransformWorkloads.cells;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
@@ -16,6 +17,10 @@ final class TransformHazards {
     private TransformHazards() {}
 
     static List<Hazard<Chain>> all() {
+        return Stream.of(eye(), cancellation()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<Chain>> eye() {
         return List.of(
                 hazard(
                         "at-the-eye",
@@ -44,7 +49,11 @@ final class TransformHazards {
                         WRONG,
                         DEGRADED,
                         new double[] {3, 4, 700 - 7e-7},
-                        cells("PERSPECTIVE", 0, 0, -1 / 700.0)),
+                        cells("PERSPECTIVE", 0, 0, -1 / 700.0)));
+    }
+
+    private static List<Hazard<Chain>> cancellation() {
+        return List.of(
                 hazard(
                         "shift-there-and-back",
                         "A shift by 0.1 between one by 10¹⁵ and its inverse.",

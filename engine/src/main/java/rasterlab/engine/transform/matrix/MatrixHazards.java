@@ -6,6 +6,7 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
@@ -14,6 +15,10 @@ final class MatrixHazards {
     private MatrixHazards() {}
 
     static List<Hazard<MatrixCall>> all() {
+        return Stream.of(scales(), steps(), hard()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<MatrixCall>> scales() {
         return List.of(
                 hazard(
                         "scale-x",
@@ -37,7 +42,11 @@ final class MatrixHazards {
                         "The angles printed are not isometric.",
                         WRONG,
                         EXACT,
-                        "ISOMETRIC"),
+                        "ISOMETRIC"));
+    }
+
+    private static List<Hazard<MatrixCall>> steps() {
+        return List.of(
                 hazard(
                         "axis",
                         "The printed steps move the axis.",
@@ -63,7 +72,11 @@ final class MatrixHazards {
                         0,
                         0,
                         1,
-                        90),
+                        90));
+    }
+
+    private static List<Hazard<MatrixCall>> hard() {
+        return List.of(
                 hazard("right-angle", "cos 90° is 0, not 6·10⁻¹⁷.", EXACT, EXACT, "ROT3DX", 90),
                 hazard("huge-angle", "10¹⁵ turns and 30°.", EXACT, EXACT, "ROT3DZ", 360e15 + 64),
                 hazard(

@@ -7,6 +7,7 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
 import java.util.HashMap;
 import java.util.List;
+import java.util.stream.Stream;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
@@ -25,6 +26,10 @@ final class RotateHazards {
     private RotateHazards() {}
 
     static List<Hazard<Turns>> all() {
+        return Stream.of(angles(), halfTurns(), drift(), sizes()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<Turns>> angles() {
         return List.of(
                 hazard(
                         "whole-degrees",
@@ -47,7 +52,11 @@ final class RotateHazards {
                         EXACT,
                         EXACT,
                         EXACT,
-                        EXACT),
+                        EXACT));
+    }
+
+    private static List<Hazard<Turns>> halfTurns() {
+        return List.of(
                 hazard(
                         "half-turn",
                         "θ = 180°: tan θ/2 is tan 90°.",
@@ -69,7 +78,11 @@ final class RotateHazards {
                         DEGRADED,
                         EXACT,
                         EXACT,
-                        EXACT),
+                        EXACT));
+    }
+
+    private static List<Hazard<Turns>> drift() {
+        return List.of(
                 hazard(
                         "hundred-thousand-turns",
                         "A hundred thousand turns by 0.1°, which the table takes for 0°.",
@@ -91,7 +104,11 @@ final class RotateHazards {
                         DEGRADED,
                         DEGRADED,
                         DEGRADED,
-                        DEGRADED),
+                        DEGRADED));
+    }
+
+    private static List<Hazard<Turns>> sizes() {
+        return List.of(
                 hazard(
                         "huge-angle",
                         "10¹⁵ turns and 64° in one angle.",
