@@ -17,11 +17,7 @@ public final class Directions {
      */
     public static Vector3d unit(Vector3d v) {
         double largest = Math.max(Math.abs(v.x), Math.max(Math.abs(v.y), Math.abs(v.z)));
-        // By a power of two first: exact, and a subnormal's reciprocal would be infinite.
-        int power = -Math.getExponent(Math.max(largest, Double.MIN_NORMAL));
-        var near = new Vector3d(scaled(v.x, power), scaled(v.y, power), scaled(v.z, power));
-        double size = Math.max(Math.abs(near.x), Math.max(Math.abs(near.y), Math.abs(near.z)));
-        var safe = new Vector3d(near.x / size, near.y / size, near.z / size);
+        var safe = new Vector3d(v.x / largest, v.y / largest, v.z / largest);
         double length = Math.sqrt(safe.x * safe.x + safe.y * safe.y + safe.z * safe.z);
         return new Vector3d(safe.x / length, safe.y / length, safe.z / length);
     }
@@ -30,9 +26,5 @@ public final class Directions {
     static Vector3d between(Vector3d from, Vector3d to) {
         return unit(
                 new Vector3d(to.x / 2 - from.x / 2, to.y / 2 - from.y / 2, to.z / 2 - from.z / 2));
-    }
-
-    private static double scaled(double value, int power) {
-        return Math.scalb(value, power);
     }
 }

@@ -107,6 +107,17 @@ class WorkedMatricesTest {
     }
 
     @Test
+    void lectureRightHandedViewTurnsYRoundOnly() {
+        double[][] left = NamedMatrices.named("VIEW_LEFT").rows(20, 70, 400);
+        double[][] right = NamedMatrices.named("VIEW_RIGHT").rows(20, 70, 400);
+        for (int i = 0; i < 4; i++)
+            for (int j = 0; j < 4; j++)
+                assertEquals(j == 1 ? 0.0 - left[i][j] : left[i][j], right[i][j]);
+        assertEquals(-1, joml("VIEW_LEFT", 20, 70, 400).determinant(), 1e-14);
+        assertEquals(1, joml("VIEW_RIGHT", 20, 70, 400).determinant(), 1e-14);
+    }
+
+    @Test
     void chapter4CanonicalVolumeTakesTheNearCornerToOneOneZero() {
         double zMin = 0.25;
         var corner = new Vector4d(zMin, zMin, zMin, 1).mul(joml("CANONICAL", zMin));

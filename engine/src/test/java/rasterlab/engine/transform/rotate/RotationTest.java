@@ -67,6 +67,15 @@ class RotationTest {
                 assertExact(name, new Turns(degrees + by, 1, new double[] {3, 4}), "");
     }
 
+    @ParameterizedTest(name = "{0} half turns are taken for one")
+    @ValueSource(ints = {1, 2, 3, 4})
+    void bunemanCountsItsHalfTurns(int times) {
+        double[] point = {3, 4};
+        TOPIC.method("buneman").implementation().rotate(180, times, point);
+        int sign = times % 2 == 0 ? 1 : -1;
+        assertArrayEquals(new double[] {3 * sign, 4 * sign}, point);
+    }
+
     @Test
     void totalAngleIsExactAfterAnyNumberOfTurns() {
         long seed = 1971;
