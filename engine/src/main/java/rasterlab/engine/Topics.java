@@ -14,6 +14,11 @@ import rasterlab.engine.polygon.triangulation.TriangulateTopic;
 import rasterlab.engine.spline.CurveTopic;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.transform.axis.AxisTopic;
+import rasterlab.engine.transform.chain.TransformTopic;
+import rasterlab.engine.transform.matrix.MatrixTopic;
+import rasterlab.engine.transform.rotate.RotateTopic;
+import rasterlab.engine.transform.view.ViewTopic;
 
 /** The list of every topic there is. */
 public final class Topics {
@@ -31,6 +36,11 @@ public final class Topics {
                 new SegmentClipTopic(),
                 new PolygonClipTopic(),
                 new VolumeClipTopic(),
+                new MatrixTopic(),
+                new TransformTopic(),
+                new ViewTopic(),
+                new RotateTopic(),
+                new AxisTopic(),
                 new SplineFunctionTopic(),
                 new CurveTopic());
     }

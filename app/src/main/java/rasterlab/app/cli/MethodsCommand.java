@@ -42,9 +42,17 @@ final class MethodsCommand implements Callable<Integer> {
             out.println("    fails:    " + method.about().failures());
         }
         out.println();
+        if (!topic.vocabulary().isEmpty()) printVocabulary(topic);
         var hazards = new TextTable("hazard", "what is special");
         for (Hazard<?> hazard : topic.hazards())
             hazards.add(List.of(hazard.name(), hazard.description()));
         hazards.lines().forEach(line -> out.println("  " + line));
+    }
+
+    private void printVocabulary(Topic<?, ?, ?> topic) {
+        var words = new TextTable("name", "meaning");
+        topic.vocabulary().forEach((word, meaning) -> words.add(List.of(word, meaning)));
+        words.lines().forEach(line -> console.out().println("  " + line));
+        console.out().println();
     }
 }

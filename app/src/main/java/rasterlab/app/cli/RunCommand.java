@@ -40,7 +40,17 @@ import rasterlab.app.outcome.ExitCode;
             "clip-polygon: {\"window\":..., \"polygon\":[[x,y],...]}, the window as above or the",
             "  corners of a convex polygon; answers {\"polygons\":[[[x,y],...],...]}, counter-clockwise.",
             "clip-volume: {\"zmin\":z, \"segments\":[[x0,y0,z0,x1,y1,z1],...]}, 0 < z < 1;",
-            "  answers {\"segments\":[...]} as clip-segment does."
+            "  answers {\"segments\":[...]} as clip-segment does.",
+            "matrix: {\"name\":\"ROT3DX\", \"angle\":30}, see `./lab methods matrix`;",
+            "  answers {\"matrix\":[[...],...]} row by row, for points as rows.",
+            "transform: {\"matrices\":[...], \"points\":[[x,y,z],...]}, each matrix by name as",
+            "  above or by its rows; answers {\"points\":[...], \"h\":[...]}, null where h is 0.",
+            "view: {\"points\":[[x,y,z],...], \"theta\":a, \"phi\":b, \"rho\":r}; answers",
+            "  {\"points\":[[x,y,z],...]} in the left-handed space of the eye.",
+            "rotate: {\"points\":[[x,y],...], \"degrees\":a, \"times\":n}, times being optional;",
+            "  answers {\"points\":[[x,y],...]}.",
+            "rotate-axis: {\"points\":[[x,y,z],...], \"through\":[x,y,z], \"direction\":[l,m,n],",
+            "  \"degrees\":a}; answers {\"points\":[[x,y,z],...]}."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

@@ -83,6 +83,14 @@ public interface Topic<C, I, O> {
         return 20_000;
     }
 
+    /**
+     * The words that an input may be made of, where the topic has such: how a word is written to
+     * its meaning in one line, in teaching order.
+     */
+    default Map<String, String> vocabulary() {
+        return Map.of();
+    }
+
     /** What {@link #spend} counts, in the singular, for axis labels: "pixel", "segment". */
     String item();
 

@@ -41,12 +41,7 @@ public record SphericalView(double thetaRadians, double phiRadians, double rho) 
      * </pre>
      */
     public Matrix4d matrix() {
-        double st = Math.sin(thetaRadians);
-        double ct = Math.cos(thetaRadians);
-        double sp = Math.sin(phiRadians);
-        double cp = Math.cos(phiRadians);
-        return new Matrix4d(
-                -st, -ct * cp, -ct * sp, 0, ct, -st * cp, -st * sp, 0, 0, sp, -cp, 0, 0, 0, rho, 1);
+        return ViewMatrices.left(Angle.ofRadians(thetaRadians), Angle.ofRadians(phiRadians), rho);
     }
 
     /** The eye in world coordinates. */

@@ -1,36 +1,90 @@
 package rasterlab.engine.transform;
 
 import org.joml.Matrix4d;
+import org.joml.Vector3d;
 
 /**
- * The course's named 4×4 matrices, angles in radians.
+ * The course's named 4×4 matrices of motion and scale.
  *
  * <p>Each is written in the textbook's reading order for row points {@code [x y z 1] · M}, which is
  * JOML's column order, so {@link Matrix4d#transformPosition} applies it as the textbook does. A
  * positive angle turns counter-clockwise seen from the positive end of the axis.
  *
- * <p>Source: Ponomarev, course text on computer graphics, appendix.
+ * <p>Source: Ponomarev, course text on computer graphics, appendix, whose scales and shift are
+ * printed with zeros on the diagonal where ones belong.
  */
 public final class TextbookMatrices {
     private TextbookMatrices() {}
 
-    /** ROT3DX. */
+    /** ROT3DX, the angle in radians. */
     public static Matrix4d rotationX(double angle) {
-        double c = Math.cos(angle);
-        double s = Math.sin(angle);
-        return new Matrix4d(1, 0, 0, 0, 0, c, s, 0, 0, -s, c, 0, 0, 0, 0, 1);
+        return rotationX(Angle.ofRadians(angle));
+    }
+
+    /** ROT3DX. */
+    public static Matrix4d rotationX(Angle a) {
+        return new Matrix4d(
+                1, 0, 0, 0, 0, a.cos(), a.sin(), 0, 0, -a.sin(), a.cos(), 0, 0, 0, 0, 1);
+    }
+
+    /** ROT3DY, the angle in radians. */
+    public static Matrix4d rotationY(double angle) {
+        return rotationY(Angle.ofRadians(angle));
     }
 
     /** ROT3DY. */
-    public static Matrix4d rotationY(double angle) {
-        double c = Math.cos(angle);
-        double s = Math.sin(angle);
-        return new Matrix4d(c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 0, 0, 0, 1);
+    public static Matrix4d rotationY(Angle a) {
+        return new Matrix4d(
+                a.cos(), 0, -a.sin(), 0, 0, 1, 0, 0, a.sin(), 0, a.cos(), 0, 0, 0, 0, 1);
     }
 
-    /** SCALE3D, all axes alike. */
+    /** ROT3DZ. */
+    public static Matrix4d rotationZ(Angle a) {
+        return new Matrix4d(
+                a.cos(), a.sin(), 0, 0, -a.sin(), a.cos(), 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+    }
+
+    /**
+     * ROTAXIS: about the line through A along the unit vector k, by Rodrigues' formula. Row i is
+     * the image of axis i, {@code e·cos + (k × e)·sin + k·(k·e)·(1 − cos)}; the last row is {@code
+     * A − A·R}.
+     *
+     * @param k of length 1
+     */
+    public static Matrix4d rotationAbout(Vector3d a, Vector3d k, Angle by) {
+        double s = by.sin();
+        double c = by.cos();
+        double xx = k.x * k.x * (1 - c);
+        double yy = k.y * k.y * (1 - c);
+        double zz = k.z * k.z * (1 - c);
+        double xy = k.x * k.y * (1 - c);
+        double yz = k.y * k.z * (1 - c);
+        double zx = k.z * k.x * (1 - c);
+        double x = k.x * s;
+        double y = k.y * s;
+        double z = k.z * s;
+        var turn =
+                new Matrix4d(
+                        c + xx, xy + z, zx - y, 0, //
+                        xy - z, c + yy, yz + x, 0, //
+                        zx + y, yz - x, c + zz, 0, //
+                        0, 0, 0, 1);
+        return turn.setTranslation(turn.transformPosition(new Vector3d(a)).negate().add(a));
+    }
+
+    /** All axes alike, by {@code factor}; {@link #uniformScale} is the textbook's way. */
     public static Matrix4d scale(double factor) {
-        return new Matrix4d().scaling(factor);
+        return scale(factor, factor, factor);
+    }
+
+    /** SCALE3DX(a), SCALE3DY(e), SCALE3DZ(j) in one: the cells a, e, j of the general matrix. */
+    public static Matrix4d scale(double a, double e, double j) {
+        return new Matrix4d(a, 0, 0, 0, 0, e, 0, 0, 0, 0, j, 0, 0, 0, 0, 1);
+    }
+
+    /** SCALE3D(s): H = s, so that all coordinates become 1/s as large. */
+    public static Matrix4d uniformScale(double s) {
+        return new Matrix4d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, s);
     }
 
     /** TRANSL3D: the shifts stand in the textbook's last row. */
@@ -40,6 +94,6 @@ public final class TextbookMatrices {
 
     /** One-point perspective along z: H = r·z + 1, the observer stands at z = −1/r. */
     public static Matrix4d onePointPerspective(double r) {
-        return new Matrix4d(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, r, 0, 0, 0, 1);
+        return ProjectionMatrices.perspective(0, 0, r);
     }
 }

@@ -49,6 +49,11 @@ final class Given {
         values.put(field.name(), value);
     }
 
+    /** A complaint about the value of a field, with its place. */
+    Complaint complaint(String field, String message) {
+        return Complaint.badInput(place + "/" + field + ": " + message);
+    }
+
     void requireAll() {
         for (JsonField<?> field : allowed)
             if (field.required() && !has(field.name()))

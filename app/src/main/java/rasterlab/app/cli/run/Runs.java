@@ -29,6 +29,11 @@ public final class Runs {
                         new ClipSegmentRun(watch),
                         new ClipPolygonRun(watch),
                         new ClipVolumeRun(watch),
+                        new MatrixRun(watch),
+                        new TransformRun(watch),
+                        new ViewRun(watch),
+                        new RotateRun(watch),
+                        new AxisRun(watch),
                         new SplineFunctionRun(watch),
                         new CurveRun(watch));
         try {

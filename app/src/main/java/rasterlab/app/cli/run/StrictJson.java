@@ -255,7 +255,8 @@ final class StrictJson {
         return complaint("expected " + what + ", got " + quoted());
     }
 
-    private Complaint complaint(String message) {
+    /** A complaint about the value the input stands on, with its place. */
+    Complaint complaint(String message) {
         return Complaint.badInput(pointer() + ": " + message);
     }
 

@@ -1,0 +1,153 @@
+package rasterlab.engine.transform;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.EnumMap;
+import java.util.Map;
+import org.joml.Matrix4d;
+import org.joml.Vector3d;
+
+/**
+ * OpenGL's three stacks of matrices and the commands that change the one on top.
+ *
+ * <p>A command multiplies the current matrix so that what it does happens to a point before what
+ * the earlier commands do. A list of commands can be read in two ways: backwards, as motions of the
+ * objects in fixed axes, or forwards, as motions of the axes in which the objects are given.
+ *
+ * <p>Source: M. Segal, K. Akeley, The OpenGL Graphics System: A Specification, version 1.5, 2003,
+ * section 2.11.
+ */
+public final class MatrixStack {
+    private final Map<MatrixMode, Deque<Matrix4d>> stacks = new EnumMap<>(MatrixMode.class);
+    private MatrixMode mode = MatrixMode.MODELVIEW;
+
+    /** Each stack holds one identity; the mode is MODELVIEW. */
+    public MatrixStack() {
+        for (MatrixMode each : MatrixMode.values()) {
+            var stack = new ArrayDeque<Matrix4d>();
+            stack.push(new Matrix4d());
+            stacks.put(each, stack);
+        }
+    }
+
+    /** Chooses the stack that all other commands mean. */
+    public void mode(MatrixMode chosen) {
+        mode = chosen;
+    }
+
+    /** A copy of the matrix on top of a stack. */
+    public Matrix4d top(MatrixMode of) {
+        return new Matrix4d(stacks.get(of).element());
+    }
+
+    /** How many matrices a stack holds, at least 1. */
+    public int depth(MatrixMode of) {
+        return stacks.get(of).size();
+    }
+
+    /**
+     * @throws IllegalStateException if the stack is full; nothing changes
+     */
+    public void push() {
+        if (stack().size() == mode.depth())
+            throw new IllegalStateException(
+                    "GL_STACK_OVERFLOW: the %s stack holds at most %d matrices"
+                            .formatted(mode, mode.depth()));
+        stack().push(new Matrix4d(current()));
+    }
+
+    /**
+     * @throws IllegalStateException if there is only one matrix; nothing changes
+     */
+    public void pop() {
+        if (stack().size() == 1)
+            throw new IllegalStateException(
+                    "GL_STACK_UNDERFLOW: the %s stack holds its last matrix".formatted(mode));
+        stack().pop();
+    }
+
+    public void loadIdentity() {
+        current().identity();
+    }
+
+    /**
+     * @param columns 16 numbers column by column as OpenGL multiplies, {@code M · v}; that is row
+     *     by row in the textbook's layout
+     */
+    public void loadMatrix(double... columns) {
+        current().set(checked(columns));
+    }
+
+    /** Multiplies by a matrix given as for {@link #loadMatrix}. */
+    public void multMatrix(double... columns) {
+        current().mul(new Matrix4d().set(checked(columns)));
+    }
+
+    public void translate(double x, double y, double z) {
+        multiply(TextbookMatrices.translation(x, y, z));
+    }
+
+    public void scale(double x, double y, double z) {
+        multiply(TextbookMatrices.scale(x, y, z));
+    }
+
+    /**
+     * Turns counter-clockwise about the direction (x, y, z) through the origin.
+     *
+     * @throws IllegalArgumentException if the direction is zero
+     */
+    public void rotate(double degrees, double x, double y, double z) {
+        if (x == 0 && y == 0 && z == 0)
+            throw new IllegalArgumentException("the axis must not be zero, got (0, 0, 0)");
+        multiply(
+                TextbookMatrices.rotationAbout(
+                        new Vector3d(),
+                        Directions.unit(new Vector3d(x, y, z)),
+                        Angle.ofDegrees(degrees)));
+    }
+
+    public void lookAt(Vector3d eye, Vector3d center, Vector3d up) {
+        multiply(ViewMatrices.lookAt(eye, center, up));
+    }
+
+    public void ortho(
+            double left, double right, double bottom, double top, double near, double far) {
+        multiply(GlMatrices.ortho(left, right, bottom, top, near, far));
+    }
+
+    /** {@link #ortho} with near −1 and far 1. */
+    public void ortho2D(double left, double right, double bottom, double top) {
+        ortho(left, right, bottom, top, -1, 1);
+    }
+
+    public void frustum(
+            double left, double right, double bottom, double top, double near, double far) {
+        multiply(GlMatrices.frustum(left, right, bottom, top, near, far));
+    }
+
+    public void perspective(double fovy, double aspect, double near, double far) {
+        multiply(GlMatrices.perspective(fovy, aspect, near, far));
+    }
+
+    private void multiply(Matrix4d matrix) {
+        current().mul(new Matrix4d().set(checked(matrix.get(new double[16]))));
+    }
+
+    private static double[] checked(double[] columns) {
+        if (columns.length != 16)
+            throw new IllegalArgumentException("a matrix has 16 numbers, got " + columns.length);
+        for (int i = 0; i < 16; i++)
+            if (!Double.isFinite(columns[i]))
+                throw new IllegalArgumentException(
+                        "number %d of the matrix must be finite, got %s".formatted(i, columns[i]));
+        return columns;
+    }
+
+    private Matrix4d current() {
+        return stack().element();
+    }
+
+    private Deque<Matrix4d> stack() {
+        return stacks.get(mode);
+    }
+}

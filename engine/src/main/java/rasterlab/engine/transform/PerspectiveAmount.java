@@ -1,0 +1,67 @@
+package rasterlab.engine.transform;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The "amount of perspective" γ: how many times larger the nearer of two equal depths appears.
+ *
+ * <p>Two segments of depth dz' follow each other along the line of sight, the nearer one from z' to
+ * z' + dz'. Their images, of points at one height, have the ratio γ = 1 + 2·dz'/z'. It does not
+ * depend on the picture plane's distance d, which only scales. Below z' = 2 to 3 dz' it runs away.
+ *
+ * <p>Source: Ponomarev, course text on computer graphics, "simple perspective transformation".
+ */
+public final class PerspectiveAmount {
+    private PerspectiveAmount() {}
+
+    /** One point of the chart. */
+    public record Sample(double distance, double gamma) {}
+
+    /**
+     * @param distance z' of the nearer segment's near end, above 0
+     * @param depth dz' of each segment, at least 0
+     */
+    public static double gamma(double distance, double depth) {
+        requireAbove("distance", distance);
+        if (!(depth >= 0 && depth < Double.POSITIVE_INFINITY))
+            throw new IllegalArgumentException(
+                    "depth must be a finite number from 0, got " + depth);
+        return 1 + 2 * (depth / distance);
+    }
+
+    /** The same measured in a picture at distance d, from the images of the three ends. */
+    public static double measured(double distance, double depth, double height, double d) {
+        double near = height * d / distance;
+        double middle = height * d / (distance + depth);
+        double far = height * d / (distance + 2 * depth);
+        return (near - middle) / (middle - far);
+    }
+
+    /**
+     * The chart of γ over z' in units of dz', evenly spaced.
+     *
+     * @param from smallest z'/dz', above 0
+     * @param to largest
+     * @param count of samples, at least 2
+     */
+    public static List<Sample> chart(double from, double to, int count) {
+        requireAbove("from", from);
+        if (!(to > from && to < Double.POSITIVE_INFINITY))
+            throw new IllegalArgumentException(
+                    "to must be a finite number above from, " + from + ", got " + to);
+        if (count < 2) throw new IllegalArgumentException("count must be at least 2, got " + count);
+        var samples = new ArrayList<Sample>();
+        for (int i = 0; i < count; i++) {
+            double z = from + (to - from) * i / (count - 1);
+            samples.add(new Sample(z, gamma(z, 1)));
+        }
+        return samples;
+    }
+
+    private static void requireAbove(String name, double value) {
+        if (!(value > 0 && value < Double.POSITIVE_INFINITY))
+            throw new IllegalArgumentException(
+                    name + " must be a finite number above 0, got " + value);
+    }
+}

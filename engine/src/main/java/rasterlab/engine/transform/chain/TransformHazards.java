@@ -1,0 +1,106 @@
+package rasterlab.engine.transform.chain;
+
+import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
+import static rasterlab.engine.study.Verdict.Kind.REFUSED;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
+import static rasterlab.engine.transform.chain.TransformWorkloads.cells;
+
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+
+/** Chains in which digits cancel, and points at and behind the eye. */
+final class TransformHazards {
+    private TransformHazards() {}
+
+    static List<Hazard<Chain>> all() {
+        return Stream.of(eye(), cancellation()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<Chain>> eye() {
+        return List.of(
+                hazard(
+                        "at-the-eye",
+                        "H = 0 exactly: the point goes to infinity and has no image.",
+                        EXACT,
+                        EXACT,
+                        new double[] {3, 4, 512},
+                        cells("PERSPECTIVE", 0, 0, -1 / 512.0)),
+                hazard(
+                        "behind-the-eye",
+                        "H < 0: the division mirrors the point, so clip first.",
+                        EXACT,
+                        EXACT,
+                        new double[] {3, 4, 1024},
+                        cells("PERSPECTIVE", 0, 0, -1 / 512.0)),
+                hazard(
+                        "nearly-at-the-eye",
+                        "H = 1 − 700·r where r is the double next to 1/700: all digits cancel.",
+                        WRONG,
+                        WRONG,
+                        new double[] {3, 4, 700},
+                        cells("PERSPECTIVE", 0, 0, -1 / 700.0)),
+                hazard(
+                        "close-to-the-eye",
+                        "H is about 10⁻⁹: nine digits of the image are lost.",
+                        WRONG,
+                        DEGRADED,
+                        new double[] {3, 4, 700 - 7e-7},
+                        cells("PERSPECTIVE", 0, 0, -1 / 700.0)));
+    }
+
+    private static List<Hazard<Chain>> cancellation() {
+        return List.of(
+                hazard(
+                        "shift-there-and-back",
+                        "A shift by 0.1 between one by 10¹⁵ and its inverse.",
+                        WRONG,
+                        WRONG,
+                        new double[] {0.25, 0.5, 0.75},
+                        cells("TRANSL3D", 1e15, 0, 0),
+                        cells("TRANSL3D", 0.1, 0, 0),
+                        cells("TRANSL3D", -1e15, 0, 0)),
+                hazard(
+                        "turn-about-a-far-point",
+                        "T · R · T⁻¹ about a point a million units away.",
+                        WRONG,
+                        DEGRADED,
+                        new double[] {1e6 + 1, 2, 1e6},
+                        cells("TRANSL3D", -1e6, 0, -1e6),
+                        cells("ROT3DY", 30),
+                        cells("TRANSL3D", 1e6, 0, 1e6),
+                        cells("TRANSL3D", -1e6, 0, -1e6)),
+                hazard(
+                        "flattened",
+                        "A singular matrix in the list: everything lands in one plane.",
+                        EXACT,
+                        EXACT,
+                        new double[] {3, 4, 5},
+                        cells("ORTHOZ", 2),
+                        cells("SCALE3DX", 2)),
+                hazard(
+                        "beyond-float",
+                        "Coordinates that a float cannot hold.",
+                        REFUSED,
+                        EXACT,
+                        new double[] {1e200, 2e200, 3e200},
+                        cells("SCALE3DX", 2)));
+    }
+
+    private static Hazard<Chain> hazard(
+            String name,
+            String description,
+            Verdict.Kind floating,
+            Verdict.Kind doubles,
+            double[] points,
+            double[]... matrices) {
+        return new Hazard<>(
+                name,
+                description,
+                new Chain(3, matrices, points),
+                Map.of("float", floating, "double", doubles, "double-double", EXACT));
+    }
+}

@@ -1,0 +1,116 @@
+package rasterlab.engine.transform.matrix;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import rasterlab.contract.MatrixFormula;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+
+/**
+ * Writing down a named matrix.
+ *
+ * <p>The error of a cell is its difference over the largest cell of its row, and over the largest
+ * coordinate of a point among the parameters where that is larger, since a shift is made of it. Up
+ * to 32·2⁻⁵³ counts as exact: a cell is made of a few rounded operations.
+ */
+public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, double[][]> {
+    private static final double CORRECT = 32 * 0x1p-53;
+    private static final double USABLE = 1e-6;
+
+    @Override
+    public String name() {
+        return "matrix";
+    }
+
+    @Override
+    public List<Method<MatrixFormula>> methods() {
+        return MatrixMethods.all();
+    }
+
+    @Override
+    public List<Hazard<MatrixCall>> hazards() {
+        return MatrixHazards.all();
+    }
+
+    @Override
+    public List<Workload<MatrixCall>> workloads() {
+        return MatrixWorkloads.all();
+    }
+
+    @Override
+    public Map<String, String> vocabulary() {
+        var words = new LinkedHashMap<String, String>();
+        for (NamedMatrix matrix : NamedMatrices.all())
+            words.put(matrix.usage(), matrix.meaning() + "; inverse: " + matrix.inverse());
+        return words;
+    }
+
+    @Override
+    public double[][] record(MatrixFormula method, MatrixCall call, int limit) {
+        return method.rows(call.name(), call.parameters());
+    }
+
+    @Override
+    public long spend(MatrixFormula method, MatrixCall call) {
+        return method.rows(call.name(), call.parameters()).length > 0 ? 1 : 0;
+    }
+
+    @Override
+    public double[][] exact(MatrixCall call, int limit) {
+        return ExactMatrices.of(call.name(), call.parameters()).toDoubles();
+    }
+
+    @Override
+    public Deviation compare(MatrixCall call, double[][] exact, double[][] actual) {
+        double worst = 0;
+        String first = "";
+        for (int i = 0; i < exact.length; i++) {
+            double scale = scale(call, exact, i);
+            for (int j = 0; j < exact.length; j++) {
+                double error = Math.abs(actual[i][j] - exact[i][j]) / scale;
+                if (!(error <= CORRECT) && first.isEmpty())
+                    first =
+                            "row %d, column %d is %s, right is %s"
+                                    .formatted(i + 1, j + 1, actual[i][j], exact[i][j]);
+                worst = Math.max(worst, Double.isNaN(error) ? Double.POSITIVE_INFINITY : error);
+            }
+        }
+        return new Deviation(worst, 0, 0, (long) exact.length * exact.length, first);
+    }
+
+    private static double scale(MatrixCall call, double[][] exact, int row) {
+        double largest = Double.MIN_NORMAL;
+        for (double cell : exact[row]) largest = Math.max(largest, Math.abs(cell));
+        if (row < 3) return largest;
+        int next = 0;
+        for (MatrixParameter parameter : NamedMatrices.named(call.name()).parameters())
+            for (int i = 0; i < parameter.size(); i++, next++)
+                if (parameter.place())
+                    largest = Math.max(largest, Math.abs(call.numbers().get(next)));
+        return largest;
+    }
+
+    @Override
+    public boolean correct(Deviation deviation) {
+        return deviation.worst() <= CORRECT;
+    }
+
+    @Override
+    public boolean usable(Deviation deviation) {
+        return deviation.worst() <= USABLE;
+    }
+
+    @Override
+    public String item() {
+        return "matrix";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "of the row's largest cell";
+    }
+}

@@ -1,0 +1,99 @@
+package rasterlab.engine.transform.matrix;
+
+import static rasterlab.engine.transform.matrix.MatrixParameter.angle;
+import static rasterlab.engine.transform.matrix.MatrixParameter.number;
+import static rasterlab.engine.transform.matrix.MatrixParameter.vector;
+import static rasterlab.engine.transform.matrix.NamedMatrix.space;
+
+import java.util.List;
+import org.joml.Vector3d;
+import rasterlab.engine.transform.Angle;
+import rasterlab.engine.transform.GlMatrices;
+import rasterlab.engine.transform.ViewMatrices;
+import rasterlab.engine.transform.matrix.MatrixParameter.Range;
+
+/** Names of the matrices from the world to the eye and from there to the window. */
+final class ViewNames {
+    private static final String HAS_INVERSE = "exists: no row or column is dropped";
+
+    private ViewNames() {}
+
+    static List<NamedMatrix> all() {
+        return List.of(
+                space(
+                        "VIEW_LEFT",
+                        "VP_L: to the left-handed eye at rho, phi from the z axis, theta about it",
+                        "the transposed turn, after moving back by rho",
+                        p -> ViewMatrices.left(Angle.ofDegrees(p[0]), Angle.ofDegrees(p[1]), p[2]),
+                        angle("theta"),
+                        angle("phi"),
+                        number("rho", Range.POSITIVE)),
+                space(
+                        "VIEW_RIGHT",
+                        "VP_R: the same with y pointing down, right-handed",
+                        "the transposed turn, after moving back by rho",
+                        p -> ViewMatrices.right(Angle.ofDegrees(p[0]), Angle.ofDegrees(p[1]), p[2]),
+                        angle("theta"),
+                        angle("phi"),
+                        number("rho", Range.POSITIVE)),
+                space(
+                        "LOOKAT",
+                        "to the eye that looks at center, up pointing upward, z backward",
+                        "the transposed turn, after moving back to the eye",
+                        p -> ViewMatrices.lookAt(point(p, 0), point(p, 3), point(p, 6)),
+                        vector("eye"),
+                        vector("center"),
+                        vector("up")),
+                space(
+                        "GL_ORTHO",
+                        "the box left..right, bottom..top, −near..−far becomes −1..1",
+                        HAS_INVERSE,
+                        p -> GlMatrices.ortho(p[0], p[1], p[2], p[3], p[4], p[5]),
+                        sides(Range.ANY)),
+                space(
+                        "GL_FRUSTUM",
+                        "the cut pyramid through left..right, bottom..top at −near becomes −1..1",
+                        HAS_INVERSE,
+                        p -> GlMatrices.frustum(p[0], p[1], p[2], p[3], p[4], p[5]),
+                        sides(Range.POSITIVE)),
+                space(
+                        "GL_PERSPECTIVE",
+                        "the same for a straight look, fovy degrees high, aspect times as wide",
+                        HAS_INVERSE,
+                        p -> GlMatrices.perspective(p[0], p[1], p[2], p[3]),
+                        number("fovy", Range.HALF_TURN),
+                        number("aspect", Range.POSITIVE),
+                        number("near", Range.POSITIVE),
+                        number("far", Range.POSITIVE)),
+                viewport());
+    }
+
+    private static NamedMatrix viewport() {
+        return space(
+                "VIEWPORT",
+                "−1..1 becomes pixels from the bottom left, depth n..f (0 and 1 if left out)",
+                "exists where n differs from f",
+                p -> GlMatrices.viewport(p[0], p[1], p[2], p[3], p[4], p[5]),
+                number("x"),
+                number("y"),
+                number("width", Range.POSITIVE),
+                number("height", Range.POSITIVE),
+                number("n", Range.UNIT).or(0),
+                number("f", Range.UNIT).or(1));
+    }
+
+    private static MatrixParameter[] sides(Range distance) {
+        return new MatrixParameter[] {
+            number("left"),
+            number("right"),
+            number("bottom"),
+            number("top"),
+            number("near", distance),
+            number("far", distance)
+        };
+    }
+
+    private static Vector3d point(double[] p, int from) {
+        return new Vector3d(p[from], p[from + 1], p[from + 2]);
+    }
+}

@@ -1,0 +1,23 @@
+package rasterlab.engine.transform.rotate;
+
+import rasterlab.engine.transform.Arithmetic;
+
+/**
+ * Three multiplications per turn by t = tan(θ/2), as printed: T = y + x·t, x' = x − T·sin θ, y' =
+ * x'·t + T.
+ *
+ * <p>Close to 180° t runs away and y' becomes a difference of huge numbers: at 180° itself the
+ * double next to tan 90° is 1.6·10¹⁶, and nothing of y is left.
+ *
+ * <p>Source: Kazantsev, course text on computer graphics, chapter 3, formula of O. Buneman.
+ */
+final class BunemanTextbookRotation extends CountedRotation {
+    @Override
+    void turn(Arithmetic on, double degrees, int times, double[] points) {
+        double theta = Math.toRadians(Math.IEEEremainder(degrees, 360));
+        double t = Math.tan(theta / 2);
+        double sin = Math.sin(theta);
+        for (int at = 0; at < points.length; at += 2)
+            BunemanTurn.repeat(on, t, sin, times, points, at);
+    }
+}

@@ -1,0 +1,18 @@
+package rasterlab.engine.transform.rotate;
+
+import rasterlab.engine.transform.Angle;
+import rasterlab.engine.transform.Arithmetic;
+
+/**
+ * x' = x·cos θ − y·sin θ, y' = x·sin θ + y·cos θ in every turn.
+ *
+ * <p>The rounded sine and cosine belong to a slightly other angle and radius, by up to 2⁻⁵³; n
+ * turns add that up n times.
+ */
+final class DirectRotation extends CountedRotation {
+    @Override
+    void turn(Arithmetic on, double degrees, int times, double[] points) {
+        Angle by = Angle.ofDegrees(degrees);
+        for (int at = 0; at < points.length; at += 2) PointTurn.repeat(on, by, times, points, at);
+    }
+}

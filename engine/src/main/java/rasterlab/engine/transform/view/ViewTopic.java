@@ -1,0 +1,145 @@
+package rasterlab.engine.transform.view;
+
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import rasterlab.contract.EyeView;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Method.About;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+import rasterlab.engine.transform.CountingArithmetic;
+import rasterlab.engine.transform.Images;
+
+/**
+ * The view by spherical coordinates, to compare what two ways of computing it cost.
+ *
+ * <p>The error is the largest difference of a coordinate over the largest coordinate and ρ; up to
+ * 16·2⁻⁵³ counts as exact: seven operations and two sines are rounded.
+ */
+public final class ViewTopic implements Topic<EyeView, Look, Images> {
+    private static final double CORRECT = 16 * 0x1p-53;
+    private static final long SEED = 400;
+    private static final String SOURCE =
+            "Ponomarev, course text on computer graphics, view transformation";
+
+    @Override
+    public String name() {
+        return "view";
+    }
+
+    @Override
+    public List<Method<EyeView>> methods() {
+        return List.of(
+                new Method<>(
+                        "one-matrix",
+                        new About(
+                                "[x y z 1] · VP_L, the matrix made once",
+                                "VP_L's first three rows are orthonormal",
+                                "4 multiplications for the matrix, 8 and 6 additions per point",
+                                "none known",
+                                SOURCE),
+                        new OneMatrixView()),
+                new Method<>(
+                        "taken-apart",
+                        new About(
+                                "a = x·cos θ + y·sin θ; y·cos θ − x·sin θ, z·sin φ − a·cos φ, ρ −"
+                                        + " a·sin φ − z·cos φ",
+                                "a is the distance from the z axis towards the eye",
+                                "8 multiplications and 5 additions per point",
+                                "none known",
+                                SOURCE),
+                        new TakenApartView()));
+    }
+
+    @Override
+    public List<Hazard<Look>> hazards() {
+        return List.of(
+                hazard("pole", "φ = 0: the eye is above the north pole.", 30, 0, 10, 1, 2, 3),
+                hazard("at-the-eye", "A point where the eye is.", 0, 90, 5, 5, 0, 0),
+                hazard("far-eye", "ρ swallows the points' depths.", 20, 70, 1e12, 1, 2, 3));
+    }
+
+    private static Hazard<Look> hazard(
+            String name, String text, double theta, double phi, double rho, double... points) {
+        return new Hazard<>(
+                name,
+                text,
+                new Look(theta, phi, rho, points),
+                Map.of("one-matrix", EXACT, "taken-apart", EXACT));
+    }
+
+    @Override
+    public List<Workload<Look>> workloads() {
+        return List.of(points(1), points(16), points(256), points(4_096));
+    }
+
+    private static Workload<Look> points(int count) {
+        var random = new Random(SEED + count);
+        var looks = new ArrayList<Look>();
+        for (int i = 0; i < 4_096 / Math.max(count, 64); i++)
+            looks.add(
+                    new Look(
+                            random.nextDouble(-180, 180),
+                            random.nextDouble(0, 180),
+                            random.nextDouble(200, 900),
+                            random.doubles(3L * count, -100, 100).toArray()));
+        return new Workload<>("points-" + count, count, looks);
+    }
+
+    @Override
+    public Images record(EyeView method, Look look, int limit) {
+        double[] points = look.points().clone();
+        method.view(look.theta(), look.phi(), look.rho(), points);
+        return new Images(points, 3).first(limit);
+    }
+
+    @Override
+    public long spend(EyeView method, Look look) {
+        return record(method, look, Integer.MAX_VALUE).size();
+    }
+
+    @Override
+    public Images exact(Look look, int limit) {
+        return ExactView.images(look, limit);
+    }
+
+    @Override
+    public Deviation compare(Look look, Images exact, Images actual) {
+        var scales = new double[exact.size()];
+        for (int i = 0; i < scales.length; i++) {
+            scales[i] = look.rho();
+            for (int j = 0; j < 3; j++)
+                scales[i] = Math.max(scales[i], Math.abs(look.points()[3 * i + j]));
+        }
+        return exact.deviation(actual, scales);
+    }
+
+    @Override
+    public boolean correct(Deviation deviation) {
+        return deviation.worst() <= CORRECT;
+    }
+
+    @Override
+    public Map<String, Long> operations(EyeView method, Look look) {
+        if (!(method instanceof CountedView counted)) return Map.of();
+        var counting = new CountingArithmetic();
+        counted.view(counting, look.theta(), look.phi(), look.rho(), look.points().clone());
+        return counting.counts();
+    }
+
+    @Override
+    public String item() {
+        return "point";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "of the largest coordinate";
+    }
+}

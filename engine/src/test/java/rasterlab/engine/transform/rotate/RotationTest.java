@@ -1,0 +1,213 @@
+package rasterlab.engine.transform.rotate;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.contract.PlaneRotation;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Method;
+
+class RotationTest {
+    private static final RotateTopic TOPIC = new RotateTopic();
+    private static final List<String> RIGHT =
+            List.of("direct", "buneman", "orthonormal", "quaternion", "total-angle");
+
+    /** 100,000 with {@code -Drasterlab.full=true}. */
+    private static final int ANGLES = Boolean.getBoolean("rasterlab.full") ? 100_000 : 500;
+
+    static Stream<Method<PlaneRotation>> methods() {
+        return TOPIC.methods().stream();
+    }
+
+    @ParameterizedTest
+    @MethodSource("methods")
+    void lectureTriangleTurnedBy90Degrees(Method<PlaneRotation> method) {
+        double[] triangle = {3, -1, 4, 1, 2, 1};
+        method.implementation().rotate(90, 1, triangle);
+        assertArrayEquals(new double[] {1, 3, -1, 4, -1, 2}, triangle, 1e-15);
+    }
+
+    @ParameterizedTest
+    @MethodSource("methods")
+    void noTurnLeavesEveryPoint(Method<PlaneRotation> method) {
+        double[] points = {3, -1, 0.5, 7};
+        method.implementation().rotate(12.34, 0, points);
+        assertArrayEquals(new double[] {3, -1, 0.5, 7}, points);
+    }
+
+    @ParameterizedTest(name = "{0} loses digits at some angle")
+    @ValueSource(strings = {"direct", "buneman", "orthonormal", "quaternion", "total-angle"})
+    void oneTurnIsExactForEveryAngle(String name) {
+        long seed = 1986;
+        var random = new Random(seed);
+        for (int i = 0; i < ANGLES; i++) {
+            double degrees = Math.scalb(random.nextDouble(-1, 1), random.nextInt(-10, 40));
+            double[] point = random.doubles(2, -1, 1).toArray();
+            assertExact(name, new Turns(degrees, 1, point), "seed " + seed);
+        }
+    }
+
+    @ParameterizedTest(name = "{0} is lost about {0}°")
+    @ValueSource(doubles = {90, 180, 270, 360, 540, -180, -90})
+    void everyRightMethodSurvivesTheNeighbourhoodOfQuarters(double degrees) {
+        for (String name : RIGHT)
+            for (double by : new double[] {0, 1e-13, -1e-13, 1e-6, -1e-6, 0.5})
+                assertExact(name, new Turns(degrees + by, 1, new double[] {3, 4}), "");
+    }
+
+    @ParameterizedTest(name = "{0} half turns are taken for one")
+    @ValueSource(ints = {1, 2, 3, 4})
+    void bunemanCountsItsHalfTurns(int times) {
+        double[] point = {3, 4};
+        TOPIC.method("buneman").implementation().rotate(180, times, point);
+        int sign = times % 2 == 0 ? 1 : -1;
+        assertArrayEquals(new double[] {3 * sign, 4 * sign}, point);
+    }
+
+    @Test
+    void totalAngleIsExactAfterAnyNumberOfTurns() {
+        long seed = 1971;
+        var random = new Random(seed);
+        for (int i = 0; i < ANGLES; i++)
+            assertExact(
+                    "total-angle",
+                    new Turns(
+                            random.nextDouble(-1e6, 1e6),
+                            random.nextInt(PlaneRotation.MOST_TIMES + 1),
+                            random.doubles(2, -1, 1).toArray()),
+                    "seed " + seed);
+    }
+
+    private static void assertExact(String name, Turns turns, String seed) {
+        var method = TOPIC.method(name).implementation();
+        Deviation deviation =
+                TOPIC.compare(turns, TOPIC.exact(turns, 9), TOPIC.record(method, turns, 9));
+        assertTrue(
+                TOPIC.correct(deviation),
+                () -> name + " by " + turns.degrees() + "° " + seed + ": " + deviation);
+    }
+
+    @Test
+    void accumulatedOrientationsKeepTheRadius() {
+        for (String name : List.of("orthonormal", "quaternion")) {
+            double[] point = {60, 80};
+            TOPIC.method(name).implementation().rotate(33.3, 1_000_000, point);
+            assertEquals(100, Math.hypot(point[0], point[1]), 1e-13, name);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("methods")
+    void turnsAMillionPoints(Method<PlaneRotation> method) {
+        double[] points = new Random(1).doubles(2_000_000, -1, 1).toArray();
+        double[] before = points.clone();
+        method.implementation().rotate(360, 1, points);
+        assertArrayEquals(before, points, 1e-7);
+    }
+
+    @ParameterizedTest
+    @MethodSource("methods")
+    void acceptsNoPoints(Method<PlaneRotation> method) {
+        method.implementation().rotate(1, 1, new double[0]);
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void refuses(double degrees, int times, double[] points, String message) {
+        for (Method<PlaneRotation> method : TOPIC.methods()) {
+            var refusal =
+                    assertThrows(
+                            IllegalArgumentException.class,
+                            () -> method.implementation().rotate(degrees, times, points),
+                            method.name());
+            String said = refusal.getMessage().replaceAll("from -.* to .*E(301|36),", "in range,");
+            assertEquals(message, said, method.name());
+        }
+    }
+
+    static Stream<Arguments> mistakes() {
+        double[] none = {};
+        return Stream.of(
+                argumentSet(
+                        "a NaN angle is turned by",
+                        Double.NaN,
+                        1,
+                        none,
+                        "degrees must be a finite number, got NaN"),
+                argumentSet(
+                        "an infinite angle is turned by",
+                        1 / 0.0,
+                        1,
+                        none,
+                        "degrees must be a finite number, got Infinity"),
+                argumentSet(
+                        "turns are counted backwards",
+                        1.0,
+                        -1,
+                        none,
+                        "times must be from 0 to 10000000, got -1"),
+                argumentSet(
+                        "a method runs for hours",
+                        1.0,
+                        2_000_000_000,
+                        none,
+                        "times must be from 0 to 10000000, got 2000000000"),
+                argumentSet(
+                        "half a point is read",
+                        1.0,
+                        1,
+                        new double[] {1},
+                        "points must have 2 numbers each, got 1 numbers in all"),
+                argumentSet(
+                        "a NaN point is turned",
+                        1.0,
+                        1,
+                        new double[] {1, 2, Double.NaN, 4},
+                        "points[1].x must be a finite number in range, got NaN"),
+                argumentSet(
+                        "the sum overflows",
+                        1.0,
+                        1,
+                        new double[] {0, -1e308},
+                        "points[0].y must be a finite number in range, got -1.0E308"));
+    }
+
+    @Test
+    void floatRefusesWhatItWouldTakeForZero() {
+        PlaneRotation method = TOPIC.method("float").implementation();
+        var refusal =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> method.rotate(1, 1, new double[] {1, 1e-40}));
+        assertEquals(
+                "points[0].y must be 0 or at least 7.888609052210118E-31 in magnitude for a float,"
+                        + " got 1.0E-40",
+                refusal.getMessage());
+    }
+
+    @Test
+    void chapter3BunemanSavesOneMultiplicationPerTurn() {
+        var turns = new Turns(37, 1_000, new double[] {3, 4});
+        assertEquals(
+                Map.of("additions", 2_000L, "multiplications", 4_000L), count("direct", turns));
+        assertEquals(
+                Map.of("additions", 3_000L, "multiplications", 3_000L), count("buneman", turns));
+        assertEquals(Map.of("additions", 2L, "multiplications", 4L), count("total-angle", turns));
+    }
+
+    private static Map<String, Long> count(String method, Turns turns) {
+        return TOPIC.operations(TOPIC.method(method).implementation(), turns);
+    }
+}

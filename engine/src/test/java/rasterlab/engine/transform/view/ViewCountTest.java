@@ -1,0 +1,85 @@
+package rasterlab.engine.transform.view;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Map;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Method;
+
+class ViewCountTest {
+    private static final ViewTopic TOPIC = new ViewTopic();
+
+    /** 8 multiplications and 5 additions, as the text says. */
+    @Test
+    void lectureViewTakenApartTakes13Operations() {
+        Map<String, Long> counts = count("taken-apart", 1);
+        assertEquals(8, counts.get("multiplications"));
+        assertEquals(5, counts.get("additions"));
+    }
+
+    /** 12 multiplications; the text's 17 operations are without the addition of ρ. */
+    @Test
+    void lectureViewAsOneMatrixTakes17OperationsAndTheShift() {
+        Map<String, Long> counts = count("one-matrix", 1);
+        assertEquals(12, counts.get("multiplications"));
+        assertEquals(5 + 1, counts.get("additions"));
+    }
+
+    /** The matrix is made once, so that for many points its price is 14 and not 18. */
+    @Test
+    void manyPointsShareThePriceOfTheMatrix() {
+        assertEquals(4 + 8 * 100, count("one-matrix", 100).get("multiplications"));
+        assertEquals(8 * 100, count("taken-apart", 100).get("multiplications"));
+    }
+
+    private static Map<String, Long> count(String method, int points) {
+        var look = new Look(20, 70, 400, new double[3 * points]);
+        return TOPIC.operations(TOPIC.method(method).implementation(), look);
+    }
+
+    @Test
+    void bothWaysAreExactOnRandomViews() {
+        long seed = 400;
+        var random = new Random(seed);
+        for (int i = 0; i < 300; i++) {
+            var look =
+                    new Look(
+                            random.nextDouble(-720, 720),
+                            random.nextDouble(-720, 720),
+                            random.nextDouble(0.1, 1000),
+                            random.doubles(3, -100, 100).toArray());
+            for (Method<?> method : TOPIC.methods()) {
+                var view = TOPIC.method(method.name()).implementation();
+                Deviation deviation =
+                        TOPIC.compare(look, TOPIC.exact(look, 1), TOPIC.record(view, look, 1));
+                assertTrue(
+                        TOPIC.correct(deviation),
+                        () -> method.name() + " seed " + seed + " " + deviation);
+            }
+        }
+    }
+
+    @Test
+    void refusesAnEyeAtTheOriginAndPointsThatAreNone() {
+        for (Method<?> method : TOPIC.methods()) {
+            var view = TOPIC.method(method.name()).implementation();
+            for (double rho : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
+                var refusal =
+                        assertThrows(
+                                IllegalArgumentException.class,
+                                () -> view.view(0, 0, rho, new double[3]));
+                assertTrue(refusal.getMessage().startsWith("rho must be above 0"));
+            }
+            assertThrows(
+                    IllegalArgumentException.class,
+                    () -> view.view(0, 0, 1, new double[] {0, Double.NaN, 0}));
+            assertThrows(
+                    IllegalArgumentException.class,
+                    () -> view.view(Double.NaN, 0, 1, new double[3]));
+        }
+    }
+}
