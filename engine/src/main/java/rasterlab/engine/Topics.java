@@ -3,7 +3,9 @@ package rasterlab.engine;
 import java.util.List;
 import rasterlab.engine.circle.CircleTopic;
 import rasterlab.engine.circle.EllipseTopic;
+import rasterlab.engine.fill.FillTopic;
 import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.polygon.scan.PolygonFillTopic;
 import rasterlab.engine.spline.CurveTopic;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.study.Topic;
@@ -18,6 +20,8 @@ public final class Topics {
                 new LineTopic(),
                 new CircleTopic(),
                 new EllipseTopic(),
+                new FillTopic(),
+                new PolygonFillTopic(),
                 new SplineFunctionTopic(),
                 new CurveTopic());
     }
