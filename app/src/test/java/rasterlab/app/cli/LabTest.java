@@ -15,6 +15,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.Topics;
+import rasterlab.engine.study.Topic;
 
 class LabTest {
     @ParameterizedTest
@@ -93,7 +95,8 @@ class LabTest {
                         new String[] {"run", "line"}),
                 argumentSet(
                         "topic is unknown",
-                        "./lab methods: no topic 'cricle'; there are [line, spline-function, curve]",
+                        "./lab methods: no topic 'cricle'; there are "
+                                + Topics.all().stream().map(Topic::name).toList(),
                         new String[] {"methods", "cricle"}),
                 argumentSet(
                         "server is asked of the wrong program",
