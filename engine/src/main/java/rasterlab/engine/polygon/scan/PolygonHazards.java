@@ -9,6 +9,7 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.contract.FillRule;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
@@ -18,6 +19,10 @@ final class PolygonHazards {
     private PolygonHazards() {}
 
     static List<Hazard<PolygonTask>> all() {
+        return Stream.of(ties(), crossings(), limits()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<PolygonTask>> ties() {
         return List.of(
                 hazard(
                         "corners-on-centres",
@@ -38,7 +43,11 @@ final class PolygonHazards {
                         "level-edges",
                         "Steps whose level edges lie on rows of centres.",
                         PolygonTask.of(EVEN_ODD, 16, 12, 1, 1, 5, 1, 5, 4, 10, 4, 10, 8, 1, 8),
-                        DEGRADED),
+                        DEGRADED));
+    }
+
+    private static List<Hazard<PolygonTask>> crossings() {
+        return List.of(
                 hazard(
                         "star-non-zero",
                         "A five-pointed star drawn in one stroke: its middle is wound around twice.",
@@ -58,7 +67,11 @@ final class PolygonHazards {
                         "slit",
                         "A triangle thinner than a pixel owns single centres or none.",
                         PolygonTask.of(EVEN_ODD, 40, 12, 0, 0.4, 39, 7.2, 39, 7.4),
-                        WRONG),
+                        WRONG));
+    }
+
+    private static List<Hazard<PolygonTask>> limits() {
+        return List.of(
                 hazard(
                         "no-area",
                         "Three corners on a line own nothing.",
