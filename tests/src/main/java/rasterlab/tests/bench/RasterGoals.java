@@ -8,7 +8,11 @@ final class RasterGoals {
     private RasterGoals() {}
 
     static List<Goal> all() {
-        return Stream.of(LineBenchmark.GOALS, ClippedLineBenchmark.GOALS, CurveBenchmark.GOALS)
+        return Stream.of(
+                        LineBenchmark.GOALS,
+                        ClippedLineBenchmark.GOALS,
+                        CurveBenchmark.GOALS,
+                        PolygonBenchmark.GOALS)
                 .flatMap(List::stream)
                 .toList();
     }
