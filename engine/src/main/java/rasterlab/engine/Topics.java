@@ -6,9 +6,11 @@ import rasterlab.engine.circle.EllipseTopic;
 import rasterlab.engine.clip.PolygonClipTopic;
 import rasterlab.engine.clip.SegmentClipTopic;
 import rasterlab.engine.clip.VolumeClipTopic;
+import rasterlab.engine.fill.FillTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.polygon.inside.PointInPolygonTopic;
+import rasterlab.engine.polygon.scan.PolygonFillTopic;
 import rasterlab.engine.polygon.triangle.PointInTriangleTopic;
 import rasterlab.engine.polygon.triangulation.TriangulateTopic;
 import rasterlab.engine.spline.CurveTopic;
@@ -30,6 +32,8 @@ public final class Topics {
                 new LineTopic(),
                 new CircleTopic(),
                 new EllipseTopic(),
+                new FillTopic(),
+                new PolygonFillTopic(),
                 new PointInTriangleTopic(),
                 new PointInPolygonTopic(),
                 new TriangulateTopic(),

@@ -4,6 +4,7 @@ import java.util.List;
 import rasterlab.contract.CircleRasterizer;
 import rasterlab.engine.raster.CountingPixels;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.SetComparison;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
@@ -68,12 +69,12 @@ public final class CircleTopic implements Topic<CircleRasterizer, Circle, PixelR
 
     @Override
     public Deviation compare(Circle c, PixelRecording exact, PixelRecording actual) {
-        return CurveComparison.compare(exact, actual);
+        return SetComparison.compare(exact, actual);
     }
 
     @Override
     public boolean usable(Deviation deviation) {
-        return deviation.worst() <= CurveComparison.USABLE_PIXELS;
+        return deviation.worst() <= SetComparison.USABLE_PIXELS;
     }
 
     /** Methods draw in different orders, so no answer is cut. */

@@ -14,7 +14,8 @@ final class RasterGoals {
                         CurveBenchmark.GOALS,
                         LineBenchmark.GOALS,
                         OrientationBenchmark.GOALS,
-                        PointInTriangleBenchmark.GOALS)
+                        PointInTriangleBenchmark.GOALS,
+                        PolygonBenchmark.GOALS)
                 .flatMap(List::stream)
                 .toList();
     }

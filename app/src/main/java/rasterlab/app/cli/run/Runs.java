@@ -23,6 +23,8 @@ public final class Runs {
                         new LineRun(watch),
                         new CircleRun(watch),
                         new EllipseRun(watch),
+                        new FillRun(watch),
+                        new PolygonFillRun(watch),
                         new PointInTriangleRun(watch),
                         new PointInPolygonRun(watch),
                         new TriangulateRun(watch),

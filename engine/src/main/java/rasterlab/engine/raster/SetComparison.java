@@ -1,18 +1,15 @@
-package rasterlab.engine.circle;
+package rasterlab.engine.raster;
 
-import rasterlab.engine.raster.PixelDifference;
-import rasterlab.engine.raster.PixelRecording;
-import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.study.Deviation;
 
-/** How far a drawn closed curve is from the exact one, as sets of pixels. */
-final class CurveComparison {
-    /** Neither a missing pixel nor an extra one is farther off than this in a usable curve. */
-    static final double USABLE_PIXELS = 1;
+/** How far a drawn figure is from the exact one, as sets of pixels in any order. */
+public final class SetComparison {
+    /** Neither a missing pixel nor an extra one is farther off than this in a usable figure. */
+    public static final double USABLE_PIXELS = 1;
 
-    private CurveComparison() {}
+    private SetComparison() {}
 
-    static Deviation compare(PixelRecording exact, PixelRecording actual) {
+    public static Deviation compare(PixelRecording exact, PixelRecording actual) {
         PixelDifference difference = PixelDifference.of(exact, actual);
         PixelSet missing = difference.missing();
         PixelSet extra = difference.extra();

@@ -1,0 +1,110 @@
+package rasterlab.engine.fill;
+
+import static rasterlab.engine.study.Verdict.Kind.CRASHED;
+import static rasterlab.engine.study.Verdict.Kind.ENDLESS;
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
+import static rasterlab.engine.study.Verdict.Kind.REFUSED;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+
+/** Pictures on which methods fail, with what each method is known to make of them. */
+final class FillHazards {
+    private static final int MAZE = 901;
+
+    private FillHazards() {}
+
+    static List<Hazard<FillTask>> all() {
+        return List.of(
+                hazard(
+                        "hole",
+                        "The region surrounds a hole, which stays.",
+                        task(2, 1, 4, "........ ........ ..####.. ..#..#.. ..####.. ........"),
+                        EXACT),
+                hazard(
+                        "large-region",
+                        "A corridor of 400,000 pixels that turns again and again.",
+                        new FillTask(maze(), MAZE - 2, MAZE - 2, '*', 4),
+                        CRASHED),
+                hazard(
+                        "same-colour",
+                        "The new colour is the old one: nothing is to be done, around a hole.",
+                        new FillTask(List.of("........", "..###...", "........"), 0, 0, '.', 4),
+                        ENDLESS),
+                hazard(
+                        "diagonal-gap-4",
+                        "The outline has a diagonal gap, closed to four neighbours.",
+                        task(1, 1, 4, "####.. #..#.. #...#. ##..#. .####. ......"),
+                        EXACT),
+                hazard(
+                        "diagonal-gap-8",
+                        "The same gap, open to eight neighbours: the fill leaks.",
+                        task(1, 1, 8, "####.. #..#.. #...#. ##..#. .####. ......"),
+                        WRONG),
+                hazard(
+                        "corridor-behind",
+                        "A corridor one pixel wide goes on behind the seed.",
+                        task(1, 1, 4, "#.# #.# #.# #.# #.#"),
+                        WRONG),
+                hazard(
+                        "last-column-behind",
+                        "The region goes on behind the seed only under its run's last column.",
+                        task(0, 0, 4, ".... ###. ...."),
+                        WRONG),
+                hazard("one-pixel", "The whole picture is the seed.", task(0, 0, 8, "."), EXACT),
+                hazard(
+                        "seed-outside",
+                        "There is no pixel to fill from.",
+                        task(3, 0, 4, "..."),
+                        REFUSED,
+                        REFUSED),
+                hazard(
+                        "connectivity-6",
+                        "Pixels have no six neighbours.",
+                        task(0, 0, 6, "..."),
+                        REFUSED,
+                        REFUSED));
+    }
+
+    private static FillTask task(int x, int y, int connectivity, String picture) {
+        return new FillTask(List.of(picture.split(" ")), x, y, '*', connectivity);
+    }
+
+    /** Columns one pixel wide, joined at the top and at the bottom in turn. */
+    private static List<String> maze() {
+        var rows = new ArrayList<String>();
+        for (int y = 0; y < MAZE; y++) {
+            var row = new StringBuilder();
+            for (int x = 0; x < MAZE; x++) row.append(isOpen(x, y) ? '.' : '#');
+            rows.add(row.toString());
+        }
+        return rows;
+    }
+
+    private static boolean isOpen(int x, int y) {
+        boolean joined = y == 0 && x % 4 == 2 || y == MAZE - 1 && x % 4 == 0;
+        return x % 2 == 1 || joined && x > 0 && x < MAZE - 1;
+    }
+
+    private static Hazard<FillTask> hazard(
+            String name, String description, FillTask input, Verdict.Kind textbook) {
+        return hazard(name, description, input, textbook, EXACT);
+    }
+
+    private static Hazard<FillTask> hazard(
+            String name,
+            String description,
+            FillTask input,
+            Verdict.Kind textbook,
+            Verdict.Kind others) {
+        return new Hazard<>(
+                name,
+                description,
+                input,
+                Map.of("recursive-textbook", textbook, "stack", others, "span", others));
+    }
+}

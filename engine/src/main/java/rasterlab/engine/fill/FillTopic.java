@@ -1,0 +1,106 @@
+package rasterlab.engine.fill;
+
+import java.util.List;
+import java.util.Map;
+import rasterlab.contract.SeedFiller;
+import rasterlab.engine.raster.CountingPixels;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.SetComparison;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+
+/**
+ * Filling a region from a seed; an output is the pixels written, in their order.
+ *
+ * <p>A fill that leaves pixels out or writes others is wrong; one that writes pixels of the region
+ * again is degraded: its picture is right.
+ */
+public final class FillTopic implements Topic<SeedFiller, FillTask, PixelRecording> {
+    private static final int MOST_ITEMS = 1_000_000;
+
+    @Override
+    public String name() {
+        return "fill";
+    }
+
+    @Override
+    public List<Method<SeedFiller>> methods() {
+        return FillMethods.all();
+    }
+
+    @Override
+    public List<Hazard<FillTask>> hazards() {
+        return FillHazards.all();
+    }
+
+    @Override
+    public List<Workload<FillTask>> workloads() {
+        return FillWorkloads.all();
+    }
+
+    @Override
+    public PixelRecording record(SeedFiller method, FillTask task, int limit) {
+        var recording = new PixelRecording(limit);
+        var picture = new WatchedPicture(new TextPicture(task.rows()), recording);
+        method.fill(picture, task.x(), task.y(), task.with(), task.connectivity());
+        return recording;
+    }
+
+    @Override
+    public long spend(SeedFiller method, FillTask task) {
+        return watched(method, task).writes();
+    }
+
+    private static WatchedPicture watched(SeedFiller method, FillTask task) {
+        var text = new TextPicture(task.rows());
+        var counting = new CountingPixels(2L * text.width() * text.height());
+        var picture = new WatchedPicture(text, counting);
+        method.fill(picture, task.x(), task.y(), task.with(), task.connectivity());
+        return picture;
+    }
+
+    @Override
+    public PixelRecording exact(FillTask task, int limit) {
+        var recording = new PixelRecording(limit);
+        new ExactFill(task)
+                .fill(
+                        (x, y) -> {
+                            if (recording.size() < limit) recording.plot(x, y);
+                        });
+        return recording;
+    }
+
+    @Override
+    public Deviation compare(FillTask task, PixelRecording exact, PixelRecording actual) {
+        return SetComparison.compare(exact, actual);
+    }
+
+    @Override
+    public boolean usable(Deviation deviation) {
+        return deviation.worst() == 0;
+    }
+
+    @Override
+    public Map<String, Long> operations(SeedFiller method, FillTask task) {
+        WatchedPicture picture = watched(method, task);
+        return Map.of("pixel reads", picture.reads(), "pixel writes", picture.writes());
+    }
+
+    @Override
+    public int mostItems() {
+        return MOST_ITEMS;
+    }
+
+    @Override
+    public String item() {
+        return "pixel";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "pixels";
+    }
+}

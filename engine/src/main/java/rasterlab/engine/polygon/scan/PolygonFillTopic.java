@@ -1,0 +1,123 @@
+package rasterlab.engine.polygon.scan;
+
+import java.util.List;
+import java.util.Map;
+import rasterlab.contract.PolygonFiller;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.SetComparison;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+
+/**
+ * Filling a polygon.
+ *
+ * <p>An output that is not exact is degraded where no exact pixel is farther than one pixel from a
+ * filled one and no filled pixel farther than one pixel from an exact one; otherwise it is wrong.
+ */
+public final class PolygonFillTopic implements Topic<PolygonFiller, PolygonTask, PixelRecording> {
+    private static final int MOST_ITEMS = 1_000_000;
+
+    @Override
+    public String name() {
+        return "polygon-fill";
+    }
+
+    @Override
+    public List<Method<PolygonFiller>> methods() {
+        return PolygonMethods.all();
+    }
+
+    @Override
+    public List<Hazard<PolygonTask>> hazards() {
+        return PolygonHazards.all();
+    }
+
+    @Override
+    public List<Workload<PolygonTask>> workloads() {
+        return PolygonWorkloads.all();
+    }
+
+    @Override
+    public PixelRecording record(PolygonFiller method, PolygonTask task, int limit) {
+        var recording = new PixelRecording(limit);
+        method.fill(
+                task.x(),
+                task.y(),
+                task.rule(),
+                task.width(),
+                task.height(),
+                (y, from, to) -> {
+                    for (int x = from; x < to; x++) recording.plot(x, y);
+                });
+        return recording;
+    }
+
+    @Override
+    public long spend(PolygonFiller method, PolygonTask task) {
+        var pixels = new long[1];
+        method.fill(
+                task.x(),
+                task.y(),
+                task.rule(),
+                task.width(),
+                task.height(),
+                (y, from, to) -> pixels[0] += to - from);
+        return pixels[0];
+    }
+
+    @Override
+    public PixelRecording exact(PolygonTask task, int limit) {
+        var recording = new PixelRecording(limit);
+        if (!finite(task.x()) || !finite(task.y())) return recording;
+        new ExactPolygon(task)
+                .fill(
+                        (y, from, to) -> {
+                            for (int x = from; x < to && recording.size() < limit; x++)
+                                recording.plot(x, y);
+                        });
+        return recording;
+    }
+
+    /** A polygon with a corner nowhere has no pixels. */
+    private static boolean finite(double[] values) {
+        for (double value : values) if (!Double.isFinite(value)) return false;
+        return true;
+    }
+
+    @Override
+    public Deviation compare(PolygonTask task, PixelRecording exact, PixelRecording actual) {
+        return SetComparison.compare(exact, actual);
+    }
+
+    @Override
+    public boolean usable(Deviation deviation) {
+        return deviation.worst() <= SetComparison.USABLE_PIXELS;
+    }
+
+    @Override
+    public Map<String, Long> operations(PolygonFiller method, PolygonTask task) {
+        if (!(method instanceof SteppedPolygon stepped)) return Map.of();
+        SpanWalk walk = stepped.walk(task.x(), task.y(), task.rule(), task.width(), task.height());
+        boolean more = walk.advance();
+        while (more) more = walk.advance();
+        return walk.operations();
+    }
+
+    @Override
+    public int mostItems() {
+        return MOST_ITEMS;
+    }
+
+    @Override
+    public String item() {
+        return "pixel";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "pixels";
+    }
+}

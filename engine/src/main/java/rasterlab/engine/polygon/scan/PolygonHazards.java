@@ -1,0 +1,136 @@
+package rasterlab.engine.polygon.scan;
+
+import static rasterlab.contract.FillRule.EVEN_ODD;
+import static rasterlab.contract.FillRule.NON_ZERO;
+import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
+import static rasterlab.engine.study.Verdict.Kind.REFUSED;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
+
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import rasterlab.contract.FillRule;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+
+/** Polygons on which methods fail, with what each method is known to make of them. */
+final class PolygonHazards {
+    private PolygonHazards() {}
+
+    static List<Hazard<PolygonTask>> all() {
+        return Stream.of(ties(), crossings(), limits()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<PolygonTask>> ties() {
+        return List.of(
+                hazard(
+                        "corners-on-centres",
+                        "Edges and corners lie on pixel centres: only left and top ones own them.",
+                        PolygonTask.of(EVEN_ODD, 12, 12, 2, 2, 8, 2, 8, 8, 2, 8),
+                        DEGRADED),
+                hazard(
+                        "corner-in-a-row",
+                        "A row passes through a corner where the outline goes on downward.",
+                        PolygonTask.of(EVEN_ODD, 20, 12, 2, 1, 12, 5, 2, 9),
+                        DEGRADED),
+                hazard(
+                        "valley-in-a-row",
+                        "A row passes through a corner between two peaks.",
+                        PolygonTask.of(EVEN_ODD, 24, 12, 2, 10, 6, 1, 11, 5, 16, 1, 20, 10),
+                        DEGRADED),
+                hazard(
+                        "level-edges",
+                        "Steps whose level edges lie on rows of centres.",
+                        PolygonTask.of(EVEN_ODD, 16, 12, 1, 1, 5, 1, 5, 4, 10, 4, 10, 8, 1, 8),
+                        DEGRADED));
+    }
+
+    private static List<Hazard<PolygonTask>> crossings() {
+        return List.of(
+                hazard(
+                        "star-non-zero",
+                        "A five-pointed star drawn in one stroke: its middle is wound around twice.",
+                        star(NON_ZERO),
+                        WRONG),
+                hazard(
+                        "star-even-odd",
+                        "The same star by the even-odd rule: its middle stays empty.",
+                        star(EVEN_ODD),
+                        DEGRADED),
+                hazard(
+                        "hair-beside-centres",
+                        "An edge passes centres at 1/2^50 of a pixel, nearer than doubles tell.",
+                        PolygonTask.of(EVEN_ODD, 12, 12, 0.1, 0.1, 9.1, 9.1 + 0x1p-49, 0.1, 9),
+                        DEGRADED),
+                hazard(
+                        "slit",
+                        "A triangle thinner than a pixel owns single centres or none.",
+                        PolygonTask.of(EVEN_ODD, 40, 12, 0, 0.4, 39, 7.2, 39, 7.4),
+                        WRONG));
+    }
+
+    private static List<Hazard<PolygonTask>> limits() {
+        return List.of(
+                hazard(
+                        "no-area",
+                        "Three corners on a line own nothing.",
+                        PolygonTask.of(EVEN_ODD, 12, 12, 1, 1, 9, 9, 5, 5),
+                        WRONG),
+                hazard(
+                        "two-corners",
+                        "There and back again owns nothing.",
+                        PolygonTask.of(NON_ZERO, 12, 12, 1, 1, 9, 4),
+                        WRONG),
+                hazard(
+                        "outside",
+                        "The polygon lies beside the picture.",
+                        PolygonTask.of(EVEN_ODD, 12, 12, 30, 1, 50, 5, 30, 9),
+                        EXACT),
+                hazard(
+                        "far-corners",
+                        "Corners far beyond the picture: a crossing in doubles is off by many pixels.",
+                        PolygonTask.of(
+                                EVEN_ODD, 40, 40, -1e20, -1e20, 1e20, 1e20, -1e20, 1e20 + 1e5),
+                        WRONG),
+                hazard(
+                        "no-number",
+                        "A corner's coordinate is no number.",
+                        PolygonTask.of(EVEN_ODD, 12, 12, 1, 1, Double.NaN, 5, 1, 9),
+                        REFUSED,
+                        REFUSED),
+                hazard(
+                        "beyond-the-range",
+                        "A coordinate whose products overflow.",
+                        PolygonTask.of(EVEN_ODD, 12, 12, 1, 1, Double.MAX_VALUE, 5, 1, 9),
+                        REFUSED,
+                        REFUSED));
+    }
+
+    private static PolygonTask star(FillRule rule) {
+        var corners = new double[10];
+        for (int i = 0; i < 5; i++) {
+            corners[2 * i] = 20 + 18.3 * Math.sin(2 * i * 2 * Math.PI / 5);
+            corners[2 * i + 1] = 20.2 - 18.3 * Math.cos(2 * i * 2 * Math.PI / 5);
+        }
+        return PolygonTask.of(rule, 40, 40, corners);
+    }
+
+    private static Hazard<PolygonTask> hazard(
+            String name, String description, PolygonTask input, Verdict.Kind naive) {
+        return hazard(name, description, input, naive, EXACT);
+    }
+
+    private static Hazard<PolygonTask> hazard(
+            String name,
+            String description,
+            PolygonTask input,
+            Verdict.Kind naive,
+            Verdict.Kind others) {
+        return new Hazard<>(
+                name,
+                description,
+                input,
+                Map.of("naive", naive, "scanline", others, "edge-function", others));
+    }
+}

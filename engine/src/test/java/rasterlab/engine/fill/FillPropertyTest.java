@@ -1,0 +1,91 @@
+package rasterlab.engine.fill;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Collections;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
+import rasterlab.engine.raster.PixelRecording;
+
+/** What every right fill has, tried on pictures that shrink to the smallest counterexample. */
+class FillPropertyTest {
+    private static final FillTopic TOPIC = new FillTopic();
+    private static final List<SteppedFill> RIGHT = List.of(new StackFill(), new SpanFill());
+
+    @Provide
+    Arbitrary<FillTask> tasks() {
+        Arbitrary<Integer> side = Arbitraries.integers().between(1, 14);
+        return Combinators.combine(side, side)
+                .flatAs(
+                        (width, height) ->
+                                Combinators.combine(
+                                                rows(width, height),
+                                                Arbitraries.integers().between(0, width - 1),
+                                                Arbitraries.integers().between(0, height - 1),
+                                                Arbitraries.of((int) '*', (int) '.', (int) '#'),
+                                                Arbitraries.of(4, 8))
+                                        .as(FillTask::new));
+    }
+
+    private static Arbitrary<List<String>> rows(int width, int height) {
+        Arbitrary<String> row = Arbitraries.strings().withChars("...##").ofLength(width);
+        return row.list().ofSize(height);
+    }
+
+    @Property(tries = 3000)
+    void eachPixelOfTheRegionIsWrittenOnceAndNoOther(@ForAll("tasks") FillTask task) {
+        PixelRecording exact = TOPIC.exact(task, 10_000);
+        for (SteppedFill method : RIGHT) {
+            PixelRecording drawn = TOPIC.record(method, task, 10_000);
+            assertTrue(TOPIC.compare(task, exact, drawn).exact(), method + ", " + task.rows());
+        }
+    }
+
+    /** The walk's runs, joined, are the writes. */
+    @Property(tries = 500)
+    void theStepsAreThePixelsWritten(@ForAll("tasks") FillTask task) {
+        for (SteppedFill method : RIGHT) {
+            var picture = new TextPicture(task.rows());
+            var runs = new HashSet<List<Integer>>();
+            FillWalk walk =
+                    method.walk(picture, task.x(), task.y(), task.with(), task.connectivity());
+            while (walk.advance())
+                for (int x = walk.from(); x < walk.to(); x++)
+                    assertTrue(runs.add(List.of(x, walk.y())), x + ", " + walk.y());
+            assertEquals(pixels(TOPIC.exact(task, 10_000)), runs);
+        }
+    }
+
+    private static Set<List<Integer>> pixels(PixelRecording recording) {
+        var pixels = new HashSet<List<Integer>>();
+        for (int i = 0; i < recording.size(); i++)
+            pixels.add(List.of(recording.x(i), recording.y(i)));
+        return pixels;
+    }
+
+    /** Four million pixels in one region, which recursion would not survive. */
+    @Test
+    void aLargeEmptyPictureIsFilled() {
+        var task = new FillTask(Collections.nCopies(2000, ".".repeat(2000)), 7, 9, '*', 4);
+        for (SteppedFill method : RIGHT) assertEquals(4_000_000, TOPIC.spend(method, task));
+    }
+
+    @Test
+    void spansReadAPixelLessThanFourTimes() {
+        for (var workload : TOPIC.workloads())
+            for (FillTask task : workload.inputs()) {
+                var counts = TOPIC.operations(new SpanFill(), task);
+                long writes = counts.get("pixel writes");
+                assertTrue(counts.get("pixel reads") < 4 * writes + 16, workload.name() + counts);
+            }
+    }
+}

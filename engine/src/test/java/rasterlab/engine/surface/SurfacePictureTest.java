@@ -1,0 +1,121 @@
+package rasterlab.engine.surface;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.contract.FillRule;
+import rasterlab.engine.raster.Raster;
+
+/** Small drawings by brush and pen, each named after the mistake it catches. */
+class SurfacePictureTest {
+    private static final Brush INK = Brush.solid('#');
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("brushes")
+    void aBrushFillsTheSquare(String picture, Brush brush) {
+        var raster = new Raster(7, 5);
+        double[] x = {1, 6, 6, 1};
+        double[] y = {1, 1, 4, 4};
+        new Surface(raster).fill(x, y, FillRule.EVEN_ODD, brush);
+        assertEquals(picture, text(raster));
+    }
+
+    static Stream<Arguments> brushes() {
+        return Stream.of(
+                argumentSet(
+                        "rows begin at the figure",
+                        "....... ....... .#####. ....... .......",
+                        Brush.rows('#', 2)),
+                argumentSet(
+                        "columns begin at the figure",
+                        "....... ...#... ...#... ...#... .......",
+                        Brush.columns('#', 3)),
+                argumentSet(
+                        "falling lines rise",
+                        "....... .#..#.. ..#..#. ...#... .......",
+                        Brush.falling('#', 3)),
+                argumentSet(
+                        "rising lines fall",
+                        "....... ..#..#. .#..#.. ...#... .......",
+                        Brush.rising('#', 3)),
+                argumentSet(
+                        "pattern begins at the figure",
+                        "....... .*#*#*. .#*#*#. .*#*#*. .......",
+                        Brush.pattern(new int[][] {{'*', '#'}, {'#', '*'}})),
+                argumentSet(
+                        "what lies below is wiped out",
+                        "....... .*****. .#####. .*****. .......",
+                        Brush.rows('#', 2).over(Brush.solid('*'))));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("pens")
+    void aPenDrawsTheLine(String picture, Pen pen, double[] x, double[] y) {
+        String[] rows = picture.split(" ");
+        var raster = new Raster(rows[0].length(), rows.length);
+        new Surface(raster).draw(x, y, pen, INK);
+        assertEquals(picture, text(raster));
+    }
+
+    static Stream<Arguments> pens() {
+        double[] right = {1, 9};
+        return Stream.of(
+                argumentSet(
+                        "width is taken for half the width",
+                        "........... .########.. .########.. ...........",
+                        new Pen(2, false),
+                        right,
+                        new double[] {2, 2}),
+                argumentSet(
+                        "dash and gap change places",
+                        "........... .###..###.. ...........",
+                        new Pen(1, false, 3, 2),
+                        right,
+                        new double[] {1, 1}),
+                argumentSet(
+                        "dashes begin anew at a corner",
+                        "........ .###..## .......# ........ ........ ........",
+                        new Pen(1, false, 3, 2),
+                        new double[] {1, 7, 7},
+                        new double[] {1, 1, 5}),
+                argumentSet(
+                        "round end is square",
+                        "......... ..###.... .#####... #######.. .#####... ..###.... .........",
+                        new Pen(4.2, true),
+                        new double[] {2, 4},
+                        new double[] {3, 3}));
+    }
+
+    @Test
+    void badPensAreRefused() {
+        assertThrows(IllegalArgumentException.class, () -> new Pen(0, false));
+        assertThrows(IllegalArgumentException.class, () -> new Pen(Double.NaN, false));
+        assertThrows(IllegalArgumentException.class, () -> new Pen(1, false, 3));
+        assertThrows(IllegalArgumentException.class, () -> new Pen(1, false, 3, 0));
+        assertThrows(IllegalArgumentException.class, () -> Brush.rows('#', 0));
+        assertThrows(IllegalArgumentException.class, () -> Brush.pattern(new int[][] {{}}));
+        var surface = new Surface(new Raster(9, 9));
+        double[] endless = {0, 1e300};
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> surface.draw(endless, endless, new Pen(1, false, 1, 1), INK));
+    }
+
+    private static String text(Raster raster) {
+        var text = new StringBuilder();
+        for (int y = 0; y < raster.height(); y++) {
+            if (y > 0) text.append(' ');
+            for (int x = 0; x < raster.width(); x++) {
+                int cell = raster.argb(x, y);
+                text.append(cell == 0 ? '.' : (char) cell);
+            }
+        }
+        return text.toString();
+    }
+}
