@@ -6,6 +6,7 @@ import static rasterlab.engine.study.Verdict.Kind.REFUSED;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
@@ -14,6 +15,12 @@ final class EllipseHazards {
     private EllipseHazards() {}
 
     static List<Hazard<Ellipse>> all() {
+        return Stream.of(nearlyStraight(), whereColumnsGiveWay(), refused())
+                .flatMap(List::stream)
+                .toList();
+    }
+
+    private static List<Hazard<Ellipse>> nearlyStraight() {
         return List.of(
                 hazard(
                         "point",
@@ -49,7 +56,11 @@ final class EllipseHazards {
                         new Ellipse(0, 0, 1, 100),
                         EXACT,
                         EXACT,
-                        EXACT),
+                        EXACT));
+    }
+
+    private static List<Hazard<Ellipse>> whereColumnsGiveWay() {
+        return List.of(
                 hazard(
                         "corner",
                         "Where columns give way to rows a pixel is lost easily.",
@@ -70,7 +81,11 @@ final class EllipseHazards {
                         new Ellipse(0, 0, 60_000, 60_001),
                         DEGRADED,
                         EXACT,
-                        EXACT),
+                        EXACT));
+    }
+
+    private static List<Hazard<Ellipse>> refused() {
+        return List.of(
                 hazard(
                         "beyond-the-edge",
                         "The ellipse would leave the range of int.",

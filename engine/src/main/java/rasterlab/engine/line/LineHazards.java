@@ -9,6 +9,7 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
@@ -17,6 +18,10 @@ final class LineHazards {
     private LineHazards() {}
 
     static List<Hazard<Segment>> all() {
+        return Stream.concat(directions().stream(), distances().stream()).toList();
+    }
+
+    private static List<Hazard<Segment>> directions() {
         return List.of(
                 hazard(
                         "first-octant",
@@ -57,7 +62,11 @@ final class LineHazards {
                         "single-point",
                         "Both ends are the same pixel.",
                         new Segment(5, 3, 5, 3),
-                        recorded(WRONG, EXACT, EXACT, EXACT, DEGRADED, EXACT, EXACT, EXACT)),
+                        recorded(WRONG, EXACT, EXACT, EXACT, DEGRADED, EXACT, EXACT, EXACT)));
+    }
+
+    private static List<Hazard<Segment>> distances() {
+        return List.of(
                 hazard(
                         "long",
                         "Small errors have twenty thousand steps to add up.",
