@@ -20,6 +20,7 @@ dependencies {
     implementation(libs.ktor.server.sse)
     implementation(libs.ktor.server.status.pages)
     implementation(libs.commonmark)
+    implementation(libs.commonmark.ext.gfm.tables)
     implementation(libs.flyway.core)
     implementation(libs.jdbi3.core)
     implementation(libs.jdbi3.kotlin)
