@@ -23,7 +23,6 @@ dependencies {
     implementation(libs.commonmark.ext.gfm.tables)
     implementation(libs.flyway.core)
     implementation(libs.jdbi3.core)
-    implementation(libs.jdbi3.kotlin)
     implementation(libs.kotlin.stdlib)
     implementation(libs.kotlinx.html)
     implementation(libs.kotlinx.serialization.json)
