@@ -1,9 +1,11 @@
 package rasterlab.grader
 
+import ch.qos.logback.classic.Level
 import ch.qos.logback.classic.Logger
 import ch.qos.logback.classic.LoggerContext
 import ch.qos.logback.classic.encoder.JsonEncoder
 import ch.qos.logback.classic.spi.ILoggingEvent
+import ch.qos.logback.classic.spi.LoggingEvent
 import ch.qos.logback.core.rolling.FixedWindowRollingPolicy
 import ch.qos.logback.core.rolling.RollingFileAppender
 import ch.qos.logback.core.rolling.SizeBasedTriggeringPolicy
@@ -11,6 +13,7 @@ import ch.qos.logback.core.util.FileSize
 import org.slf4j.LoggerFactory
 import java.nio.file.Path
 
+private const val FILE = "file"
 private const val KEPT_FILES = 5
 private const val FILE_BYTES = 10L shl 20
 
@@ -20,7 +23,7 @@ internal fun logTo(file: Path) {
     val appender =
         RollingFileAppender<ILoggingEvent>().apply {
             context = logs
-            name = "file"
+            name = FILE
             this.file = file.toString()
         }
     appender.encoder = JsonEncoder().apply { context = logs }.also { it.start() }
@@ -41,4 +44,23 @@ internal fun logTo(file: Path) {
             }.also { it.start() }
     appender.start()
     logs.getLogger(Logger.ROOT_LOGGER_NAME).addAppender(appender)
+}
+
+/** Logs a failure with its stack, not to stderr; returns the log's name, or null if none is written yet. */
+internal fun logOnlyToFile(failure: Throwable): String? {
+    val root = LoggerFactory.getLogger(Logger.ROOT_LOGGER_NAME) as Logger
+    val appender = root.getAppender(FILE) as? RollingFileAppender ?: return null
+    appender.doAppend(LoggingEvent(Logger::class.java.name, root, Level.ERROR, "the server ends", failure, null))
+    return appender.file
+}
+
+/** What went wrong at the bottom of a failure, in one line. */
+internal fun Throwable.reason(): String {
+    val bottom = generateSequence(this) { it.cause }.last()
+    val words =
+        bottom.message
+            .orEmpty()
+            .lineSequence()
+            .firstOrNull { it.isNotBlank() }
+    return listOfNotNull(bottom.javaClass.simpleName, words).joinToString(": ")
 }

@@ -10,6 +10,9 @@ import kotlin.system.exitProcess
 
 private const val BAD_INPUT = 2
 
+/** EX_SOFTWARE of sysexits.h: nothing that the person who started the server can put right in the command. */
+private const val OUR_FAULT = 70
+
 @Command(
     name = "./lab grader",
     mixinStandardHelpOptions = true,
@@ -26,14 +29,30 @@ private class GraderCommand : Runnable {
 }
 
 fun main(arguments: Array<String>) {
-    val exit =
-        CommandLine(GraderCommand())
-            .setParameterExceptionHandler { failure, _ -> refuse(failure.commandLine, failure.message) }
-            .setExecutionExceptionHandler { failure, command, _ ->
-                if (failure !is CannotStart) throw failure
+    exitProcess(commandLine().execute(*arguments))
+}
+
+/** Every failure ends in one line; its stack is in the log, if there is one already. */
+internal fun commandLine(): CommandLine =
+    CommandLine(GraderCommand())
+        .setParameterExceptionHandler { failure, _ -> refuse(failure.commandLine, failure.message) }
+        .setExecutionExceptionHandler { failure, command, _ ->
+            val log = logOnlyToFile(failure)
+            if (failure is CannotStart) {
                 refuse(command, failure.message)
-            }.execute(*arguments)
-    exitProcess(exit)
+            } else {
+                giveUp(command, failure, log)
+            }
+        }
+
+private fun giveUp(
+    command: CommandLine,
+    failure: Exception,
+    log: String?,
+): Int {
+    val place = if (log == null) "there is no log yet" else "details in $log"
+    refuse(command, "failed: ${failure.reason()}; $place")
+    return OUR_FAULT
 }
 
 private fun refuse(

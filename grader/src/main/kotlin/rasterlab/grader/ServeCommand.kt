@@ -107,7 +107,7 @@ internal class ServeCommand : Callable<Int> {
     ) {
         DataFolder.take(data, db).use { folder ->
             logTo(folder.logFile)
-            database(folder).use { database ->
+            openDatabase(folder.databaseFile).use { database ->
                 Judge.start(JudgeSettings.defaults()).use { judge ->
                     if (exam && !judge.isolation().exam()) throw CannotStart("--exam: ${judge.isolation().describe()}")
                     LoggerFactory.getLogger(javaClass).info("isolation: {}", judge.isolation().describe())
@@ -152,18 +152,6 @@ internal class ServeCommand : Callable<Int> {
         }
     }
 
-    private fun database(folder: DataFolder): Database =
-        try {
-            Database.open(folder.databaseFile)
-        } catch (failure: RuntimeException) {
-            val reason =
-                failure.message
-                    .orEmpty()
-                    .lineSequence()
-                    .firstOrNull { it.isNotBlank() }
-            throw CannotStart("${folder.databaseFile}: not a database of this server ($reason)")
-        }
-
     /** Returns when the process is told to stop and no request is accepted any more. */
     private fun serve(
         server: Server,
@@ -205,3 +193,11 @@ internal class ServeCommand : Callable<Int> {
         const val STOP_MILLIS = 2_000L
     }
 }
+
+/** @throws CannotStart with the reason that lies deepest, as those above it say only that opening failed */
+internal fun openDatabase(file: Path): Database =
+    try {
+        Database.open(file)
+    } catch (failure: RuntimeException) {
+        throw CannotStart("$file: cannot be used as the server's database (${failure.reason()})", failure)
+    }

@@ -78,7 +78,7 @@ class Server(
     private val intake = Intake(database, settings.intake, clock)
     private val leases = Leases(database, reports, clock)
     private val attempts = Attempts(database, leases, exercises, grading, live, stopping)
-    private val queue = GradingQueue(database, submissions, leases, attempts, live, settings.workers)
+    private val queue = GradingQueue(database, submissions, leases, attempts, live, clock, settings.workers)
 
     /** Begins to grade what waits. */
     fun startGrading() = queue.start()

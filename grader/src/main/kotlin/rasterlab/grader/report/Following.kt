@@ -7,7 +7,6 @@ import io.ktor.server.response.respond
 import io.ktor.server.sse.SSEServerContent
 import io.ktor.server.sse.ServerSSESession
 import io.ktor.sse.ServerSentEvent
-import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.withTimeoutOrNull
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
@@ -27,11 +26,12 @@ private const val QUIET_MILLIS = 15_000L
  */
 suspend fun ServerSSESession.follow(
     live: Live,
+    submission: String,
     look: () -> SubmissionView,
 ) {
     var place: PositionEvent? = null
     var told = 0
-    onEachChange(live) {
+    onEachChange(live, submission) {
         val now = look()
         val newPlace = PositionEvent(now.position, now.state)
         if (newPlace != place && now.verdict == null) send(Json.encodeToString(newPlace), event = "position")
@@ -46,16 +46,21 @@ suspend fun ServerSSESession.follow(
     }
 }
 
-/** Calls [tell] now and after each change, until it returns false; keeps a quiet connection alive. */
+/**
+ * Calls [tell] now and after each change, until it returns false; keeps a quiet connection alive.
+ *
+ * @param submission the one that is watched, or null for all
+ */
 suspend fun ServerSSESession.onEachChange(
     live: Live,
+    submission: String?,
     tell: suspend () -> Boolean,
 ) {
     while (true) {
         // Read before looking: what changes while we look makes us look again.
-        val seen = live.changes.value
+        val seen = live.stand(submission)
         if (!tell()) return
-        while (withTimeoutOrNull(QUIET_MILLIS) { live.changes.first { it != seen } } == null) {
+        while (withTimeoutOrNull(QUIET_MILLIS) { live.awaitChange(submission, seen) } == null) {
             send(ServerSentEvent(comments = "nothing new"))
         }
     }

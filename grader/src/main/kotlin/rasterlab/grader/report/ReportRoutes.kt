@@ -68,7 +68,7 @@ fun Route.results(
         val who = call.identity()
         val id = call.submissionId()
         results.view(who, id)
-        call.respondEvents { follow(live) { results.view(who, id) } }
+        call.respondEvents { follow(live, id) { results.view(who, id) } }
     }
     get("/submissions/{id}/cases/{case}/{picture}") {
         val picture =

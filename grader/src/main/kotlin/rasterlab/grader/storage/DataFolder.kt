@@ -15,7 +15,8 @@ import kotlin.io.path.setPosixFilePermissions
 /** The server cannot start; the message is one line for the person who started it. */
 class CannotStart(
     override val message: String,
-) : Exception(message)
+    cause: Throwable? = null,
+) : Exception(message, cause)
 
 /** A folder, and the database in it or elsewhere, that one server has to itself until it closes them. */
 class DataFolder private constructor(

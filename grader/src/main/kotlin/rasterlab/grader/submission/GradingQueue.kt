@@ -11,7 +11,7 @@ import com.github.kagkarlsson.shaded.jdbc.SQLRuntimeException
 import org.slf4j.LoggerFactory
 import rasterlab.grader.storage.Database
 import java.time.Duration
-import java.time.Instant
+import java.time.InstantSource
 import java.util.concurrent.Executors
 import java.util.concurrent.TimeUnit
 
@@ -28,6 +28,7 @@ class GradingQueue(
     private val leases: Leases,
     private val attempts: Attempts,
     private val live: Live,
+    private val clock: InstantSource,
     workers: Int,
 ) : AutoCloseable {
     private val log = LoggerFactory.getLogger(javaClass)
@@ -45,6 +46,7 @@ class GradingQueue(
             .create(database.scheduling, task)
             .schedulerName(SchedulerName.Fixed("grader"))
             .threads(workers)
+            .clock { clock.instant() }
             .pollUsingFetch(0.5, 1.0)
             .pollingInterval(Duration.ofMillis(500))
             .enableImmediateExecution()
@@ -67,7 +69,7 @@ class GradingQueue(
     /** There is something to grade, and it is stored already: a ring that fails is made up for by the sweep. */
     fun ring(submission: String) {
         try {
-            scheduler.scheduleIfNotExists(task.instance(submission), Instant.now())
+            scheduler.scheduleIfNotExists(task.instance(submission), clock.instant())
         } catch (failure: SQLRuntimeException) {
             log.warn("submission {} waits for the sweep", submission, failure)
         }
@@ -77,7 +79,7 @@ class GradingQueue(
     /** Rings for every waiting submission, and for those whose worker is gone. */
     fun sweep() {
         leases.releaseExpired()
-        submissions.waiting().forEach { scheduler.scheduleIfNotExists(task.instance(it), Instant.now()) }
+        submissions.waiting().forEach { scheduler.scheduleIfNotExists(task.instance(it), clock.instant()) }
     }
 
     /** Lets running attempts finish for a while, then interrupts them, which puts them back. */
@@ -106,7 +108,7 @@ class GradingQueue(
                 CompletionHandler { done, operations ->
                     operations.reschedule(
                         done,
-                        Instant.now() + PAUSE,
+                        clock.instant() + PAUSE,
                     )
                 }
             }

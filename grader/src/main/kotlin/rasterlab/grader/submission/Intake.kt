@@ -1,6 +1,7 @@
 package rasterlab.grader.submission
 
 import org.jdbi.v3.core.Handle
+import org.jdbi.v3.core.statement.Query
 import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Identity
 import rasterlab.grader.problem.Rejection
@@ -81,20 +82,19 @@ class Intake(
         handle: Handle,
         student: Identity.Student,
     ) {
-        val waiting = count(handle, student, "state <> 'done'")
+        val waiting = count(student, handle.createQuery("$COUNT AND state <> 'done'"))
         if (waiting >= limits.waiting) throw Rejection.TooManyQueued(limits.waiting, retryAfterSeconds = 5)
         val minuteAgo = (clock.instant() - Duration.ofMinutes(1)).text()
-        val lately = count(handle, student, "received_at > '$minuteAgo'")
+        val lately = count(student, handle.createQuery("$COUNT AND received_at > :since").bind("since", minuteAgo))
         if (lately >= limits.perMinute) throw Rejection.TooFast(limits.perMinute, retryAfterSeconds = 60)
     }
 
     private fun count(
-        handle: Handle,
         student: Identity.Student,
-        condition: String,
-    ) = handle
-        .createQuery("SELECT count(*) FROM submissions WHERE student_id = :student AND $condition")
-        .bind("student", student.id)
-        .mapTo(Int::class.javaObjectType)
-        .one()
+        query: Query,
+    ) = query.bind("student", student.id).mapTo(Int::class.javaObjectType).one()
+
+    private companion object {
+        const val COUNT = "SELECT count(*) FROM submissions WHERE student_id = :student"
+    }
 }

@@ -92,17 +92,15 @@ class Leases(
         }
 
     /** Puts back into the queue what nobody grades any more. */
-    fun releaseExpired() = release("lease_until <= '${clock.instant().text()}'")
+    fun releaseExpired() {
+        database.write {
+            it.createUpdate("$RELEASE AND lease_until <= :now").bind("now", clock.instant().text()).execute()
+        }
+    }
 
     /** Puts everything back: for a server that starts and is alone on its database. */
-    fun releaseAll() = release("1")
-
-    private fun release(condition: String) {
-        database.write {
-            it.execute(
-                "UPDATE submissions SET state = 'queued', lease = NULL, lease_until = NULL WHERE state = 'running' AND $condition",
-            )
-        }
+    fun releaseAll() {
+        database.write { it.execute(RELEASE) }
     }
 
     private fun end() = (clock.instant() + LENGTH).text()
@@ -110,5 +108,8 @@ class Leases(
     companion object {
         /** Longer than a few missed renewals. */
         val LENGTH: Duration = Duration.ofSeconds(60)
+
+        private const val RELEASE =
+            "UPDATE submissions SET state = 'queued', lease = NULL, lease_until = NULL WHERE state = 'running'"
     }
 }

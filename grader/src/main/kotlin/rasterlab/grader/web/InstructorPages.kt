@@ -47,7 +47,7 @@ fun Route.instructorPages(
     get("/instructor/events") {
         call.instructorHere(accounts)
         call.respondEvents {
-            onEachChange(live) {
+            onEachChange(live, submission = null) {
                 send("{}", event = "changed")
                 true
             }

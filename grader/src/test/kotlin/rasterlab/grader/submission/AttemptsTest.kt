@@ -162,7 +162,7 @@ class AttemptsTest {
         val graded = CountDownLatch(2)
         val live = Live()
         val attempts = attempts(live) { _, _, _, _ -> right.also { graded.countDown() } }
-        GradingQueue(database, submissions, leases, attempts, live, workers = 1).use { queue ->
+        GradingQueue(database, submissions, leases, attempts, live, clock, workers = 1).use { queue ->
             queue.start()
             assertTrue(graded.await(30, SECONDS), "after 30 s ${graded.count} of 2 are not graded")
         }
