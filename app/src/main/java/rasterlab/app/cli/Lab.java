@@ -43,6 +43,7 @@ public final class Lab {
         lab.addSubcommand(new CheckCommand(console));
         lab.addSubcommand(new TourCommand(console));
         lab.addSubcommand(new GraderCommand(console));
+        lab.addSubcommand(new BenchCommand());
         lab.addSubcommand(new CompletionCommand(console));
         lab.addSubcommand(new CommandLine.HelpCommand());
         return configured(lab, console);
