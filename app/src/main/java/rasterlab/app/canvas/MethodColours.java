@@ -21,6 +21,9 @@ public final class MethodColours {
     public static final Color PURPLE = new Color(0xCC79A7);
     public static final Color GREY = new Color(0x7F7F7F);
 
+    /** Source: P. Tol, Colour schemes, 2021, palette "muted". */
+    public static final Color WINE = new Color(0x882255);
+
     /** What a method without a colour of its own is given, by its name's hash. */
     private static final List<Color> OTHERS =
             List.of(GREEN, BLUE, ORANGE, SKY_BLUE, PURPLE, YELLOW);
@@ -34,6 +37,7 @@ public final class MethodColours {
                     Map.entry("bresenham-textbook", PURPLE),
                     Map.entry("bresenham", BLUE),
                     Map.entry("midpoint", YELLOW),
+                    Map.entry("wu", WINE),
                     Map.entry("painter-textbook", PURPLE),
                     Map.entry("painter", ORANGE),
                     Map.entry("zfloat", BLUE),
