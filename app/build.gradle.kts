@@ -17,9 +17,3 @@ dependencies {
 application {
     mainClass.set("rasterlab.app.Main")
 }
-
-tasks.processResources {
-    val project = mapOf("version" to version)
-    inputs.property("project", project)
-    filesMatching("**/version.txt") { expand("project" to project) }
-}

@@ -5,6 +5,7 @@ import picocli.CommandLine.Command
 import picocli.CommandLine.HelpCommand
 import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Spec
+import rasterlab.engine.ProductVersion
 import rasterlab.grader.storage.CannotStart
 import kotlin.system.exitProcess
 
@@ -16,7 +17,7 @@ private const val OUR_FAULT = 70
 @Command(
     name = "./lab grader",
     mixinStandardHelpOptions = true,
-    version = ["rasterlab 0.1.0"],
+    versionProvider = GraderVersion::class,
     description = ["The grading server of Rasterlab."],
     subcommands = [ServeCommand::class, HelpCommand::class],
 )
@@ -26,6 +27,10 @@ private class GraderCommand : Runnable {
 
     override fun run(): Unit =
         throw CommandLine.ParameterException(spec.commandLine(), "which command? see ./lab grader --help")
+}
+
+private class GraderVersion : CommandLine.IVersionProvider {
+    override fun getVersion() = arrayOf("Rasterlab ${ProductVersion.text()}")
 }
 
 fun main(arguments: Array<String>) {

@@ -86,7 +86,8 @@ internal class ServeCommand : Callable<Int> {
         paramLabel = "N",
         defaultValue = "1",
         description = [
-            "Submissions graded at the same time, 1 to 64; at most half the cores (default: \${DEFAULT-VALUE}).",
+            "Submissions graded at the same time, 1 to 64 (default: \${DEFAULT-VALUE}).",
+            "With more than half the cores, measured speeds mean little.",
         ],
     )
     var workers = 1

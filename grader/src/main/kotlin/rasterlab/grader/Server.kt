@@ -40,6 +40,7 @@ import rasterlab.grader.submission.Reports
 import rasterlab.grader.submission.Submissions
 import rasterlab.grader.submission.submissions
 import rasterlab.grader.web.ErrorPage
+import rasterlab.grader.web.PageParts
 import rasterlab.grader.web.monitoring
 import rasterlab.grader.web.pages
 import rasterlab.grader.web.protect
@@ -79,6 +80,7 @@ class Server(
     private val leases = Leases(database, reports, clock)
     private val attempts = Attempts(database, leases, exercises, grading, live, stopping)
     private val queue = GradingQueue(database, submissions, leases, attempts, live, clock, settings.workers)
+    private val pageParts = PageParts(accounts, courses, exercises, submissions, intake, queue, results, live)
 
     /** Begins to grade what waits. */
     fun startGrading() = queue.start()
@@ -100,7 +102,7 @@ class Server(
             protect()
             routing {
                 monitoring(database)
-                pages(accounts, courses, exercises, submissions, intake, queue, results, live, ENTRY)
+                pages(pageParts, ENTRY)
                 route("/api/v1") {
                     rateLimit(ENTRY) { joining(courses) }
                     authenticate {

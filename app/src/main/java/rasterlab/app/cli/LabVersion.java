@@ -1,17 +1,14 @@
 package rasterlab.app.cli;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import picocli.CommandLine.IVersionProvider;
+import rasterlab.engine.ProductVersion;
 
-/** What {@code ./lab --version} prints: ours, written by the build, and the Java it runs on. */
+/** What {@code ./lab --version} prints: ours, and the Java it runs on. */
 final class LabVersion implements IVersionProvider {
     @Override
     public String[] getVersion() {
         return new String[] {
-            "Rasterlab " + version(),
+            "Rasterlab " + ProductVersion.text(),
             "Java "
                     + System.getProperty("java.version")
                     + " ("
@@ -21,13 +18,5 @@ final class LabVersion implements IVersionProvider {
                     + " "
                     + System.getProperty("os.arch")
         };
-    }
-
-    private static String version() {
-        try (InputStream in = LabVersion.class.getResourceAsStream("version.txt")) {
-            return new String(in.readAllBytes(), StandardCharsets.UTF_8).strip();
-        } catch (IOException e) {
-            throw new UncheckedIOException("version.txt cannot be read", e);
-        }
     }
 }

@@ -4,6 +4,7 @@ import org.jdbi.v3.core.Handle
 import rasterlab.grader.storage.Database
 import rasterlab.grader.storage.Secrets
 import rasterlab.grader.storage.text
+import java.sql.ResultSet
 import java.time.Duration
 import java.time.InstantSource
 import kotlin.jvm.optionals.getOrNull
@@ -95,19 +96,20 @@ class Accounts(
         handle
             .createQuery("SELECT id, name, course_id FROM students WHERE $column = :value")
             .bind("value", value)
-            .map {
-                row,
-                _,
-                ->
-                Identity.Student(row.getString("id"), row.getString("name"), row.getString("course_id")) as Identity
-            }.findOne()
+            .map { row, _ -> student(row) }
+            .findOne()
             .or {
                 handle
                     .createQuery("SELECT id FROM instructors WHERE $column = :value")
                     .bind("value", value)
-                    .map { row, _ -> Identity.Instructor(row.getString("id")) as Identity }
+                    .map { row, _ -> instructor(row) }
                     .findOne()
             }.getOrNull()
+
+    private fun student(row: ResultSet): Identity =
+        Identity.Student(row.getString("id"), row.getString("name"), row.getString("course_id"))
+
+    private fun instructor(row: ResultSet): Identity = Identity.Instructor(row.getString("id"))
 
     companion object {
         val SESSION_LENGTH: Duration = Duration.ofDays(14)

@@ -58,12 +58,9 @@ class Courses(
                 course(handle, "code", code.trim().uppercase(Locale.ROOT)) ?: throw Rejection.UnknownCourse(code)
             val request = Repeatable("join ${course.id}", key, name.text)
             val token =
-                if (key ==
-                    null
-                ) {
-                    Secrets.newToken()
-                } else {
-                    Secrets.derive(handle, "join ${course.id} $key ${name.text}")
+                when (key) {
+                    null -> Secrets.newToken()
+                    else -> Secrets.derive(handle, "join ${course.id} $key ${name.text}")
                 }
             val student =
                 request.made(handle)

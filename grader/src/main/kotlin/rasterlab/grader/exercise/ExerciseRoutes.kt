@@ -35,11 +35,7 @@ private data class PlanView(
 fun Route.exercises(exercises: Exercises) {
     get("/exercises") { call.respondJson(exercises.all.map { it.view(call.language()) }) }
     get("/exercises/{id}") { call.respondJson(exercises.named(call.exerciseId()).view(call.language())) }
-    get("/exercises/{id}/starter") {
-        val exercise = exercises.named(call.exerciseId())
-        call.response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"${exercise.starterFile()}\"")
-        call.respondText(exercise.starter(), ContentType.Text.Plain.withCharset(Charsets.UTF_8))
-    }
+    get("/exercises/{id}/starter") { call.respondStarter(exercises.named(call.exerciseId())) }
     get("/exercises/{id}/statement") {
         val exercise = exercises.named(call.exerciseId())
         call.respondText(
@@ -47,6 +43,12 @@ fun Route.exercises(exercises: Exercises) {
             ContentType("text", "markdown").withCharset(Charsets.UTF_8),
         )
     }
+}
+
+/** The starter as a file to save. */
+suspend fun ApplicationCall.respondStarter(exercise: Exercise) {
+    response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"${exercise.starterFile()}\"")
+    respondText(exercise.starter(), ContentType.Text.Plain.withCharset(Charsets.UTF_8))
 }
 
 /** The file name that the compiler wants for the starter. */

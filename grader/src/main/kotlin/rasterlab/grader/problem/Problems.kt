@@ -66,10 +66,8 @@ fun StatusPagesConfig.showProblems(page: ProblemPage) {
         }
         show(call, rejection.status(), rejection.code, rejection.message)
     }
-    exception<BadRequestException> {
-        call,
-        _,
-        ->
+    exception<BadRequestException> { call, malformed ->
+        log.debug("{} {}: {}", call.request.httpMethod.value, call.request.path(), malformed.message)
         show(call, HttpStatusCode.BadRequest, "malformed-request", "the request cannot be read")
     }
     // Whoever asked has gone: a page was closed, a download was broken off.

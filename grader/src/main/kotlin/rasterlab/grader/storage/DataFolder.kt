@@ -47,11 +47,8 @@ class DataFolder private constructor(
         private fun fileOf(url: String): Path {
             val name = url.removePrefix("jdbc:").takeIf { it.startsWith("sqlite:") }?.removePrefix("sqlite:")
             if (name == null) throw CannotStart("--db $url: only sqlite:FILE is served so far; PostgreSQL comes later")
-            if (name.isEmpty() || '?' in name ||
-                ':' in name
-            ) {
-                throw CannotStart("--db $url: expected sqlite:FILE with a plain file name")
-            }
+            val plain = name.isNotEmpty() && name.none { it in "?:" }
+            if (!plain) throw CannotStart("--db $url: expected sqlite:FILE with a plain file name")
             val file = Path.of(name).absolute().normalize()
             if (file.isDirectory()) throw CannotStart("--db $url: is a folder, expected a file")
             if (!file.parent.isDirectory()) throw CannotStart("--db $url: there is no folder ${file.parent}")
@@ -59,19 +56,12 @@ class DataFolder private constructor(
         }
 
         private fun make(folder: Path) {
-            if (Files.exists(folder) &&
-                !folder.isDirectory()
-            ) {
-                throw CannotStart("--data $folder: is a file, expected a folder")
-            }
+            if (folder.isDirectory()) return
+            if (Files.exists(folder)) throw CannotStart("--data $folder: is a file, expected a folder")
+            val views = folder.fileSystem.supportedFileAttributeViews()
             try {
-                if (Files.exists(folder)) return
                 Files.createDirectories(folder)
-                if ("posix" in
-                    folder.fileSystem.supportedFileAttributeViews()
-                ) {
-                    folder.setPosixFilePermissions(OWNER_ONLY)
-                }
+                if ("posix" in views) folder.setPosixFilePermissions(OWNER_ONLY)
             } catch (failure: IOException) {
                 throw CannotStart(
                     "--data $folder: cannot be made (${failure.javaClass.simpleName} at ${failure.message})",

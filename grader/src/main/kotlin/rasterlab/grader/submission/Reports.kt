@@ -80,11 +80,10 @@ class Reports(
             .bind("nanos", report.nanosPerItem())
             .bind("now", gradedAt.text())
             .execute()
-        report.cases().forEachIndexed { position, case -> insert(handle, submission, revision, position, case) }
-        report.diagnostics().forEachIndexed {
-            position,
-            diagnostic,
-            ->
+        for ((position, case) in report.cases().withIndex()) {
+            insert(handle, submission, revision, position, case)
+        }
+        for ((position, diagnostic) in report.diagnostics().withIndex()) {
             insert(handle, submission, revision, position, diagnostic)
         }
     }

@@ -1,12 +1,7 @@
 package rasterlab.grader.web
 
-import io.ktor.http.ContentType
-import io.ktor.http.HttpHeaders
-import io.ktor.http.withCharset
 import io.ktor.server.application.ApplicationCall
-import io.ktor.server.response.header
 import io.ktor.server.response.respondRedirect
-import io.ktor.server.response.respondText
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.routing.post
@@ -32,6 +27,7 @@ import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.exercise.respondStarter
 import rasterlab.grader.exercise.starterFile
 import rasterlab.grader.submission.GradingQueue
 import rasterlab.grader.submission.Intake
@@ -53,9 +49,7 @@ fun Route.exercisePages(
     }
     get("/exercises/{id}/starter") {
         call.someone(accounts)
-        val exercise = exercises.named(call.parameters.getOrFail("id"))
-        call.response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"${exercise.starterFile()}\"")
-        call.respondText(exercise.starter(), ContentType.Text.Plain.withCharset(Charsets.UTF_8))
+        call.respondStarter(exercises.named(call.parameters.getOrFail("id")))
     }
     post("/exercises/{id}") {
         call.requireOwnForm()
@@ -105,9 +99,8 @@ private suspend fun ApplicationCall.respondExercise(
             section {
                 div("card") {
                     p {
-                        a(
-                            "/exercises/${exercise.id()}/starter",
-                        ) { +"${texts.say("exercise.starter")} (${exercise.starterFile()})" }
+                        val starter = "/exercises/${exercise.id()}/starter"
+                        a(starter) { +"${texts.say("exercise.starter")} (${exercise.starterFile()})" }
                     }
                     if (mine != null) handIn(texts, exercise)
                 }

@@ -2,10 +2,14 @@ package rasterlab.grader.web
 
 import io.ktor.http.ContentType
 import io.ktor.http.HttpStatusCode.Companion.ServiceUnavailable
-import io.ktor.server.response.respondBytes
 import io.ktor.server.response.respondText
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.jsonObject
+import rasterlab.engine.ProductVersion
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondProblem
 import rasterlab.grader.storage.Database
@@ -18,17 +22,18 @@ fun Route.monitoring(database: Database) {
         database.write { it.execute("UPDATE secrets SET name = name WHERE 0") }
         call.respondText("ready\n")
     }
-    get(
-        "/metrics",
-    ) { call.respondText(metrics(database), ContentType.parse("text/plain; version=0.0.4; charset=utf-8")) }
-    get("/openapi.json") { call.respondBytes(openApi, ContentType.Application.Json) }
+    get("/metrics") { call.respondText(metrics(database), PROMETHEUS_TEXT) }
+    get("/openapi.json") { call.respondText(openApi, ContentType.Application.Json) }
 }
 
-private val openApi by lazy { Monitoring.resource("openapi.json") }
+private val PROMETHEUS_TEXT = ContentType.parse("text/plain; version=0.0.4; charset=utf-8")
 
-private object Monitoring {
-    fun resource(name: String): ByteArray =
-        checkNotNull(javaClass.getResourceAsStream(name)) { "$name is missing from the program" }.use { it.readBytes() }
+/** The description that stands beside this class, with the version that the build gave the program. */
+private val openApi by lazy {
+    val text = checkNotNull(Texts::class.java.getResource("openapi.json")) { "openapi.json is missing" }.readText()
+    val description = Json.parseToJsonElement(text).jsonObject
+    val info = description.getValue("info").jsonObject + ("version" to JsonPrimitive(ProductVersion.text()))
+    JsonObject(description + ("info" to JsonObject(info))).toString()
 }
 
 /** Counts in the Prometheus text format. */
@@ -37,10 +42,8 @@ private fun metrics(database: Database): String {
         database.read { handle ->
             handle
                 .createQuery(sql)
-                .map { row, _ ->
-                    row.getString(1) to
-                        row.getLong(2)
-                }.list()
+                .map { row, _ -> Pair(row.getString(1), row.getLong(2)) }
+                .list()
         }
     return buildString {
         appendLine("# TYPE rasterlab_submissions gauge")

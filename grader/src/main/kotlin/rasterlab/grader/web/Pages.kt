@@ -19,16 +19,9 @@ import rasterlab.grader.submission.Submissions
 
 /** The pages for people, and the files that they use. */
 fun Route.pages(
-    accounts: Accounts,
-    courses: Courses,
-    exercises: Exercises,
-    submissions: Submissions,
-    intake: Intake,
-    queue: GradingQueue,
-    results: Results,
-    live: Live,
+    parts: PageParts,
     entry: RateLimitName,
-) {
+) = with(parts) {
     staticResources("/assets", "rasterlab.grader.web.assets")
     welcome(accounts)
     rateLimit(entry) { entering(accounts, courses) }
@@ -36,3 +29,15 @@ fun Route.pages(
     resultPages(accounts, exercises, submissions, results)
     instructorPages(accounts, courses, exercises, submissions, live)
 }
+
+/** What the pages ask and tell. */
+class PageParts(
+    val accounts: Accounts,
+    val courses: Courses,
+    val exercises: Exercises,
+    val submissions: Submissions,
+    val intake: Intake,
+    val queue: GradingQueue,
+    val results: Results,
+    val live: Live,
+)

@@ -61,12 +61,9 @@ private fun FlowContent.progress(
 ) {
     if (view.verdict != null) return
     p {
-        if (view.state ==
-            "queued"
-        ) {
-            +texts.say("result.position", view.position)
-        } else {
-            +texts.say("result.running", view.cases.size)
+        when (view.state) {
+            "queued" -> +texts.say("result.position", view.position)
+            else -> +texts.say("result.running", view.cases.size)
         }
         +" "
         a("/submissions/${view.id}") { +texts.say("result.reload") }

@@ -56,17 +56,8 @@ private fun FlowContent.listing(
         thead {
             tr {
                 (first.map { it.first } + listOf("verdict", "points", "received")).forEach { column ->
-                    th(
-                        scope = ThScope.col,
-                        classes =
-                            if (column ==
-                                "points"
-                            ) {
-                                "number"
-                            } else {
-                                null
-                            },
-                    ) { +texts.say("table.$column") }
+                    val classes = "number".takeIf { column == "points" }
+                    th(scope = ThScope.col, classes = classes) { +texts.say("table.$column") }
                 }
             }
         }
@@ -75,12 +66,9 @@ private fun FlowContent.listing(
                 tr {
                     first.forEachIndexed { index, (_, text) ->
                         td {
-                            if (index ==
-                                0
-                            ) {
-                                a("/submissions/${row.submission.id}") { +text(texts, row) }
-                            } else {
-                                +text(texts, row)
+                            when (index) {
+                                0 -> a("/submissions/${row.submission.id}") { +text(texts, row) }
+                                else -> +text(texts, row)
                             }
                         }
                     }

@@ -8,9 +8,12 @@ import io.ktor.server.routing.RoutingRoot
 import io.ktor.server.routing.getAllRoutes
 import io.ktor.server.routing.routing
 import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.engine.ProductVersion
 import rasterlab.grader.Classroom
 import rasterlab.grader.json
 import java.nio.file.Path
@@ -32,6 +35,19 @@ class OpenApiTest {
                     methods.jsonObject.keys.map { "${it.uppercase()} $path" }
                 }
             assertEquals(served.sorted(), described.sorted())
+        }
+
+    @Test
+    fun namesTheVersionThatTheBuildGave() =
+        Classroom(folder).open(grades = false) {
+            val info =
+                client
+                    .get("/openapi.json")
+                    .json()
+                    .getValue("info")
+                    .jsonObject
+            assertEquals(ProductVersion.text(), info.getValue("version").jsonPrimitive.content)
+            assertTrue(ProductVersion.text().matches(Regex("""\d+\.\d+\.\d+.*""")), ProductVersion.text())
         }
 
     private fun call(route: RoutingNode): String? {
