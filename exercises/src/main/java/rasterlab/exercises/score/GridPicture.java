@@ -18,20 +18,26 @@ import rasterlab.engine.raster.PixelSet;
 
 /** Draws the pixels of a box as a zoomed grid: those lit as squares, wrong ones as their marks. */
 final class GridPicture {
-    /** Size of a pixel in the picture. */
-    private static final int CELL = 14;
+    /** Sides of the picture in its own pixels, so long as its cells keep to the two sizes below. */
+    private static final int SIDE = 512;
+
+    private static final int SMALLEST_CELL = 8;
+    private static final int LARGEST_CELL = 32;
 
     private static final Color PAPER = Color.WHITE;
     private static final Color GRID = new Color(0xD8DCE2);
     private static final Color LIT = new Color(0x2B3A4A);
 
     private final PixelBox box;
+    private final int cell;
 
     /**
      * @param box at most some hundred pixels wide and high
      */
     GridPicture(PixelBox box) {
         this.box = box;
+        int longest = (int) Math.max(box.width(), box.height());
+        cell = Math.max(SMALLEST_CELL, Math.min(LARGEST_CELL, SIDE / longest));
     }
 
     /** Right, extra and missing pixels, as PNG. */
@@ -54,8 +60,8 @@ final class GridPicture {
     }
 
     private byte[] png(Consumer<Graphics2D> pixels) {
-        int width = (int) box.width() * CELL + 1;
-        int height = (int) box.height() * CELL + 1;
+        int width = (int) box.width() * cell + 1;
+        int height = (int) box.height() * cell + 1;
         BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
         graphics.setRenderingHint(
@@ -63,8 +69,8 @@ final class GridPicture {
         graphics.setColor(PAPER);
         graphics.fillRect(0, 0, width, height);
         graphics.setColor(GRID);
-        for (int x = 0; x < width; x += CELL) graphics.drawLine(x, 0, x, height);
-        for (int y = 0; y < height; y += CELL) graphics.drawLine(0, y, width, y);
+        for (int x = 0; x < width; x += cell) graphics.drawLine(x, 0, x, height);
+        for (int y = 0; y < height; y += cell) graphics.drawLine(0, y, width, y);
         pixels.accept(graphics);
         graphics.dispose();
         return encoded(image);
@@ -72,18 +78,18 @@ final class GridPicture {
 
     private void squares(Graphics2D graphics, PixelSet pixels) {
         graphics.setColor(LIT);
-        each(pixels, (left, top) -> graphics.fillRect(left + 2, top + 2, CELL - 3, CELL - 3));
+        each(pixels, (left, top) -> graphics.fillRect(left + 2, top + 2, cell - 3, cell - 3));
     }
 
     private void marks(Graphics2D graphics, PixelMark mark, PixelSet pixels) {
-        each(pixels, (left, top) -> mark.paint(graphics, left, top, CELL));
+        each(pixels, (left, top) -> mark.paint(graphics, left, top, cell));
     }
 
     /** Hands over the upper left corner of the cell of each pixel in the box. */
-    private void each(PixelSet pixels, BiConsumer<Integer, Integer> cell) {
+    private void each(PixelSet pixels, BiConsumer<Integer, Integer> corner) {
         for (int i = 0; i < pixels.size(); i++)
             if (box.contains(pixels.x(i), pixels.y(i)))
-                cell.accept((pixels.x(i) - box.minX()) * CELL, (pixels.y(i) - box.minY()) * CELL);
+                corner.accept((pixels.x(i) - box.minX()) * cell, (pixels.y(i) - box.minY()) * cell);
     }
 
     private static byte[] encoded(BufferedImage image) {

@@ -79,10 +79,10 @@ class ReportTest {
     void picturesTellMissingAndExtraByShape() throws IOException {
         BufferedImage missing = picture(CasePictures.of(difference("-")).orElseThrow());
         BufferedImage extra = picture(CasePictures.of(difference("+")).orElseThrow());
-        assertEquals(15, missing.getWidth());
-        assertEquals(PixelMark.ARGB, extra.getRGB(7, 7), "the cross has the colour of each lab");
-        assertNotEquals(missing.getRGB(7, 7), extra.getRGB(7, 7), "ring is open, cross is not");
-        assertNotEquals(missing.getRGB(7, 3), missing.getRGB(7, 7));
+        assertEquals(33, missing.getWidth());
+        assertEquals(PixelMark.ARGB, extra.getRGB(16, 16), "the cross has the colour of each lab");
+        assertNotEquals(missing.getRGB(16, 16), extra.getRGB(16, 16), "ring is open, cross is not");
+        assertNotEquals(missing.getRGB(16, 7), missing.getRGB(16, 16));
     }
 
     private static BufferedImage picture(CasePictures pictures) throws IOException {
@@ -113,10 +113,9 @@ class ReportTest {
     void theBeginningOfALongPictureIsTheOneThatTheTextShows() throws IOException {
         CasePictures pictures = CasePictures.of(difference("#".repeat(90) + "-")).orElseThrow();
         BufferedImage picture = picture(pictures);
-        assertEquals(80 * 14 + 1, picture.getWidth());
+        assertEquals(80 * 8 + 1, picture.getWidth());
         assertTrue(pictures.text().endsWith("#-"), pictures::text);
-        assertNotEquals(
-                picture.getRGB(7, 7), picture.getRGB(79 * 14 + 7, 7), "the last is missing");
+        assertNotEquals(picture.getRGB(4, 4), picture.getRGB(79 * 8 + 4, 4), "the last is missing");
     }
 
     @Test

@@ -95,7 +95,7 @@ private suspend fun ApplicationCall.respondExercise(
             +texts.say("exercise.plan", plan.accuracy(), plan.stability(), plan.speed())
         }
         div("columns wide") {
-            article("card statement") { unsafe { +markdownAsHtml(exercise.statement(texts.language)) } }
+            article("card statement") { unsafe { +markdownAsHtml(exercise.statement(texts.language).withoutTitle()) } }
             section {
                 div("card") {
                     p {
@@ -112,6 +112,9 @@ private suspend fun ApplicationCall.respondExercise(
         }
     }
 }
+
+/** The page shows the title itself. */
+private fun String.withoutTitle() = if (startsWith("# ")) substringAfter('\n', "") else this
 
 private fun FlowContent.handIn(
     texts: Texts,
