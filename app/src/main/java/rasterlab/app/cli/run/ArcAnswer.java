@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.engine.circle.ArcWalk;
 import rasterlab.engine.raster.PixelRecording;
 

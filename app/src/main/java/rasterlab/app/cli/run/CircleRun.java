@@ -1,5 +1,8 @@
 package rasterlab.app.cli.run;
 
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.CircleRasterizer;
 import rasterlab.engine.circle.Circle;

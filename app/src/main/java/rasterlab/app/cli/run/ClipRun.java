@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.study.LimitReached;
 

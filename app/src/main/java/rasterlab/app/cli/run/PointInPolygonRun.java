@@ -2,6 +2,9 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.PointInPolygon;
 import rasterlab.engine.polygon.Membership;

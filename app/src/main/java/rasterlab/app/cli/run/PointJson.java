@@ -2,6 +2,8 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.JsonNumbers;
 
 /** Points that are moved about, as JSON. */
 final class PointJson {
