@@ -62,7 +62,7 @@ final class AxisRun implements TopicRun {
     }
 
     private Answer stepped(String method, AxisRotation rotation, Given given) {
-        if (!(rotation instanceof SteppedAxisRotation stepped)) throw Steps.none(method);
+        SteppedAxisRotation stepped = Steps.of(method, rotation, SteppedAxisRotation.class);
         List<Step> steps = watch.call(method, () -> steps(stepped, given));
         return json -> {
             PointJson.write(json, steps.get(steps.size() - 1).points(), 3);

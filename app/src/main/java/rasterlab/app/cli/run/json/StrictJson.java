@@ -251,6 +251,26 @@ public final class StrictJson {
         return text;
     }
 
+    /** Reads a finite number above {@code least}, up to {@code most}. */
+    public double numberAbove(double least, double most) throws IOException {
+        double value = number();
+        if (!(value > least && value <= most))
+            throw expected("a number above " + least + ", up to " + most);
+        return value;
+    }
+
+    /**
+     * Reads a value that is refused with an {@link IllegalArgumentException} where it is not
+     * allowed, and complains of that at the value's place.
+     */
+    public <T> T checked(JsonField.Reader<T> reader) throws IOException {
+        try {
+            return reader.read(this);
+        } catch (IllegalArgumentException e) {
+            throw complaint(e.getMessage());
+        }
+    }
+
     private Complaint expected(String what) throws IOException {
         return complaint("expected " + what + ", got " + quoted());
     }
