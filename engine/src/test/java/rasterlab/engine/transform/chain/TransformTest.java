@@ -2,6 +2,7 @@ package rasterlab.engine.transform.chain;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
@@ -9,6 +10,7 @@ import static rasterlab.engine.transform.chain.TransformWorkloads.cells;
 
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -123,6 +125,25 @@ class TransformTest {
             Deviation deviation =
                     TOPIC.compare(chain, TOPIC.exact(chain, 9), TOPIC.record(method, chain, 9));
             assertTrue(deviation.worst() <= 0x1p-52, () -> "seed " + seed + " " + deviation);
+        }
+    }
+
+    @Test
+    @DisplayName("right images with H left out, turned round or rounded pass for exact")
+    void judgesHBesideTheImages() {
+        var right = TOPIC.method("double-double").implementation();
+        double[][] list = {cells("PERSPECTIVE", 0, 0, 0.5)};
+        var chain = new Chain(3, list, new double[] {1, 2, -4, 1, 2, 3});
+        for (double factor : new double[] {0, -1, 1 + 1e-9, Double.NaN}) {
+            PointTransformer mutant =
+                    (dimension, matrices, points, h) -> {
+                        right.transform(dimension, matrices, points, h);
+                        h[1] *= factor;
+                    };
+            Deviation deviation =
+                    TOPIC.compare(chain, TOPIC.exact(chain, 9), TOPIC.record(mutant, chain, 9));
+            assertFalse(TOPIC.correct(deviation), "H times " + factor);
+            assertEquals("H of points[1] is " + 2.5 * factor + ", right is 2.5", deviation.first());
         }
     }
 
