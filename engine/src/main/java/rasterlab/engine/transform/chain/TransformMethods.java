@@ -15,6 +15,17 @@ final class TransformMethods {
     static List<Method<PointTransformer>> all() {
         return List.of(
                 new Method<>(
+                        "divide-first-textbook",
+                        new About(
+                                "[X Y Z H] = [x y z 1] · M, then [X/H Y/H Z/H 1], matrix by matrix",
+                                "none: H is 1 after every division, whatever it was",
+                                "12 multiplications, 12 additions and 3 divisions per matrix and"
+                                        + " point",
+                                "H and its sign are gone, so that a point behind the eye passes for"
+                                        + " one before it; divides by 0 at the eye",
+                                COURSE),
+                        new DivideFirstTransformer()),
+                new Method<>(
                         "float",
                         new About(
                                 "[X Y Z H] = [x y z 1] · M1·M2·…, x' = X/H, in 24 bits",
