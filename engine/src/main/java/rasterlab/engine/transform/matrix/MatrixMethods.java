@@ -17,8 +17,8 @@ final class MatrixMethods {
                                 "the cells as the appendix prints them",
                                 "none: SCALE3DY, SCALE3DZ, SCALE3D and TRANSL3D flatten space",
                                 "at most two sines and cosines",
-                                "zeros on the diagonal of scales and of the shift; DIMETRIC and"
-                                        + " ISOMETRIC by wrong angles; ROTAXIS moves its axis",
+                                "zeros on the diagonal of scales and of the shift; DIMETRIC with"
+                                        + " its angles exchanged; ROTAXIS moves its axis",
                                 "Ponomarev, course text on computer graphics, appendix"),
                         new AppendixFormula()),
                 new Method<>(

@@ -77,9 +77,22 @@ class WorkedMatricesTest {
         double d = 0.816496580927726;
         double[][] rows = NamedMatrices.named("ISOMETRIC").rows();
         double[][] printed = {{a, b, -c, 0}, {0, d, c, 0}, {a, -b, c, 0}, {0, 0, 0, 1}};
-        for (int i = 0; i < 4; i++) assertArrayEquals(printed[i], rows[i], 1e-15, "row " + i);
+        double[][] appendix = new AppendixFormula().rows("ISOMETRIC");
+        for (int i = 0; i < 4; i++) {
+            assertArrayEquals(printed[i], rows[i], 1e-15, "row " + i);
+            assertArrayEquals(printed[i], appendix[i], "printed row " + i);
+        }
         for (int i = 0; i < 3; i++)
             assertEquals(Math.sqrt(2 / 3.0), projectedLength(rows[i]), 1e-15);
+    }
+
+    /** α = 22.2077° as for dimetry and β = 45° shorten the axes by three different lengths. */
+    @Test
+    void lecturePrintedIsometricAnglesAreNotIsometric() {
+        double[][] rows = NamedMatrices.named("TRIMETRIC").rows(AppendixFormula.ALPHA, 45);
+        assertEquals(Math.sqrt(13.0 / 14), projectedLength(rows[0]), 1e-15);
+        assertEquals(Math.sqrt(1.0 / 2), projectedLength(rows[1]), 1e-15);
+        assertEquals(Math.sqrt(4.0 / 7), projectedLength(rows[2]), 1e-15);
     }
 
     @Test
