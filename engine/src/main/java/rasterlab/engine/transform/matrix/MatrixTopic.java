@@ -45,7 +45,7 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
     public Map<String, String> vocabulary() {
         var words = new LinkedHashMap<String, String>();
         for (NamedMatrix matrix : NamedMatrices.all())
-            words.put(matrix.usage(), matrix.meaning() + "; inverse: " + matrix.inverse());
+            words.put(matrix.usage(), matrix.meaning() + "; inverse: " + matrix.inverse().text());
         return words;
     }
 

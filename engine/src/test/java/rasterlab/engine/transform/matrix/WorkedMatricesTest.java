@@ -130,15 +130,29 @@ class WorkedMatricesTest {
         assertEquals(1, joml("VIEW_RIGHT", 20, 70, 400).determinant(), 1e-14);
     }
 
+    /** The screen is 8 by 6 at z = 2, seen up to z = 20 and from z = 5 on. */
     @Test
-    void chapter4CanonicalVolumeTakesTheNearCornerToOneOneZero() {
+    void chapter5NormalAndThenCanonicalTakeThePyramidToTheBox() {
+        Matrix4d both = joml("CANONICAL", 0.25).mul(joml("NORMALIZE", 2, 4, 3, 20));
+        for (double z : new double[] {5, 20})
+            for (double side : new double[] {-1, 0, 1}) {
+                var corner = new Vector4d(side * 4 * z / 2, -side * 3 * z / 2, z, 1).mul(both);
+                corner.div(corner.w);
+                assertEquals(side, corner.x, 1e-15);
+                assertEquals(-side, corner.y, 1e-15);
+                assertEquals(z == 5 ? 0 : 1, corner.z, 1e-15);
+            }
+    }
+
+    @Test
+    void chapter5CanonicalVolumeTakesTheNearCornerToOneOneZero() {
         double zMin = 0.25;
         var corner = new Vector4d(zMin, zMin, zMin, 1).mul(joml("CANONICAL", zMin));
         assertEquals(new Vector4d(1, 1, 0, 1), corner.div(corner.w));
     }
 
     @Test
-    void chapter3CentralProjectionDividesByZPlusK() {
+    void chapter2CentralProjectionDividesByZPlusK() {
         var image = new Vector4d(3, 4, 5, 1).mul(joml("CENTRAL", 10));
         assertEquals(2, image.x / image.w, 1e-15);
         assertEquals(40.0 / 15, image.y / image.w, 1e-15);
