@@ -2,6 +2,7 @@ package rasterlab.engine.transform.chain;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -123,6 +124,12 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
     @Override
     public boolean usable(Deviation deviation) {
         return deviation.worst() <= USABLE;
+    }
+
+    /** Of a student's method nothing is counted. */
+    @Override
+    public Map<String, Long> operations(PointTransformer method, Chain chain) {
+        return CountingChain.counts(method, chain);
     }
 
     @Override

@@ -1,5 +1,6 @@
 package rasterlab.engine.transform.matrix;
 
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -117,6 +118,17 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
     @Override
     public boolean usable(Deviation deviation) {
         return deviation.worst() <= USABLE;
+    }
+
+    /** How many cells there are, and how many of them have to be computed: those not 0 or 1. */
+    @Override
+    public Map<String, Long> operations(MatrixFormula method, MatrixCall call) {
+        double[] cells =
+                Arrays.stream(method.rows(call.name(), call.parameters()))
+                        .flatMapToDouble(Arrays::stream)
+                        .toArray();
+        long computed = Arrays.stream(cells).filter(cell -> cell != 0 && cell != 1).count();
+        return Map.of("cells", (long) cells.length, "cells-not-0-or-1", computed);
     }
 
     @Override

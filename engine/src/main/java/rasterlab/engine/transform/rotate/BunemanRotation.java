@@ -1,7 +1,6 @@
 package rasterlab.engine.transform.rotate;
 
 import rasterlab.engine.transform.Angle;
-import rasterlab.engine.transform.Arithmetic;
 
 /**
  * Three multiplications per turn by t = tan(θ/2), for every angle: beyond 90° the point is turned
@@ -15,14 +14,13 @@ import rasterlab.engine.transform.Arithmetic;
  */
 final class BunemanRotation extends CountedRotation {
     @Override
-    void turn(Arithmetic on, double degrees, int times, double[] points) {
+    void turn(TurnLoops loops, double degrees, int times, double[] points) {
         double within = Math.IEEEremainder(degrees, 360);
         double rest = Math.IEEEremainder(within, 180);
         boolean half = Math.abs(within - rest) == 180;
         double t = Math.tan(Math.toRadians(rest) / 2);
         double sin = Angle.ofDegrees(rest).sin();
-        for (int at = 0; at < points.length; at += 2)
-            BunemanTurn.repeat(on, t, sin, times, points, at);
+        loops.shear(t, sin, times, points);
         // Changing signs commutes with turning, so all the half turns can be done at once.
         if (half && times % 2 == 1) for (int i = 0; i < points.length; i++) points[i] = -points[i];
     }

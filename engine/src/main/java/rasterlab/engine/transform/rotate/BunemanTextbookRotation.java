@@ -1,7 +1,5 @@
 package rasterlab.engine.transform.rotate;
 
-import rasterlab.engine.transform.Arithmetic;
-
 /**
  * Three multiplications per turn by t = tan(θ/2), as printed: T = y + x·t, x' = x − T·sin θ, y' =
  * x'·t + T.
@@ -13,11 +11,10 @@ import rasterlab.engine.transform.Arithmetic;
  */
 final class BunemanTextbookRotation extends CountedRotation {
     @Override
-    void turn(Arithmetic on, double degrees, int times, double[] points) {
+    void turn(TurnLoops loops, double degrees, int times, double[] points) {
         double theta = Math.toRadians(Math.IEEEremainder(degrees, 360));
         double t = Math.tan(theta / 2);
         double sin = Math.sin(theta);
-        for (int at = 0; at < points.length; at += 2)
-            BunemanTurn.repeat(on, t, sin, times, points, at);
+        loops.shear(t, sin, times, points);
     }
 }

@@ -1,7 +1,6 @@
 package rasterlab.engine.transform.rotate;
 
 import rasterlab.engine.transform.Angle;
-import rasterlab.engine.transform.Arithmetic;
 
 /**
  * x' = x·cos θ − y·sin θ, y' = x·sin θ + y·cos θ in every turn.
@@ -11,8 +10,8 @@ import rasterlab.engine.transform.Arithmetic;
  */
 final class DirectRotation extends CountedRotation {
     @Override
-    void turn(Arithmetic on, double degrees, int times, double[] points) {
+    void turn(TurnLoops loops, double degrees, int times, double[] points) {
         Angle by = Angle.ofDegrees(degrees);
-        for (int at = 0; at < points.length; at += 2) PointTurn.repeat(on, by, times, points, at);
+        loops.turn(by, times, points);
     }
 }

@@ -1,7 +1,6 @@
 package rasterlab.engine.transform.rotate;
 
 import rasterlab.engine.transform.Angle;
-import rasterlab.engine.transform.Arithmetic;
 
 /**
  * Sines from a table in steps of 1°: exact for whole degrees, otherwise off by up to half a degree
@@ -19,10 +18,10 @@ final class TableRotation extends CountedRotation {
     }
 
     @Override
-    void turn(Arithmetic on, double degrees, int times, double[] points) {
+    void turn(TurnLoops loops, double degrees, int times, double[] points) {
         int nearest = (int) Math.rint(Math.IEEEremainder(degrees, 360));
         int row = Math.floorMod(nearest, 360);
         var by = new Angle(SINES[row], SINES[row + 90]);
-        for (int at = 0; at < points.length; at += 2) PointTurn.repeat(on, by, times, points, at);
+        loops.turn(by, times, points);
     }
 }

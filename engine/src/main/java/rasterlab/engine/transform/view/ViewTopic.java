@@ -32,7 +32,9 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
                             new About(
                                     "[x y z 1] · VP_L, the matrix made once",
                                     "VP_L's first three rows are orthonormal",
-                                    "4 multiplications for the matrix, 8 and 6 additions per point",
+                                    "4 multiplications for the matrix, then 6 additions and 8"
+                                            + " multiplications per point: 18 for one point, since"
+                                            + " the text's 17 forgets to add ρ",
                                     "none known",
                                     SOURCE),
                             new OneMatrixView()),
@@ -42,7 +44,7 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
                                     "a = x·cos θ + y·sin θ; y·cos θ − x·sin θ, z·sin φ − a·cos φ, ρ −"
                                             + " a·sin φ − z·cos φ",
                                     "a is the distance from the z axis towards the eye",
-                                    "8 multiplications and 5 additions per point",
+                                    "5 additions and 8 multiplications per point: 13, as the text says",
                                     "none known",
                                     SOURCE),
                             new TakenApartView()));
@@ -123,9 +125,9 @@ public final class ViewTopic implements Topic<EyeView, Look, Images> {
 
     @Override
     public Map<String, Long> operations(EyeView method, Look look) {
-        if (!(method instanceof CountedView counted)) return Map.of();
+        if (!(method instanceof CheckedView counted)) return Map.of();
         var counting = new CountingArithmetic();
-        counted.view(counting, look.theta(), look.phi(), look.rho(), look.points().clone());
+        counted.count(counting, look.theta(), look.phi(), look.rho(), look.points().clone());
         return counting.counts();
     }
 

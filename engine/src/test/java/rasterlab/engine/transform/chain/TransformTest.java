@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.scene.House;
 import rasterlab.engine.scene.HouseStages;
@@ -156,6 +157,23 @@ class TransformTest {
                     TOPIC.compare(chain, TOPIC.exact(chain, 9), TOPIC.record(mutant, chain, 9));
             assertFalse(TOPIC.correct(deviation), "H times " + factor);
             assertEquals("H of points[1] is " + 2.5 * factor + ", right is 2.5", deviation.first());
+        }
+    }
+
+    @ParameterizedTest(name = "{0} counts other work than it does")
+    @ValueSource(strings = {"divide-first-textbook", "float", "double"})
+    void countingTwinGivesTheSameImages(String name) {
+        var random = new Random(17);
+        var counting = new CountingChain(name.equals("float"));
+        for (int i = 0; i < 100; i++) {
+            double[][] list = {
+                random.doubles(16, -9, 9).toArray(), random.doubles(16, -9, 9).toArray()
+            };
+            var chain = new Chain(3, list, random.doubles(6, -9, 9).toArray());
+            double[] counted = chain.points().clone();
+            if (name.startsWith("divide")) counting.divideFirst(chain, counted);
+            else counting.transform(chain, counted);
+            assertArrayEquals(image(TOPIC.method(name), new double[2], chain), counted);
         }
     }
 

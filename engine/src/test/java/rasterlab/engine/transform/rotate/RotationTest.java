@@ -113,8 +113,11 @@ class RotationTest {
     void turnsAMillionPoints(Method<PlaneRotation> method) {
         double[] points = new Random(1).doubles(2_000_000, -1, 1).toArray();
         double[] before = points.clone();
-        method.implementation().rotate(360, 1, points);
-        assertArrayEquals(before, points, 1e-7);
+        method.implementation().rotate(90, 1, points);
+        for (int at = 0; at < points.length; at += 2) {
+            assertEquals(-before[at + 1], points[at], 1e-7);
+            assertEquals(before[at], points[at + 1], 1e-7);
+        }
     }
 
     @ParameterizedTest
@@ -204,7 +207,23 @@ class RotationTest {
                 Map.of("additions", 2_000L, "multiplications", 4_000L), count("direct", turns));
         assertEquals(
                 Map.of("additions", 3_000L, "multiplications", 3_000L), count("buneman", turns));
+        assertEquals(count("direct", turns), count("float", turns));
         assertEquals(Map.of("additions", 2L, "multiplications", 4L), count("total-angle", turns));
+    }
+
+    @ParameterizedTest(name = "{0} counts other work than it does")
+    @MethodSource("methods")
+    void countingTwinGivesTheSamePoints(Method<PlaneRotation> method) {
+        var random = new Random(17);
+        var rotation = (CountedRotation) method.implementation();
+        for (int times = 0; times < 100; times++) {
+            double[] points = random.doubles(4, -9, 9).toArray();
+            double[] counted = points.clone();
+            double degrees = random.nextDouble(-400, 400);
+            rotation.rotate(degrees, times, points);
+            rotation.rotate(new CountingTurnLoops(), degrees, times, counted);
+            assertArrayEquals(points, counted);
+        }
     }
 
     private static Map<String, Long> count(String method, Turns turns) {

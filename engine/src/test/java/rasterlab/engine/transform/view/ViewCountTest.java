@@ -1,5 +1,6 @@
 package rasterlab.engine.transform.view;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -7,8 +8,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.transform.CountingArithmetic;
 
 class ViewCountTest {
     private static final ViewTopic TOPIC = new ViewTopic();
@@ -34,6 +38,21 @@ class ViewCountTest {
     void manyPointsShareThePriceOfTheMatrix() {
         assertEquals(4 + 8 * 100, count("one-matrix", 100).get("multiplications"));
         assertEquals(8 * 100, count("taken-apart", 100).get("multiplications"));
+    }
+
+    @ParameterizedTest(name = "{0} counts other work than it does")
+    @ValueSource(strings = {"one-matrix", "taken-apart"})
+    void countingTwinGivesTheSamePoints(String name) {
+        var random = new Random(17);
+        var view = (CheckedView) TOPIC.method(name).implementation();
+        for (int i = 0; i < 100; i++) {
+            double[] points = random.doubles(6, -9, 9).toArray();
+            double[] counted = points.clone();
+            double theta = random.nextDouble(-400, 400);
+            view.view(theta, 70, 50, points);
+            view.count(new CountingArithmetic(), theta, 70, 50, counted);
+            assertArrayEquals(points, counted);
+        }
     }
 
     private static Map<String, Long> count(String method, int points) {
