@@ -51,6 +51,31 @@ class WorkedMatricesTest {
         assertEquals(new Vector4d(6, 4, 2, 2), image);
     }
 
+    /** α = −30°, β = 20°, the textbook's figure of a trimetric house. */
+    @Test
+    void lectureTrimetricByMinus30And20Degrees() {
+        double[][] worked = {
+            {0.8660254038, -0.1710100717, 0.4698463104, 0},
+            {0, 0.9396926208, 0.3420201433, 0},
+            {-0.5, -0.2961981327, 0.8137976813, 0},
+            {0, 0, 0, 1}
+        };
+        double[][] rows = NamedMatrices.named("TRIMETRIC").rows(-30, 20);
+        for (int i = 0; i < 4; i++) assertArrayEquals(worked[i], rows[i], 1e-10, "row " + i);
+    }
+
+    @Test
+    void lectureCavalierAndCabinetCells() {
+        assertOblique(0.707106781186548, "CAVALIER");
+        assertOblique(0.353553390593274, "CABINET");
+    }
+
+    private static void assertOblique(double a, String name) {
+        double[][] printed = {{1, 0, 0, 0}, {0, 1, 0, 0}, {-a, -a, 1, 0}, {0, 0, 0, 1}};
+        double[][] rows = NamedMatrices.named(name).rows();
+        for (int i = 0; i < 4; i++) assertArrayEquals(printed[i], rows[i], 1e-15, name);
+    }
+
     @Test
     void lectureDimetricMatrix() {
         double[][] rows = NamedMatrices.named("DIMETRIC").rows();
