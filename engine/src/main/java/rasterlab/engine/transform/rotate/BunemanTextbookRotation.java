@@ -9,12 +9,21 @@ package rasterlab.engine.transform.rotate;
  *
  * <p>Source: Kazantsev, course text on computer graphics, chapter 3, formula of O. Buneman.
  */
-final class BunemanTextbookRotation extends CountedRotation {
+final class BunemanTextbookRotation extends CountedRotation implements SteppedRotation {
     @Override
     void turn(TurnLoops loops, double degrees, int times, double[] points) {
-        double theta = Math.toRadians(Math.IEEEremainder(degrees, 360));
-        double t = Math.tan(theta / 2);
-        double sin = Math.sin(theta);
-        loops.shear(t, sin, times, points);
+        double theta = theta(degrees);
+        loops.shear(Math.tan(theta / 2), Math.sin(theta), times, points);
+    }
+
+    private static double theta(double degrees) {
+        return Math.toRadians(Math.IEEEremainder(degrees, 360));
+    }
+
+    @Override
+    public TurnWalk walk(double degrees, int times, double x, double y) {
+        require(degrees, times, new double[] {x, y});
+        double theta = theta(degrees);
+        return new ShearWalk(Math.tan(theta / 2), Math.sin(theta), false, times, x, y);
     }
 }

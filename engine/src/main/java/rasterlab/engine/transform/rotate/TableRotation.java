@@ -8,7 +8,7 @@ import rasterlab.engine.transform.Angle;
  *
  * <p>Source: Kazantsev, course text on computer graphics, chapter 3, "efficiency of computing".
  */
-final class TableRotation extends CountedRotation {
+final class TableRotation extends CountedRotation implements SteppedRotation {
     private static final double[] SINES = sines();
 
     private static double[] sines() {
@@ -19,9 +19,18 @@ final class TableRotation extends CountedRotation {
 
     @Override
     void turn(TurnLoops loops, double degrees, int times, double[] points) {
+        loops.turn(nearest(degrees), times, points);
+    }
+
+    private static Angle nearest(double degrees) {
         int nearest = (int) Math.rint(Math.IEEEremainder(degrees, 360));
         int row = Math.floorMod(nearest, 360);
-        var by = new Angle(SINES[row], SINES[row + 90]);
-        loops.turn(by, times, points);
+        return new Angle(SINES[row], SINES[row + 90]);
+    }
+
+    @Override
+    public TurnWalk walk(double degrees, int times, double x, double y) {
+        require(degrees, times, new double[] {x, y});
+        return new DirectWalk(nearest(degrees), times, x, y);
     }
 }

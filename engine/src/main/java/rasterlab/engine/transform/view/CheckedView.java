@@ -18,7 +18,7 @@ abstract class CheckedView implements EyeView {
         count(on, Angle.ofDegrees(theta), Angle.ofDegrees(phi), rho, points);
     }
 
-    private static void require(double rho, double[] points) {
+    static void require(double rho, double[] points) {
         if (!(rho > 0 && rho <= Coordinates.LARGEST))
             throw new IllegalArgumentException(
                     "rho must be above 0, up to " + Coordinates.LARGEST + ", got " + rho);

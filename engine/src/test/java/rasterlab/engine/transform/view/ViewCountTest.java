@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -58,6 +59,18 @@ class ViewCountTest {
     private static Map<String, Long> count(String method, int points) {
         var look = new Look(20, 70, 400, new double[3 * points]);
         return TOPIC.operations(TOPIC.method(method).implementation(), look);
+    }
+
+    @Test
+    void lectureSixStepsLeadToTheViewOfThePoint() {
+        var view = (SteppedView) TOPIC.method("taken-apart").implementation();
+        double[] point = {1, 2, 3};
+        List<ViewStep> steps = view.steps(20, 70, 400, 1, 2, 3);
+        view.view(20, 70, 400, point);
+        assertEquals(6, steps.size());
+        for (int i = 0; i < 3; i++) assertEquals(point[i], steps.get(3 + i).value());
+        for (int i = 0; i < 6; i++) assertEquals(i + 1, steps.get(i).number());
+        assertThrows(IllegalArgumentException.class, () -> view.steps(20, 70, -1, 1, 2, 3));
     }
 
     @Test
