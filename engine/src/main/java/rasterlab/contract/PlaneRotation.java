@@ -1,7 +1,8 @@
 package rasterlab.contract;
 
 /**
- * Turns points of the plane about the origin, counter-clockwise, several times in a row.
+ * Turns points of the plane, x to the right and y up, about the origin, counter-clockwise, several
+ * times in a row.
  *
  * <p>After n turns by θ a point stands where one turn by n·θ puts it; how far a method's rounding
  * drifts from there is what it is judged by.

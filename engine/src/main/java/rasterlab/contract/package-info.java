@@ -1,7 +1,12 @@
 /**
  * All that a student's own method may see: one small interface per topic and the values it passes.
  *
- * <p>Coordinates are pixel coordinates: whole numbers name pixel centres, x grows to the right, y
- * grows down. Start with {@link rasterlab.contract.LineRasterizer}.
+ * <p>Pixels, of lines, circles, ellipses, curves, fills and {@code PixelGrid}: whole numbers name
+ * centres, x grows to the right, y down. Any plane, y up: {@code PlaneRotation}, {@code
+ * Triangulator}, {@code SegmentClipper}, {@code PolygonClipper}; either way: {@code
+ * PointInTriangle}, {@code PointInPolygon}. Space is right-handed, points are rows: {@code
+ * AxisRotation}, {@code MatrixFormula}, {@code PointTransformer}; seen from the eye it is
+ * left-handed, z forward: {@code EyeView}, {@code VolumeClipper}. Start with {@link
+ * rasterlab.contract.LineRasterizer}.
  */
 package rasterlab.contract;

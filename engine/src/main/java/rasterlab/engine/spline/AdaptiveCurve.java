@@ -55,7 +55,14 @@ public final class AdaptiveCurve implements SteppedCurve {
     }
 
     private static final class Walk implements CurveWalk {
-        /** Numbers of one waiting piece: its end, B″ there, |B″|² there, its width h. */
+        /** Places of a waiting piece's numbers: its end, B″ there, |B″|² there, its width h. */
+        private static final int END_X = 0;
+
+        private static final int END_Y = 1;
+        private static final int BEND_X = 2;
+        private static final int BEND_Y = 3;
+        private static final int BEND = 4;
+        private static final int WIDTH = 5;
         private static final int NUMBERS = 6;
 
         private final BezierPoints points;
@@ -91,8 +98,8 @@ public final class AdaptiveCurve implements SteppedCurve {
                 if (span == 0) return true;
             }
             while (true) {
-                double square = waiting[top + 5] * waiting[top + 5];
-                double there = waiting[top + 4];
+                double square = waiting[top + WIDTH] * waiting[top + WIDTH];
+                double there = waiting[top + BEND];
                 double bound = (bend > there ? bend : there) * square * square;
                 if (bound <= enough) {
                     decision = bound;
@@ -104,25 +111,25 @@ public final class AdaptiveCurve implements SteppedCurve {
         }
 
         private void pass() {
-            x = waiting[top];
-            y = waiting[top + 1];
-            bendX = waiting[top + 2];
-            bendY = waiting[top + 3];
-            bend = waiting[top + 4];
-            u += waiting[top + 5];
+            x = waiting[top + END_X];
+            y = waiting[top + END_Y];
+            bendX = waiting[top + BEND_X];
+            bendY = waiting[top + BEND_Y];
+            bend = waiting[top + BEND];
+            u += waiting[top + WIDTH];
             top -= NUMBERS;
         }
 
         private void split(double sixteenth) {
             int end = top;
-            double sumX = bendX + waiting[end + 2];
-            double sumY = bendY + waiting[end + 3];
-            double half = 0.5 * waiting[end + 5];
-            waiting[end + 5] = half;
+            double sumX = bendX + waiting[end + BEND_X];
+            double sumY = bendY + waiting[end + BEND_Y];
+            double half = 0.5 * waiting[end + WIDTH];
+            waiting[end + WIDTH] = half;
             top += NUMBERS;
             put(
-                    0.5 * (x + waiting[end]) - sixteenth * sumX,
-                    0.5 * (y + waiting[end + 1]) - sixteenth * sumY,
+                    0.5 * (x + waiting[end + END_X]) - sixteenth * sumX,
+                    0.5 * (y + waiting[end + END_Y]) - sixteenth * sumY,
                     0.5 * sumX,
                     0.5 * sumY,
                     half);
@@ -130,12 +137,12 @@ public final class AdaptiveCurve implements SteppedCurve {
         }
 
         private void put(double endX, double endY, double endBendX, double endBendY, double width) {
-            waiting[top] = endX;
-            waiting[top + 1] = endY;
-            waiting[top + 2] = endBendX;
-            waiting[top + 3] = endBendY;
-            waiting[top + 4] = endBendX * endBendX + endBendY * endBendY;
-            waiting[top + 5] = width;
+            waiting[top + END_X] = endX;
+            waiting[top + END_Y] = endY;
+            waiting[top + BEND_X] = endBendX;
+            waiting[top + BEND_Y] = endBendY;
+            waiting[top + BEND] = endBendX * endBendX + endBendY * endBendY;
+            waiting[top + WIDTH] = width;
         }
 
         private void nextSpan() {

@@ -181,10 +181,7 @@ final class CurveHazards {
     /** Methods that are not named are exact. */
     private static Hazard<CurveTask> hazard(
             String name, String description, CurveTask task, Map<String, Verdict.Kind> failing) {
-        var recorded = new TreeMap<String, Verdict.Kind>();
-        for (var method : CurveMethods.all()) recorded.put(method.name(), EXACT);
-        recorded.putAll(failing);
-        return new Hazard<>(name, description, task, recorded);
+        return Hazard.allExactBut(failing, CurveMethods.all(), name, description, task);
     }
 
     private static double[] equalSteps(int steps) {

@@ -38,7 +38,7 @@ final class CurveMethods {
                         "the first weight is (1 − t)³: Bézier curves leave their hull between the"
                                 + " ends; only Hermite's are right; other kinds and degrees are"
                                 + " refused",
-                        "the course's lecture text on cubic splines"),
+                        "Kazantsev, course text on computer graphics, chapter 8"),
                 new BlendingTextbookCurve());
     }
 

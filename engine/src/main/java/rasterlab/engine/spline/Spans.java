@@ -20,7 +20,7 @@ final class Spans {
      *
      * @throws IllegalArgumentException naming the first that is not
      */
-    static void requireInside(double[] t) {
+    static void requireInside(double... t) {
         for (int i = 0; i < t.length; i++)
             if (!(t[i] >= 0 && t[i] <= 1))
                 throw new IllegalArgumentException("at[" + i + "] must be in 0..1, got " + t[i]);

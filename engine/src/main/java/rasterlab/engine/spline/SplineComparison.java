@@ -19,6 +19,14 @@ final class SplineComparison {
             return actual.y().length == 0
                     ? Deviation.NONE
                     : new Deviation(0, 0, actual.y().length, 0, "values where no spline exists");
+        if (actual.coefficients() != exact.coefficients())
+            return new Deviation(
+                    Double.POSITIVE_INFINITY,
+                    0,
+                    0,
+                    of,
+                    "%d coefficients where %d are right"
+                            .formatted(actual.coefficients(), exact.coefficients()));
         double[] right =
                 actual.promise() == Promise.SMOOTH
                         ? exact.y()
@@ -29,8 +37,8 @@ final class SplineComparison {
         for (int i = 0; i < of; i++) {
             double error =
                     Math.abs(actual.y()[i] - right[i]) + overshoot(problem, i, actual.y()[i]);
-            if (error / scale > worst) {
-                worst = error / scale;
+            if (!(error / scale <= worst)) {
+                worst = Double.isNaN(error) ? Double.POSITIVE_INFINITY : error / scale;
                 where = i;
             }
         }

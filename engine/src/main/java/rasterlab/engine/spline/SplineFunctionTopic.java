@@ -55,9 +55,20 @@ public final class SplineFunctionTopic
         var values =
                 new SplineValues(
                         method.promise(),
-                        new PiecewiseCubic(problem.x(), coefficients, problem.ends()).at(places));
+                        coefficients.length,
+                        values(problem, coefficients, places));
         if (items < problem.at().length) throw new LimitReached(limit, values);
         return values;
+    }
+
+    /** What the coefficients say, never refusing any: that would pass for the method's refusal. */
+    private static double[] values(SplineProblem problem, double[] coefficients, double[] places) {
+        if (coefficients.length != problem.coefficients() || coefficients.length == 0) {
+            var none = new double[places.length];
+            Arrays.fill(none, Double.NaN);
+            return none;
+        }
+        return new PiecewiseCubic(problem.x(), coefficients, problem.ends()).unchecked(places);
     }
 
     @Override
@@ -69,10 +80,12 @@ public final class SplineFunctionTopic
     /** {@inheritDoc} Without values where the problem has no spline. */
     @Override
     public SplineValues exact(SplineProblem problem, int limit) {
-        if (!solvable(problem)) return new SplineValues(Promise.SMOOTH, new double[0]);
+        if (!solvable(problem)) return new SplineValues(Promise.SMOOTH, 0, new double[0]);
         double[] values = new ExactSpline(problem).values();
         return new SplineValues(
-                Promise.SMOOTH, Arrays.copyOf(values, Math.min(limit, values.length)));
+                Promise.SMOOTH,
+                problem.coefficients(),
+                Arrays.copyOf(values, Math.min(limit, values.length)));
     }
 
     private static boolean solvable(SplineProblem problem) {

@@ -1,6 +1,5 @@
 package rasterlab.engine.spline;
 
-import static rasterlab.engine.study.Verdict.Kind.EXACT;
 import static rasterlab.engine.study.Verdict.Kind.REFUSED;
 import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
@@ -83,26 +82,23 @@ final class SplineHazards {
                 "overshoot",
                 "Data with one step: the smoothest curve swings above 1 and below 0.",
                 new SplineProblem(x, step, SplineEnds.natural(), between(x), true),
-                WRONG,
-                EXACT);
+                Map.of("cubic", WRONG));
     }
 
     private static Hazard<SplineProblem> refused(String name, String description, SplineProblem p) {
-        return hazard(name, description, p, REFUSED, REFUSED);
+        return hazard(name, description, p, Map.of("cubic", REFUSED, "monotone", REFUSED));
     }
 
     private static Hazard<SplineProblem> exact(String name, String description, SplineProblem p) {
-        return hazard(name, description, p, EXACT, EXACT);
+        return hazard(name, description, p, Map.of());
     }
 
     private static Hazard<SplineProblem> hazard(
             String name,
             String description,
             SplineProblem problem,
-            Verdict.Kind cubic,
-            Verdict.Kind monotone) {
-        return new Hazard<>(
-                name, description, problem, Map.of("cubic", cubic, "monotone", monotone));
+            Map<String, Verdict.Kind> failing) {
+        return Hazard.allExactBut(failing, SplineMethods.all(), name, description, problem);
     }
 
     private static SplineProblem problem(double[] x, double[] y, SplineEnds ends) {

@@ -15,6 +15,11 @@ public record SplineProblem(double[] x, double[] y, SplineEnds ends, double[] at
         at = at.clone();
     }
 
+    /** How many coefficients a method has to find: four for each piece. */
+    int coefficients() {
+        return 4 * (x.length - 1);
+    }
+
     /** The piece that {@code place} lies in; the first or the last where it lies outside. */
     int piece(double place) {
         int piece = 0;

@@ -1,7 +1,7 @@
 package rasterlab.engine.spline;
 
 /**
- * A spline on its way to its slopes, one row or piece per step.
+ * A spline on its way to its coefficients, one row of the equations or one piece per step.
  *
  * <p>A new walk stands before its first step. Drain it with {@code while (walk.advance()) …}.
  */

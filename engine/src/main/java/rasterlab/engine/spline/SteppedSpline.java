@@ -3,7 +3,10 @@ package rasterlab.engine.spline;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
 
-/** A method whose steps can be looked at: finding the slopes and stepping drain the same walk. */
+/**
+ * A method whose steps can be looked at: finding the second derivatives or slopes that make the
+ * coefficients, and stepping, drain the same walk.
+ */
 public interface SteppedSpline extends SplineFunction {
     /**
      * A walk that {@code coefficients} drains.

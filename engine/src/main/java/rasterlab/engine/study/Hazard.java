@@ -1,6 +1,8 @@
 package rasterlab.engine.study;
 
+import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 
 /**
  * A named input on which methods fail, with the verdict recorded for each method.
@@ -15,5 +17,22 @@ public record Hazard<I>(
         String name, String description, I input, Map<String, Verdict.Kind> recorded) {
     public Hazard {
         recorded = Map.copyOf(recorded);
+    }
+
+    /**
+     * A hazard on which all {@code methods} are exact but for those that are named.
+     *
+     * @param failing method name to what it is known to earn here
+     */
+    public static <C, I> Hazard<I> allExactBut(
+            Map<String, Verdict.Kind> failing,
+            List<Method<C>> methods,
+            String name,
+            String description,
+            I input) {
+        var recorded = new TreeMap<String, Verdict.Kind>();
+        for (Method<C> method : methods) recorded.put(method.name(), Verdict.Kind.EXACT);
+        recorded.putAll(failing);
+        return new Hazard<>(name, description, input, recorded);
     }
 }

@@ -1,6 +1,6 @@
 package rasterlab.engine.study;
 
-/** The verdict of a call that gave no answer to compare. */
+/** The verdict of a call that gave no answer, or none that can be compared. */
 final class Verdicts {
     private static final int LONGEST_DETAIL = 300;
 
@@ -19,6 +19,12 @@ final class Verdicts {
             return verdict(Verdict.Kind.CRASHED, cause + place(cause));
         }
         throw new AssertionError("an answer was given: " + outcome);
+    }
+
+    /** An answer so misshapen that comparing it with the exact one threw {@code cause}. */
+    static Verdict ofAnswer(RuntimeException cause) {
+        return verdict(
+                Verdict.Kind.WRONG, "its answer cannot be compared: " + cause + place(cause));
     }
 
     private static String place(Throwable cause) {

@@ -2,27 +2,30 @@ package rasterlab.engine.transform;
 
 import java.util.Map;
 
-/** Computes and counts. */
-public final class CountingArithmetic implements Arithmetic {
+/** The operations of doubles, counted: what a method's counting twin computes with. */
+public final class CountingArithmetic {
     private long additions;
     private long multiplications;
+    private long divisions;
 
-    @Override
     public double plus(double a, double b) {
         additions++;
         return a + b;
     }
 
-    @Override
     public double minus(double a, double b) {
         additions++;
         return a - b;
     }
 
-    @Override
     public double times(double a, double b) {
         multiplications++;
         return a * b;
+    }
+
+    public double over(double a, double b) {
+        divisions++;
+        return a / b;
     }
 
     /** Additions and subtractions so far. */
@@ -34,8 +37,16 @@ public final class CountingArithmetic implements Arithmetic {
         return multiplications;
     }
 
-    /** Both, by name. */
+    /** Each kind by its name; divisions only where there are any. */
     public Map<String, Long> counts() {
-        return Map.of("additions", additions, "multiplications", multiplications);
+        return divisions == 0
+                ? Map.of("additions", additions, "multiplications", multiplications)
+                : Map.of(
+                        "additions",
+                        additions,
+                        "multiplications",
+                        multiplications,
+                        "divisions",
+                        divisions);
     }
 }

@@ -14,10 +14,15 @@ import org.joml.Vector3d;
  * the earlier commands do. A list of commands can be read in two ways: backwards, as motions of the
  * objects in fixed axes, or forwards, as motions of the axes in which the objects are given.
  *
+ * <p>Every command throws an IllegalArgumentException and changes nothing where an argument is not
+ * finite or a cell of the product would not be.
+ *
  * <p>Source: M. Segal, K. Akeley, The OpenGL Graphics System: A Specification, version 1.5, 2003,
  * section 2.11.
  */
 public final class MatrixStack {
+    private static final String SIDES = "left right bottom top near far";
+
     private final Map<MatrixMode, Deque<Matrix4d>> stacks = new EnumMap<>(MatrixMode.class);
     private MatrixMode mode = MatrixMode.MODELVIEW;
 
@@ -80,14 +85,16 @@ public final class MatrixStack {
 
     /** Multiplies by a matrix given as for {@link #loadMatrix}. */
     public void multMatrix(double... columns) {
-        current().mul(new Matrix4d().set(checked(columns)));
+        multiply(new Matrix4d().set(checked(columns)));
     }
 
     public void translate(double x, double y, double z) {
+        requireFinite("x y z", x, y, z);
         multiply(TextbookMatrices.translation(x, y, z));
     }
 
     public void scale(double x, double y, double z) {
+        requireFinite("x y z", x, y, z);
         multiply(TextbookMatrices.scale(x, y, z));
     }
 
@@ -97,6 +104,7 @@ public final class MatrixStack {
      * @throws IllegalArgumentException if the direction is zero
      */
     public void rotate(double degrees, double x, double y, double z) {
+        requireFinite("degrees x y z", degrees, x, y, z);
         if (x == 0 && y == 0 && z == 0)
             throw new IllegalArgumentException("the axis must not be zero, got (0, 0, 0)");
         multiply(
@@ -107,11 +115,15 @@ public final class MatrixStack {
     }
 
     public void lookAt(Vector3d eye, Vector3d center, Vector3d up) {
+        requireFinite("eye.x eye.y eye.z", eye.x, eye.y, eye.z);
+        requireFinite("center.x center.y center.z", center.x, center.y, center.z);
+        requireFinite("up.x up.y up.z", up.x, up.y, up.z);
         multiply(ViewMatrices.lookAt(eye, center, up));
     }
 
     public void ortho(
             double left, double right, double bottom, double top, double near, double far) {
+        requireFinite(SIDES, left, right, bottom, top, near, far);
         multiply(GlMatrices.ortho(left, right, bottom, top, near, far));
     }
 
@@ -122,15 +134,32 @@ public final class MatrixStack {
 
     public void frustum(
             double left, double right, double bottom, double top, double near, double far) {
+        requireFinite(SIDES, left, right, bottom, top, near, far);
         multiply(GlMatrices.frustum(left, right, bottom, top, near, far));
     }
 
     public void perspective(double fovy, double aspect, double near, double far) {
+        requireFinite("fovy aspect near far", fovy, aspect, near, far);
         multiply(GlMatrices.perspective(fovy, aspect, near, far));
     }
 
     private void multiply(Matrix4d matrix) {
-        current().mul(new Matrix4d().set(checked(matrix.get(new double[16]))));
+        Matrix4d product = current().mul(matrix, new Matrix4d());
+        double[] cells = product.get(new double[16]);
+        for (int i = 0; i < 16; i++)
+            if (!Double.isFinite(cells[i]))
+                throw new IllegalArgumentException(
+                        "row %d, column %d of the product is too large for a double; the current matrix stays"
+                                .formatted(i / 4 + 1, i % 4 + 1));
+        current().set(product);
+    }
+
+    private static void requireFinite(String names, double... values) {
+        for (int i = 0; i < values.length; i++)
+            if (!Double.isFinite(values[i]))
+                throw new IllegalArgumentException(
+                        "%s must be a finite number, got %s"
+                                .formatted(names.split(" ")[i], values[i]));
     }
 
     private static double[] checked(double[] columns) {

@@ -6,11 +6,14 @@ import org.joml.Matrix4d;
  * The course's projections as 4×4 matrices in the textbook's reading order for row points.
  *
  * <p>Sources: Ponomarev, course text on computer graphics, appendix; Kazantsev, course text on
- * computer graphics, chapter 3 (central projection and canonical volume).
+ * computer graphics, chapters 2 (central projection) and 5 (normal and canonical volume).
  */
 public final class ProjectionMatrices {
-    /** The angle of Cavalier's and Cabinet's slanted axis: cos 45°. */
-    private static final double COS_45 = Math.sqrt(0.5);
+    /** Cavalier's a, the slanted axis in its full length: cos 45°. */
+    public static final double CAVALIER = Math.sqrt(0.5);
+
+    /** Cabinet's a, half the length. */
+    public static final double CABINET = CAVALIER / 2;
 
     private ProjectionMatrices() {}
 
@@ -53,17 +56,12 @@ public final class ProjectionMatrices {
         return new Angle(Math.sqrt(part / of), Math.sqrt((of - part) / of));
     }
 
-    /** CAVALIER: the z axis slanted by 45° in its full length. */
-    public static Matrix4d cavalier() {
-        return oblique(COS_45);
-    }
-
-    /** CABINET: the z axis slanted by 45° in half its length. */
-    public static Matrix4d cabinet() {
-        return oblique(COS_45 / 2);
-    }
-
-    private static Matrix4d oblique(double a) {
+    /**
+     * CAVALIER and CABINET: the z axis slanted by 45°.
+     *
+     * @param a what one unit of z moves x and y by
+     */
+    public static Matrix4d oblique(double a) {
         return new Matrix4d(1, 0, 0, 0, 0, 1, 0, 0, -a, -a, 1, 0, 0, 0, 0, 1);
     }
 
@@ -80,6 +78,18 @@ public final class ProjectionMatrices {
     /** CENTRAL_ORIGIN(k): x' = k·x / z, y' = k·y / z, z' = 0; the eye is at the origin. */
     public static Matrix4d centralFromOrigin(double k) {
         return new Matrix4d(k, 0, 0, 0, 0, k, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0);
+    }
+
+    /**
+     * NORMALIZE(a, x_screen, y_screen, z_max): the pyramid through a screen at z = a becomes |x| ≤
+     * z, |y| ≤ z, z ≤ 1. What is at z_max on the pyramid's side, x_max = z_max·x_screen/a, becomes
+     * 1.
+     *
+     * @param xScreen half of the screen's width
+     * @param yScreen half of its height
+     */
+    public static Matrix4d normalize(double a, double xScreen, double yScreen, double zMax) {
+        return TextbookMatrices.scale(a / zMax / xScreen, a / zMax / yScreen, 1 / zMax);
     }
 
     /** CANONICAL(z_min): |x| ≤ z, |y| ≤ z, z_min ≤ z ≤ 1 becomes a box with 0 ≤ z ≤ 1. */

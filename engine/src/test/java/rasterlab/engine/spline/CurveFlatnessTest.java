@@ -1,5 +1,6 @@
 package rasterlab.engine.spline;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -40,6 +41,19 @@ class CurveFlatnessTest {
             System.out.println(CURVES + " curves, worst " + worst + " times the flatness");
     }
 
+    /** Makes any three points those of (0, 0), (1, 1), (0, 1), (1, 0) in some slanted frame. */
+    private static double cuspEnd(double[] p) {
+        return p[0] + p[1] - p[2];
+    }
+
+    @Test
+    void curvesWithCuspsStopAtTheirMiddle() {
+        double[] p = {10, 310, 40, 0};
+        p[3] = cuspEnd(p);
+        double fourThirds = (p[1] - p[0]) + 2 * (p[2] - p[1]) + (p[3] - p[2]);
+        assertEquals(0, fourThirds, "speed at t = 1/2, times 4/3");
+    }
+
     private static CurveTask task(Random random) {
         double size = Math.scalb(1.0, random.nextInt(2, 10));
         double[] x = random.doubles(4, 0, size).toArray();
@@ -55,8 +69,8 @@ class CurveFlatnessTest {
             y[1] = y[0];
         }
         if (shape == 3) {
-            x[3] = x[0] + x[2] - x[1];
-            y[3] = y[0] + y[2] - y[1];
+            x[3] = cuspEnd(x);
+            y[3] = cuspEnd(y);
         }
         return CurveTask.flat(new Curve(Kind.BEZIER, x, y), Math.scalb(1.0, random.nextInt(-4, 2)));
     }

@@ -57,6 +57,12 @@ class HazardTrialTest {
                         Kind.EXACT,
                         "(0, 0) is missing, (0, 3)"),
                 argumentSet(
+                        "an answer so misshapen that comparing throws",
+                        moved(4),
+                        SEGMENT,
+                        Kind.WRONG,
+                        "its answer cannot be compared: java.lang.IndexOutOfBoundsException"),
+                argumentSet(
                         "wrong on a line longer than the limit",
                         moved(2),
                         LONG,

@@ -64,8 +64,11 @@ record LinesOf(List<Method<LineRasterizer>> methods)
         return LINE.exact(input, limit);
     }
 
+    /** An answer that is 4 pixels off stands for one that comparing chokes on. */
     @Override
     public Deviation compare(Segment input, PixelRecording exact, PixelRecording actual) {
+        if (actual.size() > 0 && actual.y(0) == exact.y(0) + 4)
+            throw new IndexOutOfBoundsException("row 4");
         return LINE.compare(input, exact, actual);
     }
 

@@ -3,14 +3,21 @@ package rasterlab.engine.transform;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import org.joml.Vector4d;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 class MatrixStackTest {
     private final MatrixStack stack = new MatrixStack();
@@ -85,8 +92,55 @@ class MatrixStackTest {
         assertEquals("number 5 of the matrix must be finite, got NaN", nan.getMessage());
         var axis = assertThrows(IllegalArgumentException.class, () -> stack.rotate(1, 0, 0, 0));
         assertEquals("the axis must not be zero, got (0, 0, 0)", axis.getMessage());
-        assertThrows(IllegalArgumentException.class, () -> stack.translate(Double.NaN, 0, 0));
         assertEquals(new Matrix4d(), stack.top(MatrixMode.MODELVIEW));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("notFinite")
+    void namesTheArgumentThatIsNotFinite(Consumer<MatrixStack> command, String message) {
+        var refusal = assertThrows(IllegalArgumentException.class, () -> command.accept(stack));
+        assertEquals(message, refusal.getMessage());
+        assertEquals(new Matrix4d(), stack.top(MatrixMode.MODELVIEW));
+    }
+
+    static Stream<Arguments> notFinite() {
+        double nan = Double.NaN;
+        var o = new Vector3d();
+        var up = new Vector3d(0, 1, 0);
+        return Stream.of(
+                mistake("translate takes NaN", s -> s.translate(nan, 0, 0), "x", nan),
+                mistake("scale takes infinity", s -> s.scale(1, 1, 1 / 0.0), "z", 1 / 0.0),
+                mistake("rotate names a cell", s -> s.rotate(90, 0, nan, 1), "y", nan),
+                mistake("rotate takes a NaN angle", s -> s.rotate(nan, 0, 0, 1), "degrees", nan),
+                mistake("frustum names a cell", s -> s.frustum(0, 1, 0, nan, 1, 2), "top", nan),
+                mistake("ortho names a cell", s -> s.ortho(nan, 1, 0, 1, 1, 2), "left", nan),
+                mistake("no fovy is taken", s -> s.perspective(nan, 1, 1, 2), "fovy", nan),
+                mistake(
+                        "lookAt names a cell",
+                        s -> s.lookAt(o, new Vector3d(0, nan, 0), up),
+                        "center.y",
+                        nan));
+    }
+
+    private static Arguments mistake(
+            String mistake, Consumer<MatrixStack> command, String place, double value) {
+        return argumentSet(mistake, command, place + " must be a finite number, got " + value);
+    }
+
+    @Test
+    @DisplayName("factors that are finite leave infinity on the stack")
+    void checksTheProductAndChangesNothing() {
+        stack.scale(1e200, 1, 1);
+        Matrix4d before = stack.top(MatrixMode.MODELVIEW);
+        String message =
+                "row 1, column 1 of the product is too large for a double; the current matrix stays";
+        double[] huge = {1e200, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+        for (Executable command :
+                List.<Executable>of(() -> stack.scale(1e200, 1, 1), () -> stack.multMatrix(huge))) {
+            var refusal = assertThrows(IllegalArgumentException.class, command);
+            assertEquals(message, refusal.getMessage());
+            assertEquals(before, stack.top(MatrixMode.MODELVIEW));
+        }
     }
 
     @Test

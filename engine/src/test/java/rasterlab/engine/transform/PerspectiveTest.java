@@ -104,8 +104,17 @@ class PerspectiveTest {
     @Test
     void lectureSizeStaysWhenTheScreenStandsAtTheOrigin() {
         for (double rho : new double[] {190, 260, 300, 400}) {
-            var eye = new Vector4d(0, 5, 0, 1).mul(new SphericalView(0, Math.PI / 2, rho).matrix());
-            assertEquals(5, eye.x * rho / eye.z, 1e-12);
+            assertEquals(5, sizeOnScreen(rho, rho), 1e-12, "d = ρ");
+            assertEquals(5 * 200 / rho, sizeOnScreen(rho, 200), 1e-12, "d = 200");
         }
+    }
+
+    /** X of the image of (0, 5, 0), seen from (ρ, 0, 0) on a screen at distance d. */
+    private static double sizeOnScreen(double rho, double d) {
+        var image =
+                new Vector4d(0, 5, 0, 1)
+                        .mul(new SphericalView(0, Math.PI / 2, rho).matrix())
+                        .mul(ProjectionMatrices.centralFromOrigin(d));
+        return image.x / image.w;
     }
 }

@@ -75,14 +75,11 @@ final class AxisHazards {
 
     private static Hazard<AxisTurn> hazard(
             String name, String description, AxisTurn turn, Verdict.Kind textbook) {
-        return new Hazard<>(
+        return Hazard.allExactBut(
+                Map.of("seven-steps-textbook", textbook),
+                AxisMethods.all(),
                 name,
                 description,
-                turn,
-                Map.of(
-                        "seven-steps-textbook", textbook,
-                        "seven-steps", EXACT,
-                        "rodrigues", EXACT,
-                        "quaternion", EXACT));
+                turn);
     }
 }

@@ -17,10 +17,11 @@ final class AxisMethods {
         return new Method<>(
                 "seven-steps-textbook",
                 new About(
-                        "T · R_z(θ) · R_y(φ) · R_z(α) · R_y(−φ) · R_z(−θ) · T⁻¹, cos θ = l/d,"
-                                + " sin θ = m/d, cos φ = d, sin φ = n",
+                        "T · R_z(θ) · R_y(φ) · R_z(α) · R_y(−φ) · R_z(−θ) · T⁻¹, cos φ = d, sin φ"
+                                + " = n; the text prints sin θ = l/d, cos θ = m/d beside matrices"
+                                + " with cos θ = l/d, sin θ = m/d, which are taken",
                         "none: after step 3 the axis is not on z, about which step 4 turns",
-                        "26 additions and 20 multiplications per point",
+                        "16 additions and 20 multiplications per point",
                         "moves the axis itself; divides 0 by 0 for an axis along z",
                         "Ponomarev, course text on computer graphics, rotation about a line"),
                 new SevenStepsTextbook());
@@ -58,7 +59,7 @@ final class AxisMethods {
                 new About(
                         "p' = A + v + w·t + u × t, t = 2·(u × v), (w, u) = (cos α/2, k·sin α/2)",
                         "w² + u·u = 1",
-                        "21 additions and 15 multiplications per point",
+                        "18 additions and 18 multiplications per point",
                         "none known",
                         "K. Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985"),
                 new QuaternionRotation());

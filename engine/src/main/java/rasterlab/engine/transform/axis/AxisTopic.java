@@ -101,9 +101,9 @@ public final class AxisTopic implements Topic<AxisRotation, AxisTurn, Images> {
 
     @Override
     public Map<String, Long> operations(AxisRotation method, AxisTurn turn) {
-        if (!(method instanceof CountedAxisRotation counted)) return Map.of();
+        if (!(method instanceof CheckedAxisRotation counted)) return Map.of();
         var counting = new CountingArithmetic();
-        counted.rotate(
+        counted.count(
                 counting, turn.through(), turn.direction(), turn.degrees(), turn.points().clone());
         return counting.counts();
     }

@@ -1,17 +1,14 @@
 package rasterlab.engine.transform.axis;
 
 import java.util.List;
-import rasterlab.engine.transform.Arithmetic;
 
 /** Points on their way through the seven steps; a new walk stands before the first. */
 public final class AxisWalk {
-    private final Arithmetic on;
     private final List<AxisStep> steps;
     private final double[] points;
     private int next;
 
-    AxisWalk(Arithmetic on, List<AxisStep> steps, double[] points) {
-        this.on = on;
+    AxisWalk(List<AxisStep> steps, double[] points) {
         this.steps = steps;
         this.points = points;
     }
@@ -20,7 +17,7 @@ public final class AxisWalk {
     public boolean advance() {
         if (next == steps.size()) return false;
         AxisStep step = steps.get(next++);
-        for (int at = 0; at < points.length; at += 3) step.apply(on, points, at);
+        for (int at = 0; at < points.length; at += 3) step.apply(points, at);
         return true;
     }
 

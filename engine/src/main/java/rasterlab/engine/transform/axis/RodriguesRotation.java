@@ -1,7 +1,7 @@
 package rasterlab.engine.transform.axis;
 
 import rasterlab.engine.transform.Angle;
-import rasterlab.engine.transform.Arithmetic;
+import rasterlab.engine.transform.CountingArithmetic;
 
 /**
  * v' = v·cos + (k × v)·sin + k·(k·v)·(1 − cos), with v from a point of the axis and k along it.
@@ -10,50 +10,43 @@ import rasterlab.engine.transform.Arithmetic;
  *
  * <p>Source: O. Rodrigues, Journal de mathématiques pures et appliquées 5, 1840, pp. 380–440.
  */
-public final class RodriguesRotation extends CountedAxisRotation {
+public final class RodriguesRotation extends CheckedAxisRotation {
     @Override
-    void turn(Arithmetic on, double[] through, double[] k, double degrees, double[] points) {
+    void turn(double[] through, double[] k, double degrees, double[] points) {
         Angle by = Angle.ofDegrees(degrees);
+        double lost = lost(degrees);
+        var v = new double[3];
+        for (int at = 0; at < points.length; at += 3) {
+            for (int i = 0; i < 3; i++) v[i] = points[at + i] - through[i];
+            double along = (k[0] * v[0] + k[1] * v[1] + k[2] * v[2]) * lost;
+            for (int i = 0; i < 3; i++)
+                points[at + i] =
+                        through[i]
+                                + (v[i] * by.cos() + Cross.of(k, v, i) * by.sin() + k[i] * along);
+        }
+    }
+
+    /** 1 − cos. */
+    private static double lost(double degrees) {
         double half = Angle.ofDegrees(degrees / 2).sin();
-        double lost = 2 * half * half;
-        for (int at = 0; at < points.length; at += 3)
-            turn(on, through, k, by.sin(), by.cos(), lost, points, at);
+        return 2 * half * half;
     }
 
-    private static void turn(
-            Arithmetic on,
-            double[] through,
-            double[] k,
-            double sin,
-            double cos,
-            double lost,
-            double[] points,
-            int at) {
-        double x = on.minus(points[at], through[0]);
-        double y = on.minus(points[at + 1], through[1]);
-        double z = on.minus(points[at + 2], through[2]);
-        double along =
-                on.times(
-                        on.plus(on.plus(on.times(k[0], x), on.times(k[1], y)), on.times(k[2], z)),
-                        lost);
-        double crossX = on.minus(on.times(k[1], z), on.times(k[2], y));
-        double crossY = on.minus(on.times(k[2], x), on.times(k[0], z));
-        double crossZ = on.minus(on.times(k[0], y), on.times(k[1], x));
-        points[at] = sum(on, through[0], x, cos, crossX, sin, k[0], along);
-        points[at + 1] = sum(on, through[1], y, cos, crossY, sin, k[1], along);
-        points[at + 2] = sum(on, through[2], z, cos, crossZ, sin, k[2], along);
-    }
-
-    private static double sum(
-            Arithmetic on,
-            double through,
-            double v,
-            double cos,
-            double cross,
-            double sin,
-            double k,
-            double along) {
-        double turned = on.plus(on.times(v, cos), on.times(cross, sin));
-        return on.plus(through, on.plus(turned, on.times(k, along)));
+    @Override
+    void countTurn(
+            CountingArithmetic on, double[] through, double[] k, double degrees, double[] points) {
+        Angle by = Angle.ofDegrees(degrees);
+        double lost = lost(degrees);
+        var v = new double[3];
+        for (int at = 0; at < points.length; at += 3) {
+            for (int i = 0; i < 3; i++) v[i] = on.minus(points[at + i], through[i]);
+            double dot = on.plus(on.times(k[0], v[0]), on.times(k[1], v[1]));
+            double along = on.times(on.plus(dot, on.times(k[2], v[2])), lost);
+            for (int i = 0; i < 3; i++) {
+                double cross = on.times(Cross.of(on, k, v, i), by.sin());
+                double turned = on.plus(on.times(v[i], by.cos()), cross);
+                points[at + i] = on.plus(through[i], on.plus(turned, on.times(k[i], along)));
+            }
+        }
     }
 }

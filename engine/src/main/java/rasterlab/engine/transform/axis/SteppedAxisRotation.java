@@ -1,16 +1,23 @@
 package rasterlab.engine.transform.axis;
 
 import java.util.List;
-import rasterlab.engine.transform.Arithmetic;
+import rasterlab.engine.transform.CountingArithmetic;
 
 /** A method made of seven steps; drawing and stepping go through the same walk. */
-public abstract class SteppedAxisRotation extends CountedAxisRotation {
+public abstract class SteppedAxisRotation extends CheckedAxisRotation {
     abstract List<AxisStep> steps(double[] through, double[] k, double degrees);
 
     @Override
-    final void turn(Arithmetic on, double[] through, double[] k, double degrees, double[] points) {
-        var walk = new AxisWalk(on, steps(through, k, degrees), points);
+    final void turn(double[] through, double[] k, double degrees, double[] points) {
+        var walk = new AxisWalk(steps(through, k, degrees), points);
         while (walk.advance()) {}
+    }
+
+    @Override
+    final void countTurn(
+            CountingArithmetic on, double[] through, double[] k, double degrees, double[] points) {
+        for (AxisStep step : steps(through, k, degrees))
+            for (int at = 0; at < points.length; at += 3) step.count(on, points, at);
     }
 
     /**
@@ -20,6 +27,6 @@ public abstract class SteppedAxisRotation extends CountedAxisRotation {
      */
     public AxisWalk walk(double[] through, double[] direction, double degrees, double[] points) {
         double[] k = checked(through, direction, points);
-        return new AxisWalk(Arithmetic.PLAIN, steps(through, k, degrees), points);
+        return new AxisWalk(steps(through, k, degrees), points);
     }
 }

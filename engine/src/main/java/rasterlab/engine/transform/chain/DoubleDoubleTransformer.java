@@ -59,9 +59,10 @@ final class DoubleDoubleTransformer implements PointTransformer {
     private static void image(DoubleDouble[] m, double[] points, int at, DoubleDouble[] image) {
         int size = image.length;
         for (int j = 0; j < size; j++) {
-            DoubleDouble sum = m[(size - 1) * size + j];
+            DoubleDouble sum = DoubleDouble.ZERO;
             for (int k = 0; k < size - 1; k++)
                 sum = sum.plus(m[k * size + j].times(points[at + k]));
+            sum = sum.plus(m[(size - 1) * size + j]);
             if (Math.abs(sum.high()) < SMALLEST)
                 for (int k = 0; k < size - 1; k++)
                     ChainCheck.requireKept(points[at + k], m[k * size + j].high(), SMALLEST);

@@ -53,7 +53,7 @@ final class DoubleTransformer implements PointTransformer {
     }
 
     /** {@code [point 1] · M}. */
-    private static void image(double[] m, double[] points, int at, double[] image) {
+    static void image(double[] m, double[] points, int at, double[] image) {
         int size = image.length;
         for (int j = 0; j < size; j++) {
             double sum = 0;

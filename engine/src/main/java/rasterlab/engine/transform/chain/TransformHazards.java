@@ -1,7 +1,6 @@
 package rasterlab.engine.transform.chain;
 
 import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
-import static rasterlab.engine.study.Verdict.Kind.EXACT;
 import static rasterlab.engine.study.Verdict.Kind.REFUSED;
 import static rasterlab.engine.study.Verdict.Kind.WRONG;
 import static rasterlab.engine.transform.chain.TransformWorkloads.cells;
@@ -14,6 +13,10 @@ import rasterlab.engine.study.Verdict;
 
 /** Chains in which digits cancel, and points at and behind the eye. */
 final class TransformHazards {
+    private static final String TEXTBOOK = "divide-first-textbook";
+    private static final String FLOAT = "float";
+    private static final String DOUBLE = "double";
+
     private TransformHazards() {}
 
     static List<Hazard<Chain>> all() {
@@ -25,29 +28,25 @@ final class TransformHazards {
                 hazard(
                         "at-the-eye",
                         "H = 0 exactly: the point goes to infinity and has no image.",
-                        EXACT,
-                        EXACT,
+                        Map.of(TEXTBOOK, WRONG),
                         new double[] {3, 4, 512},
                         cells("PERSPECTIVE", 0, 0, -1 / 512.0)),
                 hazard(
                         "behind-the-eye",
                         "H < 0: the division mirrors the point, so clip first.",
-                        EXACT,
-                        EXACT,
+                        Map.of(TEXTBOOK, WRONG),
                         new double[] {3, 4, 1024},
                         cells("PERSPECTIVE", 0, 0, -1 / 512.0)),
                 hazard(
                         "nearly-at-the-eye",
                         "H = 1 − 700·r where r is the double next to 1/700: all digits cancel.",
-                        WRONG,
-                        WRONG,
+                        Map.of(TEXTBOOK, WRONG, FLOAT, WRONG, DOUBLE, WRONG),
                         new double[] {3, 4, 700},
                         cells("PERSPECTIVE", 0, 0, -1 / 700.0)),
                 hazard(
                         "close-to-the-eye",
                         "H is about 10⁻⁹: nine digits of the image are lost.",
-                        WRONG,
-                        DEGRADED,
+                        Map.of(TEXTBOOK, WRONG, FLOAT, WRONG, DOUBLE, DEGRADED),
                         new double[] {3, 4, 700 - 7e-7},
                         cells("PERSPECTIVE", 0, 0, -1 / 700.0)));
     }
@@ -57,8 +56,7 @@ final class TransformHazards {
                 hazard(
                         "shift-there-and-back",
                         "A shift by 0.1 between one by 10¹⁵ and its inverse.",
-                        WRONG,
-                        WRONG,
+                        Map.of(TEXTBOOK, WRONG, FLOAT, WRONG, DOUBLE, WRONG),
                         new double[] {0.25, 0.5, 0.75},
                         cells("TRANSL3D", 1e15, 0, 0),
                         cells("TRANSL3D", 0.1, 0, 0),
@@ -66,8 +64,7 @@ final class TransformHazards {
                 hazard(
                         "turn-about-a-far-point",
                         "T · R · T⁻¹ about a point a million units away.",
-                        WRONG,
-                        DEGRADED,
+                        Map.of(TEXTBOOK, DEGRADED, FLOAT, WRONG, DOUBLE, DEGRADED),
                         new double[] {1e6 + 1, 2, 1e6},
                         cells("TRANSL3D", -1e6, 0, -1e6),
                         cells("ROT3DY", 30),
@@ -76,16 +73,14 @@ final class TransformHazards {
                 hazard(
                         "flattened",
                         "A singular matrix in the list: everything lands in one plane.",
-                        EXACT,
-                        EXACT,
+                        Map.of(),
                         new double[] {3, 4, 5},
                         cells("ORTHOZ", 2),
                         cells("SCALE3DX", 2)),
                 hazard(
                         "beyond-float",
                         "Coordinates that a float cannot hold.",
-                        REFUSED,
-                        EXACT,
+                        Map.of(FLOAT, REFUSED),
                         new double[] {1e200, 2e200, 3e200},
                         cells("SCALE3DX", 2)));
     }
@@ -93,14 +88,10 @@ final class TransformHazards {
     private static Hazard<Chain> hazard(
             String name,
             String description,
-            Verdict.Kind floating,
-            Verdict.Kind doubles,
+            Map<String, Verdict.Kind> failing,
             double[] points,
             double[]... matrices) {
-        return new Hazard<>(
-                name,
-                description,
-                new Chain(3, matrices, points),
-                Map.of("float", floating, "double", doubles, "double-double", EXACT));
+        return Hazard.allExactBut(
+                failing, TransformMethods.all(), name, description, new Chain(3, matrices, points));
     }
 }

@@ -2,6 +2,7 @@ package rasterlab.engine.transform.chain;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -14,8 +15,9 @@ import rasterlab.engine.transform.Images;
  * Sending points through a list of matrices.
  *
  * <p>The error of an image is the largest difference of a coordinate over the image's largest
- * coordinate. Up to 10⁻¹² counts as exact, since a few digits cancel in every chain; up to 10⁻⁴, a
- * tenth of a pixel in a picture of a thousand, is usable.
+ * coordinate, or the difference of H over H where that is more. Up to 10⁻¹² counts as exact, since
+ * a few digits cancel in every chain; up to 10⁻⁴, a tenth of a pixel in a picture of a thousand, is
+ * usable.
  */
 public final class TransformTopic implements Topic<PointTransformer, Chain, TransformTopic.Output> {
     private static final double CORRECT = 1e-12;
@@ -84,6 +86,22 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
 
     @Override
     public Deviation compare(Chain chain, Output exact, Output actual) {
+        Deviation images = compareImages(chain, exact, actual);
+        if (actual.h().length != exact.h().length) return images;
+        double worst = images.worst();
+        String first = images.first();
+        for (int i = 0; i < exact.h().length; i++) {
+            double right = exact.h()[i];
+            double scale = Math.max(Double.MIN_NORMAL, Math.abs(right));
+            double error = Math.abs(actual.h()[i] - right) / scale;
+            if (!(error <= CORRECT) && first.isEmpty())
+                first = "H of points[%d] is %s, right is %s".formatted(i, actual.h()[i], right);
+            worst = Math.max(worst, Double.isNaN(error) ? Double.POSITIVE_INFINITY : error);
+        }
+        return new Deviation(worst, images.missing(), images.extra(), images.of(), first);
+    }
+
+    private static Deviation compareImages(Chain chain, Output exact, Output actual) {
         int dimension = chain.dimension();
         var scales = new double[exact.h().length];
         for (int i = 0; i < scales.length; i++) {
@@ -106,6 +124,12 @@ public final class TransformTopic implements Topic<PointTransformer, Chain, Tran
     @Override
     public boolean usable(Deviation deviation) {
         return deviation.worst() <= USABLE;
+    }
+
+    /** Of a student's method nothing is counted. */
+    @Override
+    public Map<String, Long> operations(PointTransformer method, Chain chain) {
+        return CountingChain.counts(method, chain);
     }
 
     @Override

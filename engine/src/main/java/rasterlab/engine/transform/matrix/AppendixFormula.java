@@ -1,8 +1,6 @@
 package rasterlab.engine.transform.matrix;
 
 import rasterlab.contract.MatrixFormula;
-import rasterlab.engine.transform.Angle;
-import rasterlab.engine.transform.ProjectionMatrices;
 import rasterlab.engine.transform.axis.SevenStepsTextbook;
 
 /**
@@ -10,15 +8,15 @@ import rasterlab.engine.transform.axis.SevenStepsTextbook;
  * or not at all come from the right formula.
  *
  * <p>SCALE3DY, SCALE3DZ, SCALE3D and TRANSL3D have zeros on the diagonal where ones belong, so that
- * they flatten space; DIMETRIC has its two angles exchanged; ISOMETRIC is built from the angles
- * printed beside it, which are the dimetric α and 45°; ROTAXIS follows the seven steps, whose
- * second takes sine for cosine.
+ * they flatten space; the cells of DIMETRIC have its two angles exchanged; those of ISOMETRIC are
+ * right, though the angles printed beside them are not; ROTAXIS follows the printed seven steps,
+ * which do not bring the axis onto z.
  *
  * <p>Source: Ponomarev, course text on computer graphics, appendix and "rotation about a line".
  */
 public final class AppendixFormula implements MatrixFormula {
-    private static final double ALPHA = 22.207654298596487;
-    private static final double BETA = 20.70481105463543;
+    /** Printed as α for DIMETRIC, where it is right, and for ISOMETRIC, where 45° would be. */
+    static final double ALPHA = 22.207654298596487;
 
     @Override
     public double[][] rows(String name, double... parameters) {
@@ -34,24 +32,33 @@ public final class AppendixFormula implements MatrixFormula {
                 System.arraycopy(parameters, 0, rows[3], 0, 3);
                 yield rows;
             }
-            case "DIMETRIC" -> byAngles(BETA, ALPHA);
-            case "ISOMETRIC" -> byAngles(ALPHA, 45);
+            case "DIMETRIC" -> dimetric();
+            case "ISOMETRIC" -> isometric();
             case "ROTAXIS" -> sevenSteps(parameters);
             default -> matrix.rows(parameters);
         };
     }
 
-    private static double[][] diagonal(double a, double e, double j, double s) {
-        return new double[][] {{a, 0, 0, 0}, {0, e, 0, 0}, {0, 0, j, 0}, {0, 0, 0, s}};
+    private static double[][] dimetric() {
+        return new double[][] {
+            {0.935414346693485, 0.133630620956212, -0.327326835353989, 0},
+            {0, 0.925820099772551, 0.377964473009227, 0},
+            {0.353553390593274, -0.353553390593274, 0.866025403784439, 0},
+            {0, 0, 0, 1}
+        };
     }
 
-    private static double[][] byAngles(double alpha, double beta) {
-        double[] cells =
-                ProjectionMatrices.trimetric(Angle.ofDegrees(alpha), Angle.ofDegrees(beta))
-                        .get(new double[16]);
-        var rows = new double[4][4];
-        for (int i = 0; i < 16; i++) rows[i / 4][i % 4] = cells[i];
-        return rows;
+    private static double[][] isometric() {
+        return new double[][] {
+            {0.707106781186548, 0.408248290463863, -0.577350269189626, 0},
+            {0, 0.816496580927726, 0.577350269189626, 0},
+            {0.707106781186548, -0.408248290463863, 0.577350269189626, 0},
+            {0, 0, 0, 1}
+        };
+    }
+
+    private static double[][] diagonal(double a, double e, double j, double s) {
+        return new double[][] {{a, 0, 0, 0}, {0, e, 0, 0}, {0, 0, j, 0}, {0, 0, 0, s}};
     }
 
     /** The images of the origin and of the three axes' ends tell the whole matrix. */

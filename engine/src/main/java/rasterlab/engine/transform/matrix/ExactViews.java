@@ -32,6 +32,7 @@ final class ExactViews {
             case "PERSPECTIVE" -> perspective(p[0], p[1], p[2]);
             case "CENTRAL" -> central(p[0]);
             case "CENTRAL_ORIGIN" -> shift(0, 0, -p[0]).then(central(p[0]));
+            case "NORMALIZE" -> normalize(big(p[0]), big(p[1]), big(p[2]), big(p[3]));
             case "CANONICAL" -> canonical(big(p[0]));
             case "VIEW_LEFT" -> view(p, 1);
             case "VIEW_RIGHT" -> view(p, -1);
@@ -71,6 +72,14 @@ final class ExactViews {
     /** k·(x, y) over z + k. */
     private static BigMatrix central(double k) {
         return BigMatrix.of(4, k, 0, 0, 0, 0, k, 0, 0, 0, 0, 0, 1, 0, 0, 0, k);
+    }
+
+    /** First z_max becomes 1, then the screen, now at a/z_max, is pulled out to x = z, y = z. */
+    private static BigMatrix normalize(
+            BigDecimal a, BigDecimal xScreen, BigDecimal yScreen, BigDecimal zMax) {
+        BigDecimal far = ratio(BigDecimal.ONE, zMax);
+        return diagonal(far, far, far, 1)
+                .then(diagonal(ratio(a, xScreen), ratio(a, yScreen), 1, 1));
     }
 
     private static BigMatrix canonical(BigDecimal zMin) {

@@ -1,6 +1,5 @@
 package rasterlab.engine.transform.matrix;
 
-import static rasterlab.engine.study.Verdict.Kind.EXACT;
 import static rasterlab.engine.study.Verdict.Kind.REFUSED;
 import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
@@ -20,38 +19,28 @@ final class MatrixHazards {
 
     private static List<Hazard<MatrixCall>> scales() {
         return List.of(
-                hazard(
-                        "scale-x",
-                        "The one scale that is printed right.",
-                        EXACT,
-                        EXACT,
-                        "SCALE3DX",
-                        2),
-                hazard("scale-y", "Printed with a 0 for x.", WRONG, EXACT, "SCALE3DY", 2),
-                hazard("scale-z", "Printed with zeros for x and y.", WRONG, EXACT, "SCALE3DZ", 2),
-                hazard("scale-all", "Printed with s alone.", WRONG, EXACT, "SCALE3D", 2),
-                hazard("shift", "Printed without its diagonal.", WRONG, EXACT, "TRANSL3D", 1, 2, 3),
-                hazard(
-                        "dimetric",
-                        "The printed cells have the two angles exchanged.",
-                        WRONG,
-                        EXACT,
-                        "DIMETRIC"),
-                hazard(
-                        "isometric",
-                        "The angles printed are not isometric.",
-                        WRONG,
-                        EXACT,
-                        "ISOMETRIC"));
+                exact("scale-x", "The one scale that is printed right.", "SCALE3DX", 2),
+                misprint("scale-y", "Printed with a 0 for x.", "SCALE3DY", 2),
+                misprint("scale-z", "Printed with zeros for x and y.", "SCALE3DZ", 2),
+                misprint("scale-all", "Printed with s alone.", "SCALE3D", 2),
+                misprint("shift", "Printed without its diagonal.", "TRANSL3D", 1, 2, 3),
+                misprint(
+                        "dimetric", "The printed cells have the two angles exchanged.", "DIMETRIC"),
+                exact("isometric", "The printed cells are right.", "ISOMETRIC"),
+                exact(
+                        "isometric-by-printed-angles",
+                        "The angles beside the isometric cells are the dimetric α and 45°: turned"
+                                + " by them the axes are shortened unequally.",
+                        "TRIMETRIC",
+                        AppendixFormula.ALPHA,
+                        45));
     }
 
     private static List<Hazard<MatrixCall>> steps() {
         return List.of(
-                hazard(
+                misprint(
                         "axis",
                         "The printed steps move the axis.",
-                        WRONG,
-                        EXACT,
                         "ROTAXIS",
                         0,
                         0,
@@ -60,11 +49,9 @@ final class MatrixHazards {
                         2,
                         2,
                         37),
-                hazard(
+                misprint(
                         "axis-along-z",
                         "The printed steps divide 0 by 0.",
-                        WRONG,
-                        EXACT,
                         "ROTAXIS",
                         1,
                         2,
@@ -77,13 +64,11 @@ final class MatrixHazards {
 
     private static List<Hazard<MatrixCall>> hard() {
         return List.of(
-                hazard("right-angle", "cos 90° is 0, not 6·10⁻¹⁷.", EXACT, EXACT, "ROT3DX", 90),
-                hazard("huge-angle", "10¹⁵ turns and 30°.", EXACT, EXACT, "ROT3DZ", 360e15 + 64),
-                hazard(
+                exact("right-angle", "cos 90° is 0, not 6·10⁻¹⁷.", "ROT3DX", 90),
+                exact("huge-angle", "10¹⁵ turns and 64° in one angle.", "ROT3DZ", 360e15 + 64),
+                exact(
                         "look-from-afar",
                         "The eye's distance swallows the difference of the coordinates.",
-                        EXACT,
-                        EXACT,
                         "LOOKAT",
                         1e12,
                         1e12 + 1,
@@ -94,11 +79,9 @@ final class MatrixHazards {
                         0,
                         1,
                         0),
-                hazard(
+                exact(
                         "narrow-frustum",
                         "far is next to near: the depth's cells are differences of equals.",
-                        EXACT,
-                        EXACT,
                         "GL_FRUSTUM",
                         -1,
                         1,
@@ -109,28 +92,26 @@ final class MatrixHazards {
                 hazard(
                         "frustum-of-nothing",
                         "right − left is so small that 2·near / (right − left) is no double.",
-                        REFUSED,
-                        REFUSED,
-                        "GL_FRUSTUM",
-                        0,
-                        1e-300,
-                        -1,
-                        1,
-                        1e10,
-                        1e11));
+                        Map.of("formula-textbook", REFUSED, "formula", REFUSED),
+                        MatrixCall.of("GL_FRUSTUM", 0, 1e-300, -1, 1, 1e10, 1e11)));
+    }
+
+    private static Hazard<MatrixCall> misprint(
+            String name, String description, String matrix, double... numbers) {
+        return hazard(
+                name,
+                description,
+                Map.of("formula-textbook", WRONG),
+                MatrixCall.of(matrix, numbers));
+    }
+
+    private static Hazard<MatrixCall> exact(
+            String name, String description, String matrix, double... numbers) {
+        return hazard(name, description, Map.of(), MatrixCall.of(matrix, numbers));
     }
 
     private static Hazard<MatrixCall> hazard(
-            String name,
-            String description,
-            Verdict.Kind textbook,
-            Verdict.Kind formula,
-            String matrix,
-            double... numbers) {
-        return new Hazard<>(
-                name,
-                description,
-                MatrixCall.of(matrix, numbers),
-                Map.of("formula-textbook", textbook, "formula", formula));
+            String name, String description, Map<String, Verdict.Kind> failing, MatrixCall call) {
+        return Hazard.allExactBut(failing, MatrixMethods.all(), name, description, call);
     }
 }

@@ -16,9 +16,10 @@ final class MatrixMethods {
                         new About(
                                 "the cells as the appendix prints them",
                                 "none: SCALE3DY, SCALE3DZ, SCALE3D and TRANSL3D flatten space",
-                                "at most two sines and cosines",
-                                "zeros on the diagonal of scales and of the shift; DIMETRIC and"
-                                        + " ISOMETRIC by wrong angles; ROTAXIS moves its axis",
+                                "at most two sines and cosines; no size to grow with but 3 or 4"
+                                        + " rows",
+                                "zeros on the diagonal of scales and of the shift; DIMETRIC with"
+                                        + " its angles exchanged; ROTAXIS moves its axis",
                                 "Ponomarev, course text on computer graphics, appendix"),
                         new AppendixFormula()),
                 new Method<>(
@@ -26,7 +27,8 @@ final class MatrixMethods {
                         new About(
                                 "[x y z 1] · [a b c p; d e f q; g i j r; l m n s]",
                                 "B · Bᵀ = 1 for turns and reflections",
-                                "at most two sines and cosines",
+                                "at most two sines and cosines; no size to grow with but 3 or 4"
+                                        + " rows",
                                 "none known; refuses cells that are too large for a double",
                                 "Ponomarev, course text on computer graphics; Kazantsev, course"
                                         + " text on computer graphics; M. Segal, K. Akeley, The"

@@ -1,5 +1,6 @@
 package rasterlab.engine.transform.matrix;
 
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -45,7 +46,7 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
     public Map<String, String> vocabulary() {
         var words = new LinkedHashMap<String, String>();
         for (NamedMatrix matrix : NamedMatrices.all())
-            words.put(matrix.usage(), matrix.meaning() + "; inverse: " + matrix.inverse());
+            words.put(matrix.usage(), matrix.meaning() + "; inverse: " + matrix.inverse().text());
         return words;
     }
 
@@ -66,6 +67,9 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
 
     @Override
     public Deviation compare(MatrixCall call, double[][] exact, double[][] actual) {
+        long of = (long) exact.length * exact.length;
+        String shape = shape(exact.length, actual);
+        if (!shape.isEmpty()) return new Deviation(Double.POSITIVE_INFINITY, 0, 0, of, shape);
         double worst = 0;
         String first = "";
         for (int i = 0; i < exact.length; i++) {
@@ -79,7 +83,19 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
                 worst = Math.max(worst, Double.isNaN(error) ? Double.POSITIVE_INFINITY : error);
             }
         }
-        return new Deviation(worst, 0, 0, (long) exact.length * exact.length, first);
+        return new Deviation(worst, 0, 0, of, first);
+    }
+
+    /** What is wrong with the rows' number or length; empty where nothing is. */
+    private static String shape(int size, double[][] rows) {
+        if (rows == null || rows.length != size)
+            return "%s where %d rows are right"
+                    .formatted(rows == null ? "no matrix" : rows.length + " rows", size);
+        for (int i = 0; i < size; i++)
+            if (rows[i] == null || rows[i].length != size)
+                return "row %d has %d cells, right are %d"
+                        .formatted(i + 1, rows[i] == null ? 0 : rows[i].length, size);
+        return "";
     }
 
     private static double scale(MatrixCall call, double[][] exact, int row) {
@@ -102,6 +118,17 @@ public final class MatrixTopic implements Topic<MatrixFormula, MatrixCall, doubl
     @Override
     public boolean usable(Deviation deviation) {
         return deviation.worst() <= USABLE;
+    }
+
+    /** How many cells there are, and how many of them have to be computed: those not 0 or 1. */
+    @Override
+    public Map<String, Long> operations(MatrixFormula method, MatrixCall call) {
+        double[] cells =
+                Arrays.stream(method.rows(call.name(), call.parameters()))
+                        .flatMapToDouble(Arrays::stream)
+                        .toArray();
+        long computed = Arrays.stream(cells).filter(cell -> cell != 0 && cell != 1).count();
+        return Map.of("cells", (long) cells.length, "cells-not-0-or-1", computed);
     }
 
     @Override

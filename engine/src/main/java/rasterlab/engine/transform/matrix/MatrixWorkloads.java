@@ -5,7 +5,11 @@ import java.util.List;
 import java.util.Random;
 import rasterlab.engine.study.Workload;
 
-/** All matrices of 3 rows and all of 4, each with parameters that are the same in every run. */
+/**
+ * All matrices of 3 rows and all of 4, each with parameters that are the same in every run.
+ *
+ * <p>Writing a matrix down has no size that could grow: the number of rows is what there is.
+ */
 final class MatrixWorkloads {
     private static final long SEED = 1987;
 

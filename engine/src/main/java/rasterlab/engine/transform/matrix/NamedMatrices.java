@@ -2,6 +2,7 @@ package rasterlab.engine.transform.matrix;
 
 import java.util.List;
 import java.util.stream.Stream;
+import rasterlab.engine.naming.Named;
 
 /** The list of every named matrix there is, in the course's order. */
 public final class NamedMatrices {
@@ -27,15 +28,6 @@ public final class NamedMatrices {
      * @throws IllegalArgumentException if there is none; lists those there are
      */
     public static NamedMatrix named(String name) {
-        return ALL.stream()
-                .filter(matrix -> matrix.name().equals(name))
-                .findFirst()
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        "no matrix '"
-                                                + name
-                                                + "'; there are "
-                                                + ALL.stream().map(NamedMatrix::name).toList()));
+        return Named.find("matrix", name, ALL, NamedMatrix::name);
     }
 }

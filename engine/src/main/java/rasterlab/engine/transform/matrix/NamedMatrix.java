@@ -1,6 +1,8 @@
 package rasterlab.engine.transform.matrix;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.joml.Matrix3d;
@@ -12,7 +14,7 @@ import org.joml.Matrix4d;
  * @param name upper-case
  * @param parameters in the order of their numbers
  * @param meaning one English sentence
- * @param inverse the inverse in terms of named matrices, or why there is none
+ * @param inverse its inverse
  * @param size 3 or 4
  * @param cells all cells row by row, from numbers that are in range
  */
@@ -20,12 +22,9 @@ public record NamedMatrix(
         String name,
         List<MatrixParameter> parameters,
         String meaning,
-        String inverse,
+        MatrixInverse inverse,
         int size,
         Function<double[], double[]> cells) {
-    /** What {@link #inverse} says of a matrix that flattens space. */
-    static final String SINGULAR = "none: it flattens";
-
     public NamedMatrix {
         parameters = List.copyOf(parameters);
     }
@@ -33,7 +32,7 @@ public record NamedMatrix(
     static NamedMatrix space(
             String name,
             String meaning,
-            String inverse,
+            MatrixInverse inverse,
             Function<double[], Matrix4d> formula,
             MatrixParameter... parameters) {
         return new NamedMatrix(
@@ -48,7 +47,7 @@ public record NamedMatrix(
     static NamedMatrix plane(
             String name,
             String meaning,
-            String inverse,
+            MatrixInverse inverse,
             Function<double[], Matrix3d> formula,
             MatrixParameter... parameters) {
         return new NamedMatrix(
@@ -104,5 +103,22 @@ public record NamedMatrix(
             rows[i / size][i % size] = all[i] + 0.0; // −0 becomes 0
         }
         return rows;
+    }
+
+    /**
+     * The inverse for the same parameters; empty where there is none.
+     *
+     * @throws IllegalArgumentException as {@link #rows} does for parameters out of range
+     */
+    public Optional<double[][]> inverseRows(double... numbers) {
+        require(numbers);
+        return inverse.cells().map(formula -> formula.apply(numbers)).flatMap(this::finiteRows);
+    }
+
+    private Optional<double[][]> finiteRows(double[] all) {
+        if (!Arrays.stream(all).allMatch(Double::isFinite)) return Optional.empty();
+        var rows = new double[size][];
+        for (int i = 0; i < size; i++) rows[i] = Arrays.copyOfRange(all, i * size, (i + 1) * size);
+        return Optional.of(rows);
     }
 }

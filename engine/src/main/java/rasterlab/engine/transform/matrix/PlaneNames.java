@@ -5,6 +5,7 @@ import static rasterlab.engine.transform.matrix.MatrixParameter.number;
 import static rasterlab.engine.transform.matrix.NamedMatrix.plane;
 
 import java.util.List;
+import org.joml.Matrix3d;
 import rasterlab.engine.transform.Angle;
 import rasterlab.engine.transform.PlaneMatrices;
 
@@ -17,44 +18,56 @@ final class PlaneNames {
                 plane(
                         "IDENTITY2D",
                         "leaves every point of the plane where it is",
-                        "IDENTITY2D",
+                        MatrixInverse.plane("IDENTITY2D", p -> PlaneMatrices.scale(1, 1)),
                         p -> PlaneMatrices.scale(1, 1)),
                 plane(
                         "ROT2D",
                         "turns counter-clockwise about the origin",
-                        "ROT2D(−angle)",
+                        MatrixInverse.plane(
+                                "ROT2D(−angle)",
+                                p -> PlaneMatrices.rotation(Angle.ofDegrees(-p[0]))),
                         p -> PlaneMatrices.rotation(Angle.ofDegrees(p[0])),
                         angle("angle")),
                 plane(
                         "SCALE2D",
                         "stretches x and y",
-                        "SCALE2D(1/x, 1/y); none where x·y = 0",
+                        MatrixInverse.plane(
+                                "SCALE2D(1/x, 1/y); none where x·y = 0",
+                                p -> PlaneMatrices.scale(1 / p[0], 1 / p[1])),
                         p -> PlaneMatrices.scale(p[0], p[1]),
                         number("x"),
                         number("y")),
                 plane(
                         "REFL2DX",
                         "reflects in the x axis",
-                        "REFL2DX",
+                        MatrixInverse.plane("REFL2DX", p -> PlaneMatrices.scale(1, -1)),
                         p -> PlaneMatrices.scale(1, -1)),
                 plane(
                         "REFL2DY",
                         "reflects in the y axis",
-                        "REFL2DY",
+                        MatrixInverse.plane("REFL2DY", p -> PlaneMatrices.scale(-1, 1)),
                         p -> PlaneMatrices.scale(-1, 1)),
                 plane(
                         "SHEAR2D",
                         "shears by b along y and by c along x: x' = x + c·y, y' = b·x + y",
-                        "SHEAR2D(−b, −c) and then SCALE2D by 1/(1 − b·c); none where b·c = 1",
+                        MatrixInverse.plane(
+                                "SHEAR2D(−b, −c) and then SCALE2D by 1/(1 − b·c); none where b·c = 1",
+                                p -> backSheared(p[0], p[1])),
                         p -> PlaneMatrices.shear(p[0], p[1]),
                         number("b"),
                         number("c")),
                 plane(
                         "TRANSL2D",
                         "moves by (m, n)",
-                        "TRANSL2D(−m, −n)",
+                        MatrixInverse.plane(
+                                "TRANSL2D(−m, −n)", p -> PlaneMatrices.translation(-p[0], -p[1])),
                         p -> PlaneMatrices.translation(p[0], p[1]),
                         number("m"),
                         number("n")));
+    }
+
+    private static Matrix3d backSheared(double b, double c) {
+        double by = 1 / (1 - b * c);
+        return PlaneMatrices.of(by, -b * by, -c * by, by);
     }
 }

@@ -24,18 +24,19 @@ final class SpaceNames {
                 space(
                         "IDENTITY",
                         "leaves every point where it is",
-                        "IDENTITY",
+                        MatrixInverse.space("IDENTITY", p -> new Matrix4d()),
                         p -> new Matrix4d()),
-                rotation("X", p -> TextbookMatrices.rotationX(Angle.ofDegrees(p[0]))),
-                rotation("Y", p -> TextbookMatrices.rotationY(Angle.ofDegrees(p[0]))),
-                rotation("Z", p -> TextbookMatrices.rotationZ(Angle.ofDegrees(p[0]))),
-                scale("X", "a", p -> TextbookMatrices.scale(p[0], 1, 1)),
-                scale("Y", "e", p -> TextbookMatrices.scale(1, p[0], 1)),
-                scale("Z", "j", p -> TextbookMatrices.scale(1, 1, p[0])),
+                rotation("X", TextbookMatrices::rotationX),
+                rotation("Y", TextbookMatrices::rotationY),
+                rotation("Z", TextbookMatrices::rotationZ),
+                scale("X", "a", a -> TextbookMatrices.scale(a, 1, 1)),
+                scale("Y", "e", e -> TextbookMatrices.scale(1, e, 1)),
+                scale("Z", "j", j -> TextbookMatrices.scale(1, 1, j)),
                 space(
                         "SCALE3D",
                         "H = s: everything becomes 1/s as large",
-                        "SCALE3D(1/s)",
+                        MatrixInverse.space(
+                                "SCALE3D(1/s)", p -> TextbookMatrices.uniformScale(1 / p[0])),
                         p -> TextbookMatrices.uniformScale(p[0]),
                         number("s", Range.NOT_ZERO)),
                 reflection("XY", TextbookMatrices.scale(1, 1, -1)),
@@ -44,7 +45,9 @@ final class SpaceNames {
                 space(
                         "TRANSL3D",
                         "moves by (l, m, n)",
-                        "TRANSL3D(−l, −m, −n)",
+                        MatrixInverse.space(
+                                "TRANSL3D(−l, −m, −n)",
+                                p -> TextbookMatrices.translation(-p[0], -p[1], -p[2])),
                         p -> TextbookMatrices.translation(p[0], p[1], p[2]),
                         number("l"),
                         number("m"),
@@ -52,39 +55,44 @@ final class SpaceNames {
                 space(
                         "ROTAXIS",
                         "turns about the line through a point in a direction of any length but 0",
-                        "ROTAXIS(through, direction, −angle)",
-                        SpaceNames::aboutAxis,
+                        MatrixInverse.space(
+                                "ROTAXIS(through, direction, −angle)", p -> aboutAxis(p, -p[6])),
+                        p -> aboutAxis(p, p[6]),
                         vector("through"),
                         vector("direction"),
                         angle("angle")));
     }
 
-    private static Matrix4d aboutAxis(double[] p) {
+    private static Matrix4d aboutAxis(double[] p, double degrees) {
         var direction = new Vector3d(p[3], p[4], p[5]);
         if (p[3] == 0 && p[4] == 0 && p[5] == 0)
             throw new IllegalArgumentException("direction must not be zero, got (0, 0, 0)");
         return TextbookMatrices.rotationAbout(
-                new Vector3d(p[0], p[1], p[2]), Directions.unit(direction), Angle.ofDegrees(p[6]));
+                new Vector3d(p[0], p[1], p[2]),
+                Directions.unit(direction),
+                Angle.ofDegrees(degrees));
     }
 
-    private static NamedMatrix rotation(String axis, Function<double[], Matrix4d> formula) {
+    private static NamedMatrix rotation(String axis, Function<Angle, Matrix4d> formula) {
         return space(
                 "ROT3D" + axis,
                 "turns about the %s axis, counter-clockwise seen from its positive end"
                         .formatted(axis.toLowerCase(Locale.ROOT)),
-                "ROT3D" + axis + "(−angle)",
-                formula,
+                MatrixInverse.space(
+                        "ROT3D" + axis + "(−angle)", p -> formula.apply(Angle.ofDegrees(-p[0]))),
+                p -> formula.apply(Angle.ofDegrees(p[0])),
                 angle("angle"));
     }
 
-    private static NamedMatrix scale(
-            String axis, String cell, Function<double[], Matrix4d> formula) {
+    private static NamedMatrix scale(String axis, String cell, Function<Double, Matrix4d> formula) {
         String name = "SCALE3D" + axis;
         return space(
                 name,
                 "stretches " + axis.toLowerCase(Locale.ROOT),
-                name + "(1/" + cell + "); none where " + cell + " = 0",
-                formula,
+                MatrixInverse.space(
+                        name + "(1/" + cell + "); none where " + cell + " = 0",
+                        p -> formula.apply(1 / p[0])),
+                p -> formula.apply(p[0]),
                 number(cell));
     }
 
@@ -92,7 +100,7 @@ final class SpaceNames {
         return space(
                 "REFL3D" + plane,
                 "reflects in the plane " + plane,
-                "REFL3D" + plane,
+                MatrixInverse.space("REFL3D" + plane, p -> new Matrix4d(matrix)),
                 p -> new Matrix4d(matrix));
     }
 }

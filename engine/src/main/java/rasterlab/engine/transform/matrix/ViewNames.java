@@ -6,16 +6,16 @@ import static rasterlab.engine.transform.matrix.MatrixParameter.vector;
 import static rasterlab.engine.transform.matrix.NamedMatrix.space;
 
 import java.util.List;
+import org.joml.Matrix4d;
 import org.joml.Vector3d;
 import rasterlab.engine.transform.Angle;
 import rasterlab.engine.transform.GlMatrices;
+import rasterlab.engine.transform.TextbookMatrices;
 import rasterlab.engine.transform.ViewMatrices;
 import rasterlab.engine.transform.matrix.MatrixParameter.Range;
 
 /** Names of the matrices from the world to the eye and from there to the window. */
 final class ViewNames {
-    private static final String HAS_INVERSE = "exists: no row or column is dropped";
-
     private ViewNames() {}
 
     static List<NamedMatrix> all() {
@@ -23,7 +23,9 @@ final class ViewNames {
                 space(
                         "VIEW_LEFT",
                         "VP_L: to the left-handed eye at rho, phi from the z axis, theta about it",
-                        "the transposed turn, after moving back by rho",
+                        MatrixInverse.space(
+                                "TRANSL3D(0, 0, −rho), then the transposed turn",
+                                p -> back(ViewMatrices::left, p)),
                         p -> ViewMatrices.left(Angle.ofDegrees(p[0]), Angle.ofDegrees(p[1]), p[2]),
                         angle("theta"),
                         angle("phi"),
@@ -31,7 +33,9 @@ final class ViewNames {
                 space(
                         "VIEW_RIGHT",
                         "VP_R: the same with y pointing down, right-handed",
-                        "the transposed turn, after moving back by rho",
+                        MatrixInverse.space(
+                                "TRANSL3D(0, 0, −rho), then the transposed turn",
+                                p -> back(ViewMatrices::right, p)),
                         p -> ViewMatrices.right(Angle.ofDegrees(p[0]), Angle.ofDegrees(p[1]), p[2]),
                         angle("theta"),
                         angle("phi"),
@@ -39,27 +43,29 @@ final class ViewNames {
                 space(
                         "LOOKAT",
                         "to the eye that looks at center, up pointing upward, z backward",
-                        "the transposed turn, after moving back to the eye",
-                        p -> ViewMatrices.lookAt(point(p, 0), point(p, 3), point(p, 6)),
+                        MatrixInverse.space(
+                                "the transposed turn, then TRANSL3D(eye)",
+                                p -> backFrom(p[0], p[1], p[2], looking(p))),
+                        ViewNames::looking,
                         vector("eye"),
                         vector("center"),
                         vector("up")),
                 space(
                         "GL_ORTHO",
                         "the box left..right, bottom..top, −near..−far becomes −1..1",
-                        HAS_INVERSE,
+                        GlInverses.ORTHO,
                         p -> GlMatrices.ortho(p[0], p[1], p[2], p[3], p[4], p[5]),
                         sides(Range.ANY)),
                 space(
                         "GL_FRUSTUM",
                         "the cut pyramid through left..right, bottom..top at −near becomes −1..1",
-                        HAS_INVERSE,
+                        GlInverses.FRUSTUM,
                         p -> GlMatrices.frustum(p[0], p[1], p[2], p[3], p[4], p[5]),
                         sides(Range.POSITIVE)),
                 space(
                         "GL_PERSPECTIVE",
                         "the same for a straight look, fovy degrees high, aspect times as wide",
-                        HAS_INVERSE,
+                        GlInverses.PERSPECTIVE,
                         p -> GlMatrices.perspective(p[0], p[1], p[2], p[3]),
                         number("fovy", Range.HALF_TURN),
                         number("aspect", Range.POSITIVE),
@@ -72,7 +78,7 @@ final class ViewNames {
         return space(
                 "VIEWPORT",
                 "−1..1 becomes pixels from the bottom left, depth n..f (0 and 1 if left out)",
-                "exists where n differs from f",
+                GlInverses.VIEWPORT,
                 p -> GlMatrices.viewport(p[0], p[1], p[2], p[3], p[4], p[5]),
                 number("x"),
                 number("y"),
@@ -80,6 +86,23 @@ final class ViewNames {
                 number("height", Range.POSITIVE),
                 number("n", Range.UNIT).or(0),
                 number("f", Range.UNIT).or(1));
+    }
+
+    private interface Spherical {
+        Matrix4d of(Angle theta, Angle phi, double rho);
+    }
+
+    private static Matrix4d back(Spherical view, double[] p) {
+        Matrix4d turn = view.of(Angle.ofDegrees(p[0]), Angle.ofDegrees(p[1]), 0);
+        return turn.transpose().mul(TextbookMatrices.translation(0, 0, -p[2]));
+    }
+
+    private static Matrix4d looking(double[] p) {
+        return ViewMatrices.lookAt(point(p, 0), point(p, 3), point(p, 6));
+    }
+
+    private static Matrix4d backFrom(double x, double y, double z, Matrix4d look) {
+        return TextbookMatrices.translation(x, y, z).mul(look.setTranslation(0, 0, 0).transpose());
     }
 
     private static MatrixParameter[] sides(Range distance) {

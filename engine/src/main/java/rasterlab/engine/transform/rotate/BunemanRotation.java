@@ -1,7 +1,6 @@
 package rasterlab.engine.transform.rotate;
 
 import rasterlab.engine.transform.Angle;
-import rasterlab.engine.transform.Arithmetic;
 
 /**
  * Three multiplications per turn by t = tan(θ/2), for every angle: beyond 90° the point is turned
@@ -13,17 +12,40 @@ import rasterlab.engine.transform.Arithmetic;
  * <p>Source: O. Buneman's formula in Kazantsev, course text on computer graphics, chapter 3; A.
  * Paeth, A fast algorithm for general raster rotation, Graphics Interface 1986, pp. 77–81.
  */
-final class BunemanRotation extends CountedRotation {
+final class BunemanRotation extends CountedRotation implements SteppedRotation {
     @Override
-    void turn(Arithmetic on, double degrees, int times, double[] points) {
-        double within = Math.IEEEremainder(degrees, 360);
-        double rest = Math.IEEEremainder(within, 180);
-        boolean half = Math.abs(within - rest) == 180;
-        double t = Math.tan(Math.toRadians(rest) / 2);
-        double sin = Angle.ofDegrees(rest).sin();
-        for (int at = 0; at < points.length; at += 2)
-            BunemanTurn.repeat(on, t, sin, times, points, at);
+    void turn(TurnLoops loops, double degrees, int times, double[] points) {
+        double rest = rest(degrees);
+        loops.shear(halfTangent(rest), Angle.ofDegrees(rest).sin(), times, points);
         // Changing signs commutes with turning, so all the half turns can be done at once.
-        if (half && times % 2 == 1) for (int i = 0; i < points.length; i++) points[i] = -points[i];
+        if (signsChange(degrees, times))
+            for (int i = 0; i < points.length; i++) points[i] = -points[i];
+    }
+
+    /** What is left of the angle without half turns, in −90°..90°. */
+    private static double rest(double degrees) {
+        return Math.IEEEremainder(Math.IEEEremainder(degrees, 360), 180);
+    }
+
+    private static double halfTangent(double rest) {
+        return Math.tan(Math.toRadians(rest) / 2);
+    }
+
+    private static boolean signsChange(double degrees, int times) {
+        double within = Math.IEEEremainder(degrees, 360);
+        return Math.abs(within - rest(degrees)) == 180 && times % 2 == 1;
+    }
+
+    @Override
+    public TurnWalk walk(double degrees, int times, double x, double y) {
+        require(degrees, times, new double[] {x, y});
+        double rest = rest(degrees);
+        return new ShearWalk(
+                halfTangent(rest),
+                Angle.ofDegrees(rest).sin(),
+                signsChange(degrees, times),
+                times,
+                x,
+                y);
     }
 }

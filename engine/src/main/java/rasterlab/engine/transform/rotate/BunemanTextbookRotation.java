@@ -1,7 +1,5 @@
 package rasterlab.engine.transform.rotate;
 
-import rasterlab.engine.transform.Arithmetic;
-
 /**
  * Three multiplications per turn by t = tan(θ/2), as printed: T = y + x·t, x' = x − T·sin θ, y' =
  * x'·t + T.
@@ -11,13 +9,21 @@ import rasterlab.engine.transform.Arithmetic;
  *
  * <p>Source: Kazantsev, course text on computer graphics, chapter 3, formula of O. Buneman.
  */
-final class BunemanTextbookRotation extends CountedRotation {
+final class BunemanTextbookRotation extends CountedRotation implements SteppedRotation {
     @Override
-    void turn(Arithmetic on, double degrees, int times, double[] points) {
-        double theta = Math.toRadians(Math.IEEEremainder(degrees, 360));
-        double t = Math.tan(theta / 2);
-        double sin = Math.sin(theta);
-        for (int at = 0; at < points.length; at += 2)
-            BunemanTurn.repeat(on, t, sin, times, points, at);
+    void turn(TurnLoops loops, double degrees, int times, double[] points) {
+        double theta = theta(degrees);
+        loops.shear(Math.tan(theta / 2), Math.sin(theta), times, points);
+    }
+
+    private static double theta(double degrees) {
+        return Math.toRadians(Math.IEEEremainder(degrees, 360));
+    }
+
+    @Override
+    public TurnWalk walk(double degrees, int times, double x, double y) {
+        require(degrees, times, new double[] {x, y});
+        double theta = theta(degrees);
+        return new ShearWalk(Math.tan(theta / 2), Math.sin(theta), false, times, x, y);
     }
 }

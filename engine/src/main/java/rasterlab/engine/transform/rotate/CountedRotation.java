@@ -1,25 +1,31 @@
 package rasterlab.engine.transform.rotate;
 
 import rasterlab.contract.PlaneRotation;
-import rasterlab.engine.transform.Arithmetic;
 import rasterlab.engine.transform.Coordinates;
 
 /** A method whose work can be counted. */
 abstract class CountedRotation implements PlaneRotation {
+    private static final TurnLoops PLAIN = new TurnLoops();
+
     @Override
     public final void rotate(double degrees, int times, double[] points) {
-        rotate(Arithmetic.PLAIN, degrees, times, points);
+        rotate(PLAIN, degrees, times, points);
     }
 
-    final void rotate(Arithmetic on, double degrees, int times, double[] points) {
+    final void rotate(TurnLoops loops, double degrees, int times, double[] points) {
+        require(degrees, times, points);
+        if (times > 0) turn(loops, degrees, times, points);
+    }
+
+    /** Passes if the method can turn these points. */
+    void require(double degrees, int times, double[] points) {
         require(degrees, times, points, Coordinates.LARGEST);
-        if (times > 0) turn(on, degrees, times, points);
     }
 
     /**
      * @param times at least 1
      */
-    abstract void turn(Arithmetic on, double degrees, int times, double[] points);
+    abstract void turn(TurnLoops loops, double degrees, int times, double[] points);
 
     static void require(double degrees, int times, double[] points, double largest) {
         if (!Double.isFinite(degrees))

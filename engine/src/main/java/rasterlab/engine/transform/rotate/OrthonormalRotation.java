@@ -1,13 +1,15 @@
 package rasterlab.engine.transform.rotate;
 
 import rasterlab.engine.transform.Angle;
-import rasterlab.engine.transform.Arithmetic;
 
-/** The matrix is multiplied up and made orthonormal again in every turn. */
-final class OrthonormalRotation extends AccumulatedRotation {
+/**
+ * The matrix is multiplied up, made orthonormal again in every turn and applied to the points once,
+ * at the end: the radius cannot drift, the angle still can.
+ */
+final class OrthonormalRotation extends CountedRotation {
     @Override
-    void turn(Arithmetic on, double degrees, int times, double[] points) {
-        Angle all = accumulate(on, Angle.ofDegrees(degrees), times);
-        for (int at = 0; at < points.length; at += 2) PointTurn.repeat(on, all, 1, points, at);
+    void turn(TurnLoops loops, double degrees, int times, double[] points) {
+        Angle all = loops.accumulate(Angle.ofDegrees(degrees), times);
+        loops.turn(all, 1, points);
     }
 }

@@ -1,7 +1,6 @@
 package rasterlab.engine.transform.rotate;
 
 import rasterlab.engine.transform.Angle;
-import rasterlab.engine.transform.Arithmetic;
 
 /**
  * The quaternion (w, 0, 0, z) = (cos θ/2, 0, 0, sin θ/2) is multiplied up and normalised in every
@@ -9,13 +8,10 @@ import rasterlab.engine.transform.Arithmetic;
  *
  * <p>Source: K. Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985, pp. 245–254.
  */
-final class QuaternionRotation extends AccumulatedRotation {
+final class QuaternionRotation extends CountedRotation {
     @Override
-    void turn(Arithmetic on, double degrees, int times, double[] points) {
-        Angle q = accumulate(on, Angle.ofDegrees(degrees / 2), times);
-        double zw = on.times(q.sin(), q.cos());
-        double cos = on.times(on.minus(q.cos(), q.sin()), on.plus(q.cos(), q.sin()));
-        var all = new Angle(on.plus(zw, zw), cos);
-        for (int at = 0; at < points.length; at += 2) PointTurn.repeat(on, all, 1, points, at);
+    void turn(TurnLoops loops, double degrees, int times, double[] points) {
+        Angle q = loops.accumulate(Angle.ofDegrees(degrees / 2), times);
+        loops.turn(loops.twice(q), 1, points);
     }
 }

@@ -1,27 +1,24 @@
 package rasterlab.engine.transform.rotate;
 
 import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
-import static rasterlab.engine.study.Verdict.Kind.EXACT;
 import static rasterlab.engine.study.Verdict.Kind.REFUSED;
 import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
-import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
 /** Angles and numbers of turns on which cheap rotations fail. */
 final class RotateHazards {
-    private static final List<String> METHODS =
-            List.of(
-                    "direct",
-                    "float",
-                    "table",
-                    "buneman-textbook",
-                    "buneman",
-                    "orthonormal",
-                    "quaternion");
+    private static final String DIRECT = "direct";
+    private static final String FLOAT = "float";
+    private static final String TABLE = "table";
+    private static final String TEXTBOOK = "buneman-textbook";
+    private static final String BUNEMAN = "buneman";
+    private static final String ORTHONORMAL = "orthonormal";
+    private static final String QUATERNION = "quaternion";
 
     private RotateHazards() {}
 
@@ -35,24 +32,12 @@ final class RotateHazards {
                         "whole-degrees",
                         "An angle that the table has.",
                         new Turns(37, 1, new double[] {3, 4}),
-                        EXACT,
-                        DEGRADED,
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        EXACT),
+                        Map.of(FLOAT, DEGRADED)),
                 hazard(
                         "between-degrees",
                         "Half a degree beside every entry of the table.",
                         new Turns(12.5, 1, new double[] {3, 4}),
-                        EXACT,
-                        DEGRADED,
-                        DEGRADED,
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        EXACT));
+                        Map.of(FLOAT, DEGRADED, TABLE, DEGRADED)));
     }
 
     private static List<Hazard<Turns>> halfTurns() {
@@ -61,24 +46,12 @@ final class RotateHazards {
                         "half-turn",
                         "θ = 180°: tan θ/2 is tan 90°.",
                         new Turns(180, 1, new double[] {3, 4}),
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        WRONG,
-                        EXACT,
-                        EXACT,
-                        EXACT),
+                        Map.of(TEXTBOOK, WRONG)),
                 hazard(
                         "nearly-half-turn",
                         "A millionth of a degree before 180°: tan θ/2 is about 10⁸.",
                         new Turns(180 - 1e-6, 1, new double[] {3, 4}),
-                        EXACT,
-                        DEGRADED,
-                        DEGRADED,
-                        DEGRADED,
-                        EXACT,
-                        EXACT,
-                        EXACT));
+                        Map.of(FLOAT, DEGRADED, TABLE, DEGRADED, TEXTBOOK, DEGRADED)));
     }
 
     private static List<Hazard<Turns>> drift() {
@@ -87,24 +60,40 @@ final class RotateHazards {
                         "hundred-thousand-turns",
                         "A hundred thousand turns by 0.1°, which the table takes for 0°.",
                         new Turns(0.1, 100_000, new double[] {60, 80}),
-                        DEGRADED,
-                        DEGRADED,
-                        WRONG,
-                        DEGRADED,
-                        DEGRADED,
-                        DEGRADED,
-                        DEGRADED),
+                        Map.of(
+                                DIRECT,
+                                DEGRADED,
+                                FLOAT,
+                                DEGRADED,
+                                TABLE,
+                                WRONG,
+                                TEXTBOOK,
+                                DEGRADED,
+                                BUNEMAN,
+                                DEGRADED,
+                                ORTHONORMAL,
+                                DEGRADED,
+                                QUATERNION,
+                                DEGRADED)),
                 hazard(
                         "ten-million-turns",
                         "Ten million turns by 33.3°: roundings add up.",
                         new Turns(33.3, 10_000_000, new double[] {60, 80}),
-                        DEGRADED,
-                        WRONG,
-                        WRONG,
-                        DEGRADED,
-                        DEGRADED,
-                        DEGRADED,
-                        DEGRADED));
+                        Map.of(
+                                DIRECT,
+                                DEGRADED,
+                                FLOAT,
+                                WRONG,
+                                TABLE,
+                                WRONG,
+                                TEXTBOOK,
+                                DEGRADED,
+                                BUNEMAN,
+                                DEGRADED,
+                                ORTHONORMAL,
+                                DEGRADED,
+                                QUATERNION,
+                                DEGRADED)));
     }
 
     private static List<Hazard<Turns>> sizes() {
@@ -113,34 +102,16 @@ final class RotateHazards {
                         "huge-angle",
                         "10¹⁵ turns and 64° in one angle.",
                         new Turns(360e15 + 64, 1, new double[] {3, 4}),
-                        EXACT,
-                        DEGRADED,
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        EXACT),
+                        Map.of(FLOAT, DEGRADED)),
                 hazard(
                         "beyond-float",
                         "Coordinates that a float cannot hold.",
                         new Turns(45, 1, new double[] {3e200, -4e200}),
-                        EXACT,
-                        REFUSED,
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        EXACT,
-                        EXACT));
+                        Map.of(FLOAT, REFUSED)));
     }
 
-    /**
-     * @param kinds in the order of {@link #METHODS}; total-angle is exact everywhere
-     */
     private static Hazard<Turns> hazard(
-            String name, String description, Turns turns, Verdict.Kind... kinds) {
-        var recorded = new HashMap<String, Verdict.Kind>();
-        for (int i = 0; i < kinds.length; i++) recorded.put(METHODS.get(i), kinds[i]);
-        recorded.put("total-angle", EXACT);
-        return new Hazard<>(name, description, turns, recorded);
+            String name, String description, Turns turns, Map<String, Verdict.Kind> failing) {
+        return Hazard.allExactBut(failing, RotateMethods.all(), name, description, turns);
     }
 }

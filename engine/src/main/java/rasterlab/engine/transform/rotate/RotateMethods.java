@@ -92,7 +92,7 @@ final class RotateMethods {
                 new About(
                         "M ← M·R, made orthonormal again by (3 − c² − s²)/2; p' = p·M at the end",
                         "c² + s² = 1",
-                        "5 additions and 9 multiplications per turn, however many points",
+                        "4 additions and 9 multiplications per further turn, however many points",
                         "drifts in its angle: n turns add up n roundings of θ",
                         "D. F. Rogers, J. A. Adams, Mathematical Elements for Computer Graphics,"
                                 + " 1976"),
@@ -105,7 +105,7 @@ final class RotateMethods {
                 new About(
                         "q ← q·r, normalised; cos = w² − z², sin = 2·w·z at the end",
                         "w² + z² = 1",
-                        "5 additions and 9 multiplications per turn, however many points",
+                        "4 additions and 9 multiplications per further turn, however many points",
                         "drifts in its angle: n turns add up n roundings of θ/2",
                         "K. Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985"),
                 new QuaternionRotation());

@@ -9,7 +9,6 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
-import rasterlab.engine.transform.CountingArithmetic;
 import rasterlab.engine.transform.Images;
 import rasterlab.engine.transform.exact.BigTrig;
 
@@ -103,7 +102,7 @@ public final class RotateTopic implements Topic<PlaneRotation, Turns, Images> {
     @Override
     public Map<String, Long> operations(PlaneRotation method, Turns turns) {
         if (!(method instanceof CountedRotation counted)) return Map.of();
-        var counting = new CountingArithmetic();
+        var counting = new CountingTurnLoops();
         counted.rotate(counting, turns.degrees(), turns.times(), turns.points().clone());
         return counting.counts();
     }

@@ -1,7 +1,6 @@
 package rasterlab.engine.transform.rotate;
 
 import rasterlab.engine.transform.Angle;
-import rasterlab.engine.transform.Arithmetic;
 
 /**
  * Sines from a table in steps of 1°: exact for whole degrees, otherwise off by up to half a degree
@@ -9,7 +8,7 @@ import rasterlab.engine.transform.Arithmetic;
  *
  * <p>Source: Kazantsev, course text on computer graphics, chapter 3, "efficiency of computing".
  */
-final class TableRotation extends CountedRotation {
+final class TableRotation extends CountedRotation implements SteppedRotation {
     private static final double[] SINES = sines();
 
     private static double[] sines() {
@@ -19,10 +18,19 @@ final class TableRotation extends CountedRotation {
     }
 
     @Override
-    void turn(Arithmetic on, double degrees, int times, double[] points) {
+    void turn(TurnLoops loops, double degrees, int times, double[] points) {
+        loops.turn(nearest(degrees), times, points);
+    }
+
+    private static Angle nearest(double degrees) {
         int nearest = (int) Math.rint(Math.IEEEremainder(degrees, 360));
         int row = Math.floorMod(nearest, 360);
-        var by = new Angle(SINES[row], SINES[row + 90]);
-        for (int at = 0; at < points.length; at += 2) PointTurn.repeat(on, by, times, points, at);
+        return new Angle(SINES[row], SINES[row + 90]);
+    }
+
+    @Override
+    public TurnWalk walk(double degrees, int times, double x, double y) {
+        require(degrees, times, new double[] {x, y});
+        return new DirectWalk(nearest(degrees), times, x, y);
     }
 }

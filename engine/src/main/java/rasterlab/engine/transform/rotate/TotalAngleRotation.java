@@ -1,7 +1,6 @@
 package rasterlab.engine.transform.rotate;
 
 import rasterlab.engine.transform.Angle;
-import rasterlab.engine.transform.Arithmetic;
 
 /**
  * n turns by θ are one turn by n·θ: the angles are added, not the roundings.
@@ -11,11 +10,11 @@ import rasterlab.engine.transform.Arithmetic;
  */
 final class TotalAngleRotation extends CountedRotation {
     @Override
-    void turn(Arithmetic on, double degrees, int times, double[] points) {
+    void turn(TurnLoops loops, double degrees, int times, double[] points) {
         double within = Math.IEEEremainder(degrees, 360);
         double product = within * times;
         double lost = Math.fma(within, times, -product);
         Angle total = Angle.ofDegrees(Math.IEEEremainder(product, 360) + lost);
-        for (int at = 0; at < points.length; at += 2) PointTurn.repeat(on, total, 1, points, at);
+        loops.turn(total, 1, points);
     }
 }

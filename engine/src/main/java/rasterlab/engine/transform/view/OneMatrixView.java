@@ -1,7 +1,7 @@
 package rasterlab.engine.transform.view;
 
 import rasterlab.engine.transform.Angle;
-import rasterlab.engine.transform.Arithmetic;
+import rasterlab.engine.transform.CountingArithmetic;
 
 /**
  * VP_L made once, its cells that are not 0 or 1 applied to every point: 4 multiplications for the
@@ -12,9 +12,25 @@ import rasterlab.engine.transform.Arithmetic;
  *
  * <p>Source: Ponomarev, course text on computer graphics, "view transformation".
  */
-final class OneMatrixView extends CountedView {
+final class OneMatrixView extends CheckedView {
     @Override
-    void view(Arithmetic on, Angle theta, Angle phi, double rho, double[] points) {
+    void view(Angle theta, Angle phi, double rho, double[] points) {
+        double xy = -theta.cos() * phi.cos();
+        double xz = -theta.cos() * phi.sin();
+        double yy = -theta.sin() * phi.cos();
+        double yz = -theta.sin() * phi.sin();
+        for (int at = 0; at < points.length; at += 3) {
+            double x = points[at];
+            double y = points[at + 1];
+            double z = points[at + 2];
+            points[at] = y * theta.cos() - x * theta.sin();
+            points[at + 1] = x * xy + y * yy + z * phi.sin();
+            points[at + 2] = rho + (x * xz + y * yz - z * phi.cos());
+        }
+    }
+
+    @Override
+    void count(CountingArithmetic on, Angle theta, Angle phi, double rho, double[] points) {
         double xy = on.times(-theta.cos(), phi.cos());
         double xz = on.times(-theta.cos(), phi.sin());
         double yy = on.times(-theta.sin(), phi.cos());

@@ -3,6 +3,8 @@ package rasterlab.engine.transform.matrix;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Optional;
+import java.util.stream.Stream;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
@@ -10,6 +12,8 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.constraints.DoubleRange;
 import org.joml.Matrix4d;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.study.Deviation;
 
 class MatrixPropertyTest {
@@ -59,18 +63,48 @@ class MatrixPropertyTest {
         assertTrue(TOPIC.correct(deviation), () -> call + " " + deviation);
     }
 
-    @Property(tries = 500)
-    void matrixTimesItsInverseIsOne(@ForAll("calls") MatrixCall call) {
-        if (NamedMatrices.named(call.name()).size() == 3) return;
-        Matrix4d matrix;
+    /** Each cell of the product, over the magnitudes that make it: its terms and the numbers. */
+    @Property(tries = 3000)
+    void matrixTimesTheInverseItNamesIsOne(@ForAll("calls") MatrixCall call) {
+        NamedMatrix matrix = NamedMatrices.named(call.name());
+        double[][] rows;
         try {
-            matrix = WorkedMatricesTest.joml(call.name(), call.parameters());
+            rows = matrix.rows(call.parameters());
         } catch (IllegalArgumentException refused) {
             return;
         }
-        if (Math.abs(matrix.determinant()) < 1e-3) return;
-        Matrix4d product = new Matrix4d(matrix).invert().mul(matrix);
-        assertTrue(product.equals(new Matrix4d(), 1e-3), () -> call + "\n" + product);
+        matrix.inverseRows(call.parameters())
+                .ifPresent(inverse -> assertProductIsOne(call, rows, inverse));
+    }
+
+    @ParameterizedTest(name = "{0} names a wrong inverse or none")
+    @MethodSource("modest")
+    void everyMatrixThatDoesNotFlattenHasAnInverse(MatrixCall call) {
+        NamedMatrix matrix = NamedMatrices.named(call.name());
+        Optional<double[][]> inverse = matrix.inverseRows(call.parameters());
+        assertEquals(matrix.inverse() != MatrixInverse.NONE, inverse.isPresent());
+        inverse.ifPresent(rows -> assertProductIsOne(call, matrix.rows(call.parameters()), rows));
+    }
+
+    static Stream<MatrixCall> modest() {
+        return new MatrixTopic().workloads().stream().flatMap(w -> w.inputs().stream());
+    }
+
+    private static void assertProductIsOne(MatrixCall call, double[][] m, double[][] inverse) {
+        int size = m.length;
+        double largest = 1;
+        for (double number : call.numbers()) largest = Math.max(largest, Math.abs(number));
+        for (int i = 0; i < size; i++)
+            for (int j = 0; j < size; j++) {
+                double sum = 0;
+                double magnitudes = largest;
+                for (int k = 0; k < size; k++) {
+                    sum += m[i][k] * inverse[k][j];
+                    magnitudes += Math.abs(m[i][k] * inverse[k][j]);
+                }
+                String place = call + ", row " + (i + 1) + ", column " + (j + 1);
+                assertEquals(i == j ? 1 : 0, sum, 1e-14 * magnitudes, place);
+            }
     }
 
     @Property(tries = 500)

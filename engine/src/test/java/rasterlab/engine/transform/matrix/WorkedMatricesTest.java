@@ -51,6 +51,31 @@ class WorkedMatricesTest {
         assertEquals(new Vector4d(6, 4, 2, 2), image);
     }
 
+    /** α = −30°, β = 20°, the textbook's figure of a trimetric house. */
+    @Test
+    void lectureTrimetricByMinus30And20Degrees() {
+        double[][] worked = {
+            {0.8660254038, -0.1710100717, 0.4698463104, 0},
+            {0, 0.9396926208, 0.3420201433, 0},
+            {-0.5, -0.2961981327, 0.8137976813, 0},
+            {0, 0, 0, 1}
+        };
+        double[][] rows = NamedMatrices.named("TRIMETRIC").rows(-30, 20);
+        for (int i = 0; i < 4; i++) assertArrayEquals(worked[i], rows[i], 1e-10, "row " + i);
+    }
+
+    @Test
+    void lectureCavalierAndCabinetCells() {
+        assertOblique(0.707106781186548, "CAVALIER");
+        assertOblique(0.353553390593274, "CABINET");
+    }
+
+    private static void assertOblique(double a, String name) {
+        double[][] printed = {{1, 0, 0, 0}, {0, 1, 0, 0}, {-a, -a, 1, 0}, {0, 0, 0, 1}};
+        double[][] rows = NamedMatrices.named(name).rows();
+        for (int i = 0; i < 4; i++) assertArrayEquals(printed[i], rows[i], 1e-15, name);
+    }
+
     @Test
     void lectureDimetricMatrix() {
         double[][] rows = NamedMatrices.named("DIMETRIC").rows();
@@ -77,9 +102,22 @@ class WorkedMatricesTest {
         double d = 0.816496580927726;
         double[][] rows = NamedMatrices.named("ISOMETRIC").rows();
         double[][] printed = {{a, b, -c, 0}, {0, d, c, 0}, {a, -b, c, 0}, {0, 0, 0, 1}};
-        for (int i = 0; i < 4; i++) assertArrayEquals(printed[i], rows[i], 1e-15, "row " + i);
+        double[][] appendix = new AppendixFormula().rows("ISOMETRIC");
+        for (int i = 0; i < 4; i++) {
+            assertArrayEquals(printed[i], rows[i], 1e-15, "row " + i);
+            assertArrayEquals(printed[i], appendix[i], "printed row " + i);
+        }
         for (int i = 0; i < 3; i++)
             assertEquals(Math.sqrt(2 / 3.0), projectedLength(rows[i]), 1e-15);
+    }
+
+    /** α = 22.2077° as for dimetry and β = 45° shorten the axes by three different lengths. */
+    @Test
+    void lecturePrintedIsometricAnglesAreNotIsometric() {
+        double[][] rows = NamedMatrices.named("TRIMETRIC").rows(AppendixFormula.ALPHA, 45);
+        assertEquals(Math.sqrt(13.0 / 14), projectedLength(rows[0]), 1e-15);
+        assertEquals(Math.sqrt(1.0 / 2), projectedLength(rows[1]), 1e-15);
+        assertEquals(Math.sqrt(4.0 / 7), projectedLength(rows[2]), 1e-15);
     }
 
     @Test
@@ -117,15 +155,29 @@ class WorkedMatricesTest {
         assertEquals(1, joml("VIEW_RIGHT", 20, 70, 400).determinant(), 1e-14);
     }
 
+    /** The screen is 8 by 6 at z = 2, seen up to z = 20 and from z = 5 on. */
     @Test
-    void chapter4CanonicalVolumeTakesTheNearCornerToOneOneZero() {
+    void chapter5NormalAndThenCanonicalTakeThePyramidToTheBox() {
+        Matrix4d both = joml("CANONICAL", 0.25).mul(joml("NORMALIZE", 2, 4, 3, 20));
+        for (double z : new double[] {5, 20})
+            for (double side : new double[] {-1, 0, 1}) {
+                var corner = new Vector4d(side * 4 * z / 2, -side * 3 * z / 2, z, 1).mul(both);
+                corner.div(corner.w);
+                assertEquals(side, corner.x, 1e-15);
+                assertEquals(-side, corner.y, 1e-15);
+                assertEquals(z == 5 ? 0 : 1, corner.z, 1e-15);
+            }
+    }
+
+    @Test
+    void chapter5CanonicalVolumeTakesTheNearCornerToOneOneZero() {
         double zMin = 0.25;
         var corner = new Vector4d(zMin, zMin, zMin, 1).mul(joml("CANONICAL", zMin));
         assertEquals(new Vector4d(1, 1, 0, 1), corner.div(corner.w));
     }
 
     @Test
-    void chapter3CentralProjectionDividesByZPlusK() {
+    void chapter2CentralProjectionDividesByZPlusK() {
         var image = new Vector4d(3, 4, 5, 1).mul(joml("CENTRAL", 10));
         assertEquals(2, image.x / image.w, 1e-15);
         assertEquals(40.0 / 15, image.y / image.w, 1e-15);

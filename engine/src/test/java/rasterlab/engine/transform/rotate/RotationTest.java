@@ -2,6 +2,7 @@ package rasterlab.engine.transform.rotate;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
@@ -113,8 +114,11 @@ class RotationTest {
     void turnsAMillionPoints(Method<PlaneRotation> method) {
         double[] points = new Random(1).doubles(2_000_000, -1, 1).toArray();
         double[] before = points.clone();
-        method.implementation().rotate(360, 1, points);
-        assertArrayEquals(before, points, 1e-7);
+        method.implementation().rotate(90, 1, points);
+        for (int at = 0; at < points.length; at += 2) {
+            assertEquals(-before[at + 1], points[at], 1e-7);
+            assertEquals(before[at], points[at + 1], 1e-7);
+        }
     }
 
     @ParameterizedTest
@@ -204,7 +208,55 @@ class RotationTest {
                 Map.of("additions", 2_000L, "multiplications", 4_000L), count("direct", turns));
         assertEquals(
                 Map.of("additions", 3_000L, "multiplications", 3_000L), count("buneman", turns));
+        assertEquals(count("direct", turns), count("float", turns));
         assertEquals(Map.of("additions", 2L, "multiplications", 4L), count("total-angle", turns));
+    }
+
+    @ParameterizedTest(name = "{0} steps to another point")
+    @ValueSource(strings = {"direct", "table", "buneman-textbook", "buneman"})
+    void stepsLeadToThePointThatTheMethodComputes(String name) {
+        var rotation = (SteppedRotation) TOPIC.method(name).implementation();
+        for (double degrees : new double[] {37, -100, 179.5, 180, 540})
+            for (int times = 0; times < 5; times++) {
+                double[] point = {3, 4};
+                TurnWalk walk = rotation.walk(degrees, times, 3, 4);
+                while (walk.advance()) {}
+                rotation.rotate(degrees, times, point);
+                String where = times + " turns by " + degrees;
+                assertArrayEquals(point, new double[] {walk.x(), walk.y()}, where);
+                assertEquals(times, walk.turn());
+            }
+    }
+
+    @Test
+    void bunemanStepsThroughTAndTheTwoCoordinates() {
+        var buneman = (SteppedRotation) TOPIC.method("buneman").implementation();
+        TurnWalk walk = buneman.walk(90, 1, 3, 4);
+        assertStep(walk, "T = y + x·t", 7);
+        assertStep(walk, "x' = x − T·sin θ", -4);
+        assertStep(walk, "y' = x'·t + T", 3);
+        assertFalse(walk.advance());
+    }
+
+    private static void assertStep(TurnWalk walk, String text, double value) {
+        assertTrue(walk.advance());
+        assertEquals(text, walk.text());
+        assertEquals(value, walk.value(), 1e-15);
+    }
+
+    @ParameterizedTest(name = "{0} counts other work than it does")
+    @MethodSource("methods")
+    void countingTwinGivesTheSamePoints(Method<PlaneRotation> method) {
+        var random = new Random(17);
+        var rotation = (CountedRotation) method.implementation();
+        for (int times = 0; times < 100; times++) {
+            double[] points = random.doubles(4, -9, 9).toArray();
+            double[] counted = points.clone();
+            double degrees = random.nextDouble(-400, 400);
+            rotation.rotate(degrees, times, points);
+            rotation.rotate(new CountingTurnLoops(), degrees, times, counted);
+            assertArrayEquals(points, counted);
+        }
     }
 
     private static Map<String, Long> count(String method, Turns turns) {

@@ -1,14 +1,19 @@
 package rasterlab.engine.transform.view;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.transform.CountingArithmetic;
 
 class ViewCountTest {
     private static final ViewTopic TOPIC = new ViewTopic();
@@ -36,9 +41,36 @@ class ViewCountTest {
         assertEquals(8 * 100, count("taken-apart", 100).get("multiplications"));
     }
 
+    @ParameterizedTest(name = "{0} counts other work than it does")
+    @ValueSource(strings = {"one-matrix", "taken-apart"})
+    void countingTwinGivesTheSamePoints(String name) {
+        var random = new Random(17);
+        var view = (CheckedView) TOPIC.method(name).implementation();
+        for (int i = 0; i < 100; i++) {
+            double[] points = random.doubles(6, -9, 9).toArray();
+            double[] counted = points.clone();
+            double theta = random.nextDouble(-400, 400);
+            view.view(theta, 70, 50, points);
+            view.count(new CountingArithmetic(), theta, 70, 50, counted);
+            assertArrayEquals(points, counted);
+        }
+    }
+
     private static Map<String, Long> count(String method, int points) {
         var look = new Look(20, 70, 400, new double[3 * points]);
         return TOPIC.operations(TOPIC.method(method).implementation(), look);
+    }
+
+    @Test
+    void lectureSixStepsLeadToTheViewOfThePoint() {
+        var view = (SteppedView) TOPIC.method("taken-apart").implementation();
+        double[] point = {1, 2, 3};
+        List<ViewStep> steps = view.steps(20, 70, 400, 1, 2, 3);
+        view.view(20, 70, 400, point);
+        assertEquals(6, steps.size());
+        for (int i = 0; i < 3; i++) assertEquals(point[i], steps.get(3 + i).value());
+        for (int i = 0; i < 6; i++) assertEquals(i + 1, steps.get(i).number());
+        assertThrows(IllegalArgumentException.class, () -> view.steps(20, 70, -1, 1, 2, 3));
     }
 
     @Test

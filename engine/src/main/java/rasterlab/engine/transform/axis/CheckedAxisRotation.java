@@ -2,21 +2,25 @@ package rasterlab.engine.transform.axis;
 
 import org.joml.Vector3d;
 import rasterlab.contract.AxisRotation;
-import rasterlab.engine.transform.Arithmetic;
 import rasterlab.engine.transform.Coordinates;
+import rasterlab.engine.transform.CountingArithmetic;
 import rasterlab.engine.transform.Directions;
 
-/** A method whose work on each point can be counted. */
-abstract class CountedAxisRotation implements AxisRotation {
+/** A method that looks at its arguments first, with a twin that counts its work on the points. */
+abstract class CheckedAxisRotation implements AxisRotation {
     @Override
     public final void rotate(
             double[] through, double[] direction, double degrees, double[] points) {
-        rotate(Arithmetic.PLAIN, through, direction, degrees, points);
+        turn(through, checked(through, direction, points), degrees, points);
     }
 
-    final void rotate(
-            Arithmetic on, double[] through, double[] direction, double degrees, double[] points) {
-        turn(on, through, checked(through, direction, points), degrees, points);
+    final void count(
+            CountingArithmetic on,
+            double[] through,
+            double[] direction,
+            double degrees,
+            double[] points) {
+        countTurn(on, through, checked(through, direction, points), degrees, points);
     }
 
     /** The unit vector along the axis, if everything is in range. */
@@ -37,6 +41,9 @@ abstract class CountedAxisRotation implements AxisRotation {
     /**
      * @param k unit vector along the axis
      */
-    abstract void turn(
-            Arithmetic on, double[] through, double[] k, double degrees, double[] points);
+    abstract void turn(double[] through, double[] k, double degrees, double[] points);
+
+    /** The same operation by operation, each of them counted. */
+    abstract void countTurn(
+            CountingArithmetic on, double[] through, double[] k, double degrees, double[] points);
 }

@@ -1,0 +1,106 @@
+package rasterlab.engine.transform;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.transform.axis.AxisTopic;
+import rasterlab.engine.transform.axis.AxisTurn;
+import rasterlab.engine.transform.chain.Chain;
+import rasterlab.engine.transform.chain.TransformTopic;
+import rasterlab.engine.transform.rotate.RotateTopic;
+import rasterlab.engine.transform.rotate.Turns;
+import rasterlab.engine.transform.view.Look;
+import rasterlab.engine.transform.view.ViewTopic;
+
+/** What students read about a method's cost is what the counters count. */
+class AboutCostTest {
+    private static final double[] AXIS = {1, 2, 2};
+
+    static Stream<Arguments> growth() {
+        return Stream.of(
+                        of(
+                                new AxisTopic(),
+                                new AxisTurn(AXIS, AXIS, 37, new double[3]),
+                                new AxisTurn(AXIS, AXIS, 37, new double[6]),
+                                "point"),
+                        of(
+                                new ViewTopic(),
+                                new Look(20, 70, 400, new double[3]),
+                                new Look(20, 70, 400, new double[6]),
+                                "point"),
+                        of(
+                                new RotateTopic(),
+                                new Turns(37, 5, new double[2]),
+                                new Turns(37, 6, new double[2]),
+                                "(further )?turn"),
+                        of(
+                                new TransformTopic(),
+                                new Chain(3, new double[][] {new double[16]}, new double[3]),
+                                new Chain(3, new double[][] {new double[16]}, new double[6]),
+                                "(matrix and )?point"),
+                        of(
+                                new TransformTopic(),
+                                new Chain(3, new double[1][16], new double[3]),
+                                new Chain(3, new double[2][16], new double[3]),
+                                "matrix"))
+                .flatMap(cases -> cases);
+    }
+
+    /** One more of {@code unit} from {@code small} to {@code large}, by every method. */
+    private static <C, I> Stream<Arguments> of(
+            Topic<C, I, ?> topic, I small, I large, String unit) {
+        return topic.methods().stream()
+                .map(
+                        method ->
+                                arguments(
+                                        topic.name() + " " + method.name(),
+                                        method.about().cost(),
+                                        difference(topic, method, small, large),
+                                        unit));
+    }
+
+    private static <C, I> Map<String, Long> difference(
+            Topic<C, I, ?> topic, Method<C> method, I small, I large) {
+        var counts = new TreeMap<String, Long>();
+        topic.operations(method.implementation(), large)
+                .forEach((kind, number) -> counts.put(kind.replace("double-double-", ""), number));
+        topic.operations(method.implementation(), small)
+                .forEach(
+                        (kind, number) ->
+                                counts.merge(
+                                        kind.replace("double-double-", ""), -number, Long::sum));
+        counts.values().removeIf(number -> number == 0);
+        return counts;
+    }
+
+    @ParameterizedTest(name = "{0} is said to cost what it does not")
+    @MethodSource("growth")
+    void aboutSaysWhatTheCounterCounts(
+            String method, String cost, Map<String, Long> counted, String unit) {
+        assertTrue(cost.matches(".*\\d.*"), cost);
+        if (counted.isEmpty()) {
+            assertTrue(cost.contains("however many"), cost);
+            return;
+        }
+        for (var kind : counted.entrySet()) {
+            var sentence =
+                    Pattern.compile(
+                            "\\b"
+                                    + kind.getValue()
+                                    + " "
+                                    + kind.getKey()
+                                    + "\\b[^;:]* per "
+                                    + unit);
+            assertTrue(sentence.matcher(cost).find(), counted + " where is said: " + cost);
+        }
+    }
+}
