@@ -12,6 +12,10 @@ import rasterlab.engine.geometry.Orientation;
  * adds what products near zero can lose. Where all three sizes exceed that, none is 0 and equal
  * sign bits mean inside. It costs no jump that depends on the point.
  *
+ * <p>A side's own differences are at most half of E, so a product or sum on the way overflows only
+ * where {@code E·(|x| + |y| + F)} does too. Multiplied out before the small factor, that makes the
+ * bound infinite, which no size exceeds.
+ *
  * <p>Otherwise inside is what is never on the left of one side and on the right of another, seen
  * exactly. The three doubled areas add up to the triangle's own, so where that is 0 and one of them
  * is not, two differ in sign: outside. Where all three are 0, corners and point lie on one line,
@@ -41,7 +45,8 @@ public final class RobustTriangle implements SideTests {
                         + Math.abs(cax)
                         + Math.abs(cay);
         double f = Math.abs(ax) + Math.abs(ay) + e;
-        double bound = ROUNDING * e * (Math.abs(x) + Math.abs(y) + f) + UNDERFLOW;
+        double scale = e * (Math.abs(x) + Math.abs(y) + f);
+        double bound = ROUNDING * scale + UNDERFLOW;
         if (Math.abs(ab) > bound && Math.abs(bc) > bound && Math.abs(ca) > bound) {
             long bits = Double.doubleToRawLongBits(ab);
             return ((bits ^ Double.doubleToRawLongBits(bc))

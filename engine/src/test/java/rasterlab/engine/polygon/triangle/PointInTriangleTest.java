@@ -39,6 +39,7 @@ class PointInTriangleTest {
         Points triangle = Points.of(0, 0, 8, 0, 0, 8);
         Points flat = Points.of(0, 0, 4, 4, 2, 2);
         Points dot = Points.of(3, 3, 3, 3, 3, 3);
+        Points large = Points.of(1.5e154, 0, 1.5e154, 1.2e154, 1.4e154, 1.1e154);
         return Stream.of(
                 argumentSet("inside is outside", true, triangle, 1, 1),
                 argumentSet("outside is inside", false, triangle, 5, 5),
@@ -49,7 +50,8 @@ class PointInTriangleTest {
                 argumentSet("its whole line is inside", false, flat, 5, 5),
                 argumentSet("beside its line is inside", false, flat, 3, 2),
                 argumentSet("triangle of one point has none", true, dot, 3, 3),
-                argumentSet("triangle of one point has all", false, dot, 3, 4));
+                argumentSet("triangle of one point has all", false, dot, 3, 4),
+                argumentSet("overflowed product has a sign", false, large, 1.52e154, 0.6e154));
     }
 
     @Test
