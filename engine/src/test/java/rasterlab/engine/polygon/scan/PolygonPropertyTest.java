@@ -46,7 +46,7 @@ class PolygonPropertyTest {
     void anyPolygonIsExact(@ForAll("polygons") double[] corners, @ForAll FillRule rule) {
         PolygonTask task = PolygonTask.of(rule, SIDE, SIDE, corners);
         var expected = new ArrayList<Span>();
-        new ExactPolygon(task).fill((y, from, to) -> expected.add(new Span(y, from, to)));
+        new ExactFill(task).fill((y, from, to) -> expected.add(new Span(y, from, to)));
         for (PolygonFiller method : RIGHT)
             assertEquals(expected, spans(method, task), method.getClass().getSimpleName());
     }
