@@ -1,5 +1,6 @@
 package rasterlab.engine.polygon.triangle;
 
+import rasterlab.contract.PointInTriangle;
 import rasterlab.engine.geometry.Orientation;
 
 /**
@@ -21,9 +22,28 @@ import rasterlab.engine.geometry.Orientation;
  * is not, two differ in sign: outside. Where all three are 0, corners and point lie on one line,
  * and their extent decides.
  */
-public final class RobustTriangle implements SideTests {
+public final class RobustTriangle implements PointInTriangle {
     private static final double ROUNDING = 8 * 0x1p-53;
     private static final double UNDERFLOW = 0x1p-1060;
+
+    /** Products of differences: 4 per side; and 2 for the bound. */
+    static final long MULTIPLICATIONS = 14;
+
+    /** 6 differences, 3 additions per side, 7 for E and F, 3 for the bound. */
+    static final long ADDITIONS = 25;
+
+    private final Runnable onExact;
+
+    public RobustTriangle() {
+        this(() -> {});
+    }
+
+    /**
+     * @param onExact run for each side that is asked exactly
+     */
+    RobustTriangle(Runnable onExact) {
+        this.onExact = onExact;
+    }
 
     @Override
     public boolean contains(
@@ -56,43 +76,23 @@ public final class RobustTriangle implements SideTests {
         return exactly(ax, ay, bx, by, cx, cy, x, y);
     }
 
-    private static boolean exactly(
+    private boolean exactly(
             double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
-        SideTests.requireFinite(ax, ay, bx, by, cx, cy, x, y);
-        int ab = Orientation.of(ax, ay, bx, by, x, y);
-        int bc = Orientation.of(bx, by, cx, cy, x, y);
-        int ca = Orientation.of(cx, cy, ax, ay, x, y);
+        SideWalk.requireFinite(ax, ay, bx, by, cx, cy, x, y);
+        int ab = exactSide(ax, ay, bx, by, x, y);
+        int bc = exactSide(bx, by, cx, cy, x, y);
+        int ca = exactSide(cx, cy, ax, ay, x, y);
         if (ab * bc < 0 || ab * ca < 0 || bc * ca < 0) return false;
         if ((ab | bc | ca) != 0) return true;
         return within(ax, bx, cx, x) && within(ay, by, cy, y);
     }
 
+    private int exactSide(double px, double py, double qx, double qy, double x, double y) {
+        onExact.run();
+        return Orientation.of(px, py, qx, qy, x, y);
+    }
+
     private static boolean within(double a, double b, double c, double p) {
         return p >= Math.min(a, Math.min(b, c)) && p <= Math.max(a, Math.max(b, c));
-    }
-
-    @Override
-    public int asked(
-            double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
-        return contains(ax, ay, bx, by, cx, cy, x, y) ? 3 : -3;
-    }
-
-    /** Of the three questions, how many doubles alone cannot answer. */
-    int hard(double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
-        int hard = 0;
-        if (!Orientation.easy(ax, ay, bx, by, x, y)) hard++;
-        if (!Orientation.easy(bx, by, cx, cy, x, y)) hard++;
-        if (!Orientation.easy(cx, cy, ax, ay, x, y)) hard++;
-        return hard;
-    }
-
-    @Override
-    public int multiplicationsPerSide() {
-        return 4;
-    }
-
-    @Override
-    public int additionsPerSide() {
-        return 5;
     }
 }
