@@ -42,6 +42,8 @@ public final class PointInPolygonRun implements TopicRun {
         Given given = StrictJson.object(text, length, POLYGON, POINTS);
         Points polygon = Points.of(given.get(POLYGON));
         Points points = Points.of(given.get(POINTS));
+        double[] polygonX = polygon.xs();
+        double[] polygonY = polygon.ys();
         PointInPolygon judge = topic.method(method).implementation();
         Membership inside =
                 watch.call(
@@ -50,8 +52,7 @@ public final class PointInPolygonRun implements TopicRun {
                                 new Membership(
                                         points,
                                         points.size(),
-                                        (x, y) ->
-                                                judge.contains(polygon.xs(), polygon.ys(), x, y)));
+                                        (x, y) -> judge.contains(polygonX, polygonY, x, y)));
         if (!steps) return json -> PointInTriangleRun.write(json, inside);
         SteppedPolygonTest stepped = stepped(method, judge, polygon, points);
         return json -> {
@@ -79,9 +80,11 @@ public final class PointInPolygonRun implements TopicRun {
     private static void writeSteps(
             JsonGenerator json, SteppedPolygonTest stepped, Points polygon, Points points)
             throws IOException {
+        double[] polygonX = polygon.xs();
+        double[] polygonY = polygon.ys();
         json.writeArrayFieldStart("steps");
         for (int i = 0; i < points.size(); i++) {
-            EdgeWalk walk = stepped.walk(polygon.xs(), polygon.ys(), points.x(i), points.y(i));
+            EdgeWalk walk = stepped.walk(polygonX, polygonY, points.x(i), points.y(i));
             json.writeStartArray();
             while (walk.advance()) {
                 json.writeStartObject();

@@ -35,7 +35,7 @@ public final class TriangulateTopic implements Topic<Triangulator, Points, Trian
 
     @Override
     public Triangles record(Triangulator method, Points corners, int limit) {
-        var answer = new Triangles(method.triangulate(corners.xs().clone(), corners.ys().clone()));
+        var answer = new Triangles(method.triangulate(corners.xs(), corners.ys()));
         if (answer.size() > limit) throw new LimitReached(limit, answer.first(limit));
         return answer;
     }
