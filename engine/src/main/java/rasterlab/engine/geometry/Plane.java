@@ -76,4 +76,11 @@ public record Plane(Vector normal, double c) {
                     "line must meet the plane at a μ within doubles, got " + mu);
         return mu;
     }
+
+    /** The angle between the line and the plane, in degrees from 0 to 90. */
+    public double angleWith(Line line) {
+        Vector n = normal.unit();
+        Vector along = line.direction().unit();
+        return Math.toDegrees(Math.atan2(Math.abs(n.dot(along)), n.cross(along).length()));
+    }
 }
