@@ -7,6 +7,7 @@ import rasterlab.engine.clip.PolygonClipTopic;
 import rasterlab.engine.clip.SegmentClipTopic;
 import rasterlab.engine.clip.VolumeClipTopic;
 import rasterlab.engine.fill.FillTopic;
+import rasterlab.engine.geometry.meeting.LinePlaneTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.polygon.inside.PointInPolygonTopic;
@@ -34,6 +35,7 @@ public final class Topics {
                 new EllipseTopic(),
                 new FillTopic(),
                 new PolygonFillTopic(),
+                new LinePlaneTopic(),
                 new PointInTriangleTopic(),
                 new PointInPolygonTopic(),
                 new TriangulateTopic(),

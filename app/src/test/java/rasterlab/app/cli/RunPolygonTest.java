@@ -6,6 +6,7 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.util.ArrayList;
 import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -59,7 +60,7 @@ class RunPolygonTest {
                         "triangulate",
                         "fan",
                         "{\"polygon\":[[0,4],[4,4],[4,0],[0,0]]}",
-                        "{\"triangles\":[[0,2,1],[0,3,2]]}"));
+                        "{\"triangles\":[[2,1,0],[3,2,0]]}"));
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
@@ -142,20 +143,41 @@ class RunPolygonTest {
         ran.assertDone();
     }
 
-    @Test
-    void stepsOfATriangulationAreItsCutsInOrder() throws Exception {
-        String json = "{\"polygon\":[[0,0],[8,0],[8,3],[4,3],[4,6],[0,6]]}";
-        Ran ran = Ran.labReading(json, "run", "triangulate", "shortest-diagonal", "--steps");
-        JsonNode answer = new ObjectMapper().readTree(ran.out());
-        assertEquals(4, answer.path("steps").size());
-        for (int i = 0; i < 4; i++) {
-            JsonNode triangle = answer.path("triangles").get(i);
-            JsonNode step = answer.path("steps").get(i);
-            assertEquals(triangle.get(0), step.path("diagonal").get(0));
-            assertEquals(triangle.get(1), step.path("cut"));
-            assertEquals(triangle.get(2), step.path("diagonal").get(1));
-        }
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("cuts")
+    void stepsOfATriangulationAreItsCutsInOrder(String method, String polygon, String steps)
+            throws Exception {
+        String json = "{\"polygon\":" + polygon + "}";
+        Ran ran = Ran.labReading(json, "run", "triangulate", method, "--steps");
+        var told = new ArrayList<String>();
+        for (JsonNode step : new ObjectMapper().readTree(ran.out()).path("steps"))
+            told.add(step.path("cut") + " by " + step.path("diagonal"));
+        assertEquals(steps, String.join(", ", told));
         ran.assertDone();
+    }
+
+    static Stream<Arguments> cuts() {
+        return Stream.of(
+                argumentSet(
+                        "cut corner is an end of the diagonal",
+                        "shortest-diagonal",
+                        "[[0,0],[8,0],[8,3],[4,3],[4,6],[0,6]]",
+                        "2 by [1,3], 1 by [0,3], 0 by [5,3], 5 by [4,3]"),
+                argumentSet(
+                        "clockwise cuts are told counter-clockwise",
+                        "ear-clipping",
+                        "[[0,6],[4,6],[4,3],[8,3],[8,0],[0,0]]",
+                        "4 by [5,3], 3 by [5,2], 2 by [5,1], 1 by [5,0]"),
+                argumentSet(
+                        "fan cuts off a corner of the diagonal",
+                        "fan",
+                        "[[0,0],[4,0],[4,4],[0,4]]",
+                        "1 by [0,2], 2 by [0,3]"),
+                argumentSet(
+                        "clockwise fan cuts off a corner of the diagonal",
+                        "fan",
+                        "[[0,4],[4,4],[4,0],[0,0]]",
+                        "1 by [2,0], 2 by [3,0]"));
     }
 
     @Test

@@ -9,26 +9,26 @@ package rasterlab.engine.geometry;
  * <p>Source: J. R. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric
  * predicates, Discrete & Computational Geometry 18, 1997, grow-expansion with zero elimination.
  */
-final class Expansion {
+public final class Expansion {
     private final double[] parts;
     private int size;
 
     /**
      * @param most number of terms that will be added, at most; a product counts as two
      */
-    Expansion(int most) {
+    public Expansion(int most) {
         parts = new double[most];
     }
 
     /** Adds a·b; its error a·b − (a ⊗ b) must be a double. */
-    void addProduct(double a, double b) {
+    public void addProduct(double a, double b) {
         double product = a * b;
         add(Math.fma(a, b, -product));
         add(product);
     }
 
     /** Adds one term by a chain of two-sums: each passes its rounded sum on, its error stays. */
-    void add(double term) {
+    public void add(double term) {
         double carry = term;
         int kept = 0;
         for (int i = 0; i < size; i++) {
@@ -43,8 +43,15 @@ final class Expansion {
         size = kept;
     }
 
+    /** The sum rounded to a double, off by at most one unit in its last place. */
+    public double value() {
+        double sum = 0;
+        for (int i = 0; i < size; i++) sum += parts[i];
+        return sum;
+    }
+
     /** −1, 0 or 1. */
-    int sign() {
+    public int sign() {
         return size == 0 ? 0 : parts[size - 1] > 0 ? 1 : -1;
     }
 }

@@ -5,6 +5,17 @@ public final class Finite {
     private Finite() {}
 
     /**
+     * Passes if the value is finite.
+     *
+     * @param name what it is
+     * @throws IllegalArgumentException naming it
+     */
+    public static void require(String name, double value) {
+        if (!Double.isFinite(value))
+            throw new IllegalArgumentException(name + " must be finite, got " + value);
+    }
+
+    /**
      * Passes if all values are finite.
      *
      * @param name what they are, in the singular

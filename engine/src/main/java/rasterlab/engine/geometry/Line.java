@@ -10,6 +10,14 @@ package rasterlab.engine.geometry;
  */
 public record Line(Vector from, Vector through) {
     public Line {
+        if (!Double.isFinite(through.x() - from.x())
+                || !Double.isFinite(through.y() - from.y())
+                || !Double.isFinite(through.z() - from.z()))
+            throw new IllegalArgumentException(
+                    "a line's points must be less than 1.8e308 apart, got "
+                            + from
+                            + " and "
+                            + through);
         if (through.minus(from).length() == 0)
             throw new IllegalArgumentException(
                     "a line needs two different points, got " + from + " twice");

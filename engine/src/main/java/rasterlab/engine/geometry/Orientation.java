@@ -37,11 +37,4 @@ public final class Orientation {
         if (det < -bound) return -1;
         return ExactOrientation.of(ax, ay, bx, by, cx, cy);
     }
-
-    /** Whether plain doubles are enough to tell the sign: what {@link #of} finds first. */
-    public static boolean easy(double ax, double ay, double bx, double by, double cx, double cy) {
-        double left = (ax - cx) * (by - cy);
-        double right = (ay - cy) * (bx - cx);
-        return Math.abs(left - right) > ROUNDING * (Math.abs(left) + Math.abs(right)) + UNDERFLOW;
-    }
 }

@@ -7,6 +7,9 @@ package rasterlab.engine.geometry;
  * @param c n·a for any point a of the plane
  */
 public record Plane(Vector normal, double c) {
+    /** Normals whose largest coordinate lies between 2 to the powers of this and its negative. */
+    private static final int MOST_EXPONENT = 500;
+
     public Plane {
         Finite.require("c", c);
         if (normal.length() == 0)
@@ -19,16 +22,21 @@ public record Plane(Vector normal, double c) {
     }
 
     /**
-     * The plane through three points; its normal is (p − q) × (p − r).
+     * The plane through three points; its normal is (p − q) × (p − r), or a power of two times that
+     * where it would leave the range of doubles.
      *
      * @throws IllegalArgumentException if the three lie on one line
      */
     public static Plane through(Vector p, Vector q, Vector r) {
-        Vector normal = p.minus(q).cross(p.minus(r));
-        if (normal.length() == 0)
+        Vector a = p.minus(q);
+        Vector b = p.minus(r);
+        Vector near1 = a.shifted(-a.exponent()).cross(b.shifted(-b.exponent()));
+        if (near1.length() == 0)
             throw new IllegalArgumentException(
                     "three points on one line have no plane: " + p + ", " + q + ", " + r);
-        return through(q, normal);
+        int shift = a.exponent() + b.exponent();
+        boolean fits = Math.abs(shift + near1.exponent()) < MOST_EXPONENT;
+        return through(q, fits ? near1.shifted(shift) : near1);
     }
 
     /** f(p) = Ax + By + Cz − c: positive on the side the normal points to, 0 on the plane. */
@@ -50,15 +58,29 @@ public record Plane(Vector normal, double c) {
     /**
      * μ = (c − n·p₁) / (n·p*), where the line meets the plane.
      *
-     * @throws IllegalArgumentException if the line is parallel to the plane: n·p* is 0, or μ is no
-     *     finite number
+     * @throws IllegalArgumentException if the line is parallel to the plane, n·p* being 0, or μ or
+     *     what it is computed from is beyond doubles
      */
     public double meets(Line line) {
-        double slope = normal.dot(line.direction());
-        double mu = (c - normal.dot(line.from())) / slope;
-        if (slope == 0 || !Double.isFinite(mu))
+        Vector direction = line.direction();
+        // By powers of two, so that n·p* is 0 only where n and p* say so.
+        Vector n = normal.shifted(-normal.exponent());
+        double slope = n.dot(direction.shifted(-direction.exponent()));
+        if (slope == 0)
             throw new IllegalArgumentException(
                     "line must not be parallel to the plane, but n·p* is " + slope);
+        double rise = Math.scalb(c, -normal.exponent()) - n.dot(line.from());
+        double mu = Math.scalb(rise / slope, -direction.exponent());
+        if (!Double.isFinite(mu))
+            throw new IllegalArgumentException(
+                    "line must meet the plane at a μ within doubles, got " + mu);
         return mu;
+    }
+
+    /** The angle between the line and the plane, in degrees from 0 to 90. */
+    public double angleWith(Line line) {
+        Vector n = normal.unit();
+        Vector along = line.direction().unit();
+        return Math.toDegrees(Math.atan2(Math.abs(n.dot(along)), n.cross(along).length()));
     }
 }

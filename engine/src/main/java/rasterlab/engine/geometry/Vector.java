@@ -50,15 +50,23 @@ public record Vector(double x, double y, double z) {
      * @throws IllegalArgumentException if this is (0, 0, 0)
      */
     public Vector unit() {
-        // A power of two brings the largest coordinate near 1 without rounding any that counts.
-        double largest = Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
-        if (largest == 0)
+        if (x == 0 && y == 0 && z == 0)
             throw new IllegalArgumentException("direction (0, 0, 0) has no length; give another");
-        int exponent = Math.getExponent(largest);
-        double px = Math.scalb(x, -exponent);
-        double py = Math.scalb(y, -exponent);
-        double pz = Math.scalb(z, -exponent);
-        double length = Math.sqrt(px * px + py * py + pz * pz);
-        return new Vector(px / length, py / length, pz / length);
+        Vector p = shifted(-exponent());
+        double length = Math.sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
+        return new Vector(p.x / length, p.y / length, p.z / length);
+    }
+
+    /** The e with the largest coordinate in [2ᵉ, 2ᵉ⁺¹), below 2ᵉ⁺¹ where it is not normal. */
+    int exponent() {
+        return Math.getExponent(Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z))));
+    }
+
+    /**
+     * This times 2 to the power of {@code by}; by −{@link #exponent} the largest coordinate comes
+     * near 1 and none that counts is rounded.
+     */
+    Vector shifted(int by) {
+        return new Vector(Math.scalb(x, by), Math.scalb(y, by), Math.scalb(z, by));
     }
 }

@@ -46,15 +46,15 @@ public final class MembershipComparison {
         double px = input.points().x(point);
         double py = input.points().y(point);
         double largest = Math.max(Math.abs(px), Math.abs(py));
-        for (double v : input.corners().xs()) largest = Math.max(largest, Math.abs(v));
-        for (double v : input.corners().ys()) largest = Math.max(largest, Math.abs(v));
+        Points corners = input.corners();
+        for (int i = 0; i < corners.size(); i++)
+            largest = Math.max(largest, Math.max(Math.abs(corners.x(i)), Math.abs(corners.y(i))));
         if (largest == 0) return 1;
         // Brought near 1, so that neither a difference nor a square overflows.
         int exponent = Math.getExponent(largest);
         double x = near1(px, exponent);
         double y = near1(py, exponent);
         double least = Double.MAX_VALUE;
-        Points corners = input.corners();
         for (int i = 0; i < corners.size(); i++) {
             int j = (i + 1) % corners.size();
             double ax = near1(corners.x(i), exponent) - x;

@@ -43,14 +43,14 @@ public final class Points {
         return y[i];
     }
 
-    /** All x, for a method that does not change them. */
+    /** All x, copied. */
     public double[] xs() {
-        return x;
+        return x.clone();
     }
 
-    /** All y, for a method that does not change them. */
+    /** All y, copied. */
     public double[] ys() {
-        return y;
+        return y.clone();
     }
 
     /** The same points, last first: a polygon that goes round the other way. */

@@ -8,6 +8,7 @@ import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 
 /** The course's first chapter: lines and planes of space. */
 class SpaceTest {
@@ -77,6 +78,45 @@ class SpaceTest {
                     "line must not be parallel to the plane, but n·p* is 0.0",
                     refusal.getMessage());
         }
+    }
+
+    @Test
+    void tinyAndHugeNumbersAreNoParallels() {
+        for (double size : new double[] {1e-200, 1, 1e200}) {
+            var plane = new Plane(at(0, 0, 2 * size), 8 * size);
+            assertEquals(4, plane.meets(new Line(at(1, 1, 0), at(2, 1, 1))), "normal of " + size);
+            var shrunk = Plane.through(at(size, 0, 0), at(0, 2 * size, 0), at(0, 0, 3 * size));
+            var line = new Line(O, at(size, 2 * size, 3 * size));
+            assertEquals(1.0 / 3, shrunk.meets(line), 1e-15, "points of " + size);
+        }
+    }
+
+    @Test
+    void aMuBeyondDoublesIsNotCalledParallel() {
+        var line = new Line(at(0, 0, 0), at(1, 0, 1e-200));
+        var refusal =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> new Plane(at(0, 0, 1), 1e200).meets(line));
+        assertEquals(
+                "line must meet the plane at a μ within doubles, got Infinity",
+                refusal.getMessage());
+    }
+
+    @Test
+    void whatIsNotFiniteIsNamedWithoutAPlace() {
+        assertRefused("c must be finite, got NaN", () -> new Plane(at(0, 0, 1), Double.NaN));
+        assertRefused("mu must be finite, got Infinity", () -> Line.part(1 / 0.0));
+        assertRefused(
+                "a line's points must be less than 1.8e308 apart, got "
+                        + at(-1e308, 0, 0)
+                        + " and "
+                        + at(1e308, 0, 0),
+                () -> new Line(at(-1e308, 0, 0), at(1e308, 0, 0)));
+    }
+
+    private static void assertRefused(String message, Executable what) {
+        assertEquals(message, assertThrows(IllegalArgumentException.class, what).getMessage());
     }
 
     @Test

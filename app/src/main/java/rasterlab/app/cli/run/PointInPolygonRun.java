@@ -50,6 +50,8 @@ public final class PointInPolygonRun implements TopicRun {
         Given given = StrictJson.object(text, length, POLYGON, POINTS);
         Points polygon = Points.of(given.get(POLYGON));
         Points points = Points.of(given.get(POINTS));
+        double[] polygonX = polygon.xs();
+        double[] polygonY = polygon.ys();
         PointInPolygon judge = topic.method(method).implementation();
         if (steps) return stepped(method, judge, polygon, points);
         Membership inside =
@@ -59,8 +61,7 @@ public final class PointInPolygonRun implements TopicRun {
                                 new Membership(
                                         points,
                                         points.size(),
-                                        (x, y) ->
-                                                judge.contains(polygon.xs(), polygon.ys(), x, y)));
+                                        (x, y) -> judge.contains(polygonX, polygonY, x, y)));
         return json -> InsideJson.write(json, inside);
     }
 
@@ -76,6 +77,8 @@ public final class PointInPolygonRun implements TopicRun {
     private Answer stepped(String method, PointInPolygon judge, Points polygon, Points points) {
         SteppedPolygonTest stepped = Steps.of(method, judge, SteppedPolygonTest.class);
         requireFew((long) polygon.size() * points.size());
+        double[] polygonX = polygon.xs();
+        double[] polygonY = polygon.ys();
         var steps = new ArrayList<List<Step>>();
         Membership inside =
                 watch.call(
@@ -84,7 +87,12 @@ public final class PointInPolygonRun implements TopicRun {
                                 new Membership(
                                         points,
                                         points.size(),
-                                        (x, y) -> walked(stepped, polygon, x, y, steps)));
+                                        (x, y) -> {
+                                            EdgeWalk walk =
+                                                    stepped.walk(polygonX, polygonY, x, y);
+                                            steps.add(drained(walk));
+                                            return walk.inside();
+                                        }));
         return json -> {
             InsideJson.write(json, inside);
             Steps.writeLists(json, stepped.countFormula(), steps, (out, step) -> step.write(out));
@@ -100,17 +108,9 @@ public final class PointInPolygonRun implements TopicRun {
                             + most);
     }
 
-    /** Whether the point is inside; adds the list of its steps. */
-    private static boolean walked(
-            SteppedPolygonTest stepped,
-            Points polygon,
-            double x,
-            double y,
-            List<List<Step>> steps) {
-        var ofPoint = new ArrayList<Step>();
-        EdgeWalk walk = stepped.walk(polygon.xs(), polygon.ys(), x, y);
-        while (walk.advance()) ofPoint.add(new Step(walk.edge(), walk.count()));
-        steps.add(ofPoint);
-        return walk.inside();
+    private static List<Step> drained(EdgeWalk walk) {
+        var steps = new ArrayList<Step>();
+        while (walk.advance()) steps.add(new Step(walk.edge(), walk.count()));
+        return steps;
     }
 }

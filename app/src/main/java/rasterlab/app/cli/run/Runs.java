@@ -25,6 +25,7 @@ public final class Runs {
                         new EllipseRun(watch),
                         new FillRun(watch),
                         new PolygonFillRun(watch),
+                        new LinePlaneRun(watch),
                         new PointInTriangleRun(watch),
                         new PointInPolygonRun(watch),
                         new TriangulateRun(watch),

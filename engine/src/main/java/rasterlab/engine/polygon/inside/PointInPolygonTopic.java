@@ -47,8 +47,8 @@ public final class PointInPolygonTopic
 
     @Override
     public Membership record(PointInPolygon method, ShapeAndPoints input, int limit) {
-        double[] polygonX = input.corners().xs().clone();
-        double[] polygonY = input.corners().ys().clone();
+        double[] polygonX = input.corners().xs();
+        double[] polygonY = input.corners().ys();
         var answer =
                 new Membership(
                         input.points(), limit, (x, y) -> method.contains(polygonX, polygonY, x, y));
@@ -90,11 +90,11 @@ public final class PointInPolygonTopic
         if (!(method instanceof SteppedPolygonTest stepped)) return Map.of();
         long edges = 0;
         long counted = 0;
-        Points polygon = input.corners();
-        for (int i = 0; i < input.points().size(); i++) {
-            EdgeWalk walk =
-                    stepped.walk(
-                            polygon.xs(), polygon.ys(), input.points().x(i), input.points().y(i));
+        double[] polygonX = input.corners().xs();
+        double[] polygonY = input.corners().ys();
+        Points points = input.points();
+        for (int i = 0; i < points.size(); i++) {
+            EdgeWalk walk = stepped.walk(polygonX, polygonY, points.x(i), points.y(i));
             for (int before = 0; walk.advance(); before = walk.count()) {
                 edges++;
                 if (walk.count() != before) counted++;

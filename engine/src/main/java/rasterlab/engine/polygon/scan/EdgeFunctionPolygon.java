@@ -44,6 +44,10 @@ public final class EdgeFunctionPolygon implements SteppedPolygon {
         private final FillRule rule;
         private final int left;
         private final int right;
+
+        /** The first column of the row whose edge functions are not known. */
+        private int next;
+
         private int from;
         private int to;
         private long evaluated;
@@ -53,19 +57,27 @@ public final class EdgeFunctionPolygon implements SteppedPolygon {
             this.rule = rule;
             this.left = left;
             this.right = right;
-            to = right;
+            next = right;
         }
 
         @Override
         public boolean advance() {
-            while (to < right || edges.nextRow()) {
-                from = to < right ? to : left;
-                while (from < right && !inside(from)) from++;
-                to = from;
-                while (to < right && inside(to)) to++;
-                if (from < to) return true;
+            while (next < right || nextRow()) {
+                while (next < right && !inside(next)) next++;
+                if (next == right) continue;
+                from = next++;
+                while (next < right && inside(next)) next++;
+                to = next;
+                if (next < right) next++; // it ended the span, so it is known to be outside
+                return true;
             }
             return false;
+        }
+
+        private boolean nextRow() {
+            if (!edges.nextRow()) return false;
+            next = left;
+            return true;
         }
 
         private boolean inside(int column) {

@@ -1,9 +1,8 @@
 package rasterlab.engine.polygon.scan;
 
 import java.util.Arrays;
+import java.util.Map;
 import rasterlab.contract.FillRule;
-import rasterlab.contract.PolygonFiller;
-import rasterlab.contract.Spans;
 
 /**
  * A polygon row by row as one writes it first, kept because each of its faults teaches a rule.
@@ -12,30 +11,89 @@ import rasterlab.contract.Spans;
  * wrongly. Both ends of a span are rounded and filled, so polygons that share an edge draw its
  * pixels twice. Crossings are paired, so every outline is filled by the even-odd rule.
  */
-public final class NaivePolygon implements PolygonFiller {
+public final class NaivePolygon implements SteppedPolygon {
     @Override
-    public void fill(double[] x, double[] y, FillRule rule, int width, int height, Spans out) {
+    public SpanWalk walk(double[] x, double[] y, FillRule rule, int width, int height) {
         PolygonCheck.check(x, y, width, height);
-        var crossings = new double[x.length];
-        for (int row = 0; row < height; row++) {
-            int count = cross(x, y, row, crossings);
-            Arrays.sort(crossings, 0, count);
-            for (int i = 0; i + 1 < count; i += 2) {
-                int from = (int) Math.max(0, Math.rint(crossings[i]));
-                int last = (int) Math.min(width - 1, Math.rint(crossings[i + 1]));
-                if (from <= last) out.span(row, from, last + 1);
-            }
-        }
+        return new Walk(x, y, width, height);
     }
 
-    private static int cross(double[] x, double[] y, int row, double[] crossings) {
-        int count = 0;
-        for (int i = 0, before = x.length - 1; i < x.length; before = i++) {
-            if (y[before] == y[i]) continue;
-            double share = (row - y[before]) / (y[i] - y[before]);
-            if (share >= 0 && share <= 1)
-                crossings[count++] = x[before] + share * (x[i] - x[before]);
+    private static final class Walk implements SpanWalk {
+        private final double[] x;
+        private final double[] y;
+        private final int width;
+        private final int height;
+
+        /** The row's crossings from left to right, and how many there are. */
+        private final double[] crossings;
+
+        private int count;
+        private int next;
+        private int row = -1;
+        private int from;
+        private int to;
+        private long edges;
+
+        Walk(double[] x, double[] y, int width, int height) {
+            this.x = x;
+            this.y = y;
+            this.width = width;
+            this.height = height;
+            crossings = new double[x.length];
         }
-        return count;
+
+        @Override
+        public boolean advance() {
+            while (next + 1 < count || nextRow()) {
+                if (next + 1 >= count) continue;
+                from = (int) Math.max(0, Math.rint(crossings[next]));
+                to = (int) Math.min(width - 1, Math.rint(crossings[next + 1])) + 1;
+                next += 2;
+                if (from < to) return true;
+            }
+            return false;
+        }
+
+        private boolean nextRow() {
+            if (row + 1 >= height) return false;
+            row++;
+            count = 0;
+            next = 0;
+            for (int i = 0, before = x.length - 1; i < x.length; before = i++) cross(before, i);
+            Arrays.sort(crossings, 0, count);
+            return true;
+        }
+
+        private void cross(int i, int j) {
+            edges++;
+            if (y[i] == y[j]) return;
+            double share = (row - y[i]) / (y[j] - y[i]);
+            if (share >= 0 && share <= 1) crossings[count++] = x[i] + share * (x[j] - x[i]);
+        }
+
+        @Override
+        public int y() {
+            return row;
+        }
+
+        @Override
+        public int from() {
+            return from;
+        }
+
+        @Override
+        public int to() {
+            return to;
+        }
+
+        @Override
+        public int crossings() {
+            return count;
+        }
+
+        @Override
+        public Map<String, Long> operations() {
+            return Map.of("edges", edges);
+        }
     }
 }

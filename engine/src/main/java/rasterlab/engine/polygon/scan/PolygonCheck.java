@@ -10,14 +10,19 @@ final class PolygonCheck {
     private PolygonCheck() {}
 
     static void check(double[] x, double[] y, int width, int height) {
-        if (x.length != y.length)
-            throw new IllegalArgumentException(
-                    "a polygon needs as many x as y, got " + x.length + " and " + y.length);
-        Raster.checkSize(width, height);
+        checkSizes(x, y, width, height);
         for (int i = 0; i < x.length; i++) {
             checkCoordinate("x", i, x[i]);
             checkCoordinate("y", i, y[i]);
         }
+    }
+
+    /** What does not depend on the coordinates. */
+    static void checkSizes(double[] x, double[] y, int width, int height) {
+        if (x.length != y.length)
+            throw new IllegalArgumentException(
+                    "a polygon needs as many x as y, got " + x.length + " and " + y.length);
+        Raster.checkSize(width, height);
     }
 
     private static void checkCoordinate(String axis, int corner, double value) {

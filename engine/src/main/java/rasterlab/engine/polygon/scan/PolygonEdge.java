@@ -1,28 +1,19 @@
 package rasterlab.engine.polygon.scan;
 
-import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.engine.geometry.Orientation;
 
 /**
  * An edge of a polygon that is not level, from its upper end down, in pixel coordinates.
  *
  * <p>It crosses row y when upperY ≤ y &lt; lowerY, at X = upperX + (y − upperY)·dx/dy. A column c
- * is reached when X ≤ c, that is when E = (c − upperX)·dy − (y − upperY)·dx ≥ 0. E is computed in
- * doubles and, where their rounding might decide its sign, again without rounding.
- *
- * <p>The bound on the rounding of E is that of J. R. Shewchuk, Adaptive precision floating-point
- * arithmetic and fast robust geometric predicates, Discrete &amp; Computational Geometry 18, 1997.
+ * is reached when X ≤ c, that is when E = (c − upperX)·dy − (y − upperY)·dx ≥ 0. {@link
+ * Orientation} computes −E as it stands and tells its sign without error.
  *
  * @param winding 1 where the outline follows the edge downward, −1 where upward
  */
 record PolygonEdge(double upperX, double upperY, double lowerX, double lowerY, int winding) {
-    private static final double EPSILON = 0x1p-53;
-    private static final double BOUND = (3 + 16 * EPSILON) * EPSILON;
-
-    /** Below this a product may have lost digits to underflow, which the bound leaves out. */
-    private static final double TINY = 0x1p-960;
-
     /** The edges that cross a row from 0 to {@code height} − 1. */
     static List<PolygonEdge> crossing(double[] x, double[] y, int height) {
         var edges = new ArrayList<PolygonEdge>();
@@ -48,20 +39,7 @@ record PolygonEdge(double upperX, double upperY, double lowerX, double lowerY, i
 
     /** Whether the edge crosses this row at or left of this column. */
     boolean reaches(int column, int row) {
-        double a = (column - upperX) * (lowerY - upperY);
-        double b = (row - upperY) * (lowerX - upperX);
-        double e = a - b;
-        double unsure = BOUND * (Math.abs(a) + Math.abs(b)) + TINY;
-        return Math.abs(e) > unsure ? e > 0 : exactly(column, row) >= 0;
-    }
-
-    private int exactly(int column, int row) {
-        var x = new BigDecimal(upperX);
-        var y = new BigDecimal(upperY);
-        BigDecimal dx = new BigDecimal(lowerX).subtract(x);
-        BigDecimal dy = new BigDecimal(lowerY).subtract(y);
-        BigDecimal a = new BigDecimal(column).subtract(x).multiply(dy);
-        return a.compareTo(new BigDecimal(row).subtract(y).multiply(dx));
+        return Orientation.of(upperX, upperY, lowerX, lowerY, column, row) <= 0;
     }
 
     /** The first column from 0 to {@code width} − 1 that is reached; {@code width} if none is. */

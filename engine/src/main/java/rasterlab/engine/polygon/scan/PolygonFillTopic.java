@@ -72,7 +72,7 @@ public final class PolygonFillTopic implements Topic<PolygonFiller, PolygonTask,
     public PixelRecording exact(PolygonTask task, int limit) {
         var recording = new PixelRecording(limit);
         if (!finite(task.x()) || !finite(task.y())) return recording;
-        new ExactPolygon(task)
+        new ExactFill(task)
                 .fill(
                         (y, from, to) -> {
                             for (int x = from; x < to && recording.size() < limit; x++)

@@ -110,8 +110,8 @@ final class PolygonHazards {
     private static PolygonTask star(FillRule rule) {
         var corners = new double[10];
         for (int i = 0; i < 5; i++) {
-            corners[2 * i] = 20 + 18.3 * Math.sin(2 * i * 2 * Math.PI / 5);
-            corners[2 * i + 1] = 20.2 - 18.3 * Math.cos(2 * i * 2 * Math.PI / 5);
+            corners[2 * i] = 20 + 18.3 * StrictMath.sin(2 * i * 2 * Math.PI / 5);
+            corners[2 * i + 1] = 20.2 - 18.3 * StrictMath.cos(2 * i * 2 * Math.PI / 5);
         }
         return PolygonTask.of(rule, 40, 40, corners);
     }

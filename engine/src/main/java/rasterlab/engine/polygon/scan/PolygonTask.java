@@ -12,9 +12,20 @@ import rasterlab.contract.FillRule;
  */
 public record PolygonTask(double[] x, double[] y, FillRule rule, int width, int height) {
     /**
+     * @throws IllegalArgumentException if x and y are not as many, or no picture has that size
+     */
+    public PolygonTask {
+        PolygonCheck.checkSizes(x, y, width, height);
+    }
+
+    /**
      * @param corners x and y of each corner in turn
+     * @throws IllegalArgumentException if a y is missing
      */
     static PolygonTask of(FillRule rule, int width, int height, double... corners) {
+        if (corners.length % 2 != 0)
+            throw new IllegalArgumentException(
+                    "corners need an even count of numbers, got " + corners.length);
         var x = new double[corners.length / 2];
         var y = new double[corners.length / 2];
         for (int i = 0; i < x.length; i++) {

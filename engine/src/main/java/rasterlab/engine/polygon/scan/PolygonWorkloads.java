@@ -38,8 +38,8 @@ final class PolygonWorkloads {
         for (int i = 0; i < corners; i++) {
             double angle = 2 * Math.PI * i / corners;
             double distance = side / 2.0 * (0.3 + 0.7 * random.nextDouble());
-            x[i] = side / 2.0 + distance * Math.cos(angle);
-            y[i] = side / 2.0 + distance * Math.sin(angle);
+            x[i] = side / 2.0 + distance * StrictMath.cos(angle);
+            y[i] = side / 2.0 + distance * StrictMath.sin(angle);
         }
         return new PolygonTask(x, y, rule, side, side);
     }

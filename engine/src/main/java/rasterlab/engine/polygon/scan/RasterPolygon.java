@@ -9,8 +9,8 @@ import rasterlab.engine.raster.Raster;
  * price of one addition per crossing.
  *
  * <p>Corners are whole 1/{@value #SUBPIXELS} pixels at most 16384 pixels from 0. An edge's crossing
- * is a multiple of 1/(256·Δy), Δy in sub-pixels and below 2²³, so two different ones and a whole
- * column are at least 2⁻³¹ apart. It is kept in fixed point with {@value #FRACTION} binary places:
+ * is a multiple of 1/(256·Δy), Δy in sub-pixels and at most 2²³, so one that is no whole column is
+ * at least 2⁻³¹ away from each. It is kept in fixed point with {@value #FRACTION} binary places:
  * the start, computed in doubles, is off by less than 2⁻³⁵, the slope by less than 2⁻⁴⁶ and 2⁻⁵² of
  * itself, which over 2¹³ rows are less than 2⁻³². So ⌊X + 1 − 2⁻³²⌋ is the first column that is not
  * left of the exact crossing, and rounding never decides. An edge flatter than that crosses one row
@@ -51,15 +51,16 @@ public final class RasterPolygon {
     /**
      * Fills a polygon.
      *
-     * @param x columns of the corners in sub-pixels; a pixel's centre is a multiple of {@value
+     * @param subpixelX columns of the corners; a pixel's centre is a multiple of {@value
      *     #SUBPIXELS}
-     * @param y rows of the corners in sub-pixels
+     * @param subpixelY rows of the corners
      * @param corners how many of them count
      * @param argb the colour, 0xAARRGGBB, written as it is
      */
-    public void fill(int[] x, int[] y, int corners, FillRule rule, int argb, Raster out) {
+    public void fill(
+            int[] subpixelX, int[] subpixelY, int corners, FillRule rule, int argb, Raster out) {
         reserve(corners, out.height());
-        load(x, y, corners, out.height());
+        load(subpixelX, subpixelY, corners, out.height());
         int mask = rule == FillRule.EVEN_ODD ? 1 : -1;
         int count = 0;
         int row = firstRow;
@@ -87,28 +88,38 @@ public final class RasterPolygon {
         }
     }
 
-    private void load(int[] x, int[] y, int corners, int height) {
+    private void load(int[] subpixelX, int[] subpixelY, int corners, int height) {
         firstRow = height;
         endRow = 0;
-        for (int i = 0; i < corners; i++) check(x[i], y[i], i);
+        for (int i = 0; i < corners; i++) check(subpixelX[i], subpixelY[i], i);
         for (int i = 0, before = corners - 1; i < corners; before = i++) {
-            if (y[before] < y[i]) load(i, x[before], y[before], x[i], y[i], 1, height);
-            else load(i, x[i], y[i], x[before], y[before], -1, height);
+            if (subpixelY[before] < subpixelY[i])
+                load(i, subpixelX, subpixelY, before, i, 1, height);
+            else load(i, subpixelX, subpixelY, i, before, -1, height);
         }
     }
 
-    private static void check(int x, int y, int corner) {
-        if (Math.abs((long) x) > FARTHEST || Math.abs((long) y) > FARTHEST)
+    private static void check(int subpixelX, int subpixelY, int corner) {
+        if (Math.abs((long) subpixelX) > FARTHEST || Math.abs((long) subpixelY) > FARTHEST)
             throw new IllegalArgumentException(
                     "corner %d must be at most 16384 pixels from 0, got (%d, %d) / 256"
-                            .formatted(corner, x, y));
+                            .formatted(corner, subpixelX, subpixelY));
     }
 
-    private void load(int edge, int x, int y, int lowerX, int lowerY, int down, int height) {
+    private void load(
+            int edge,
+            int[] subpixelX,
+            int[] subpixelY,
+            int upper,
+            int lower,
+            int down,
+            int height) {
+        int x = subpixelX[upper];
+        int y = subpixelY[upper];
         int first = Math.max(0, y + SUBPIXELS - 1 >> 8);
-        int last = Math.min(height, lowerY + SUBPIXELS - 1 >> 8);
+        int last = Math.min(height, subpixelY[lower] + SUBPIXELS - 1 >> 8);
         if (first >= last) return;
-        double slope = (double) (lowerX - x) / (lowerY - y);
+        double slope = (double) (subpixelX[lower] - x) / (subpixelY[lower] - y);
         double crossing = (x + (first * SUBPIXELS - y) * slope) / SUBPIXELS;
         position[edge] = (long) (crossing * ONE) + ROUND_UP;
         step[edge] = (long) (slope * ONE);

@@ -10,34 +10,52 @@ package rasterlab.engine.polygon.triangle;
  * <p>N is a sum of products and rounded, so points within a few ulps of a side fall to either.
  * Corners on one line give f = 0 along all of it, also beyond the ends.
  */
-final class HalfPlanes implements SideTests {
+final class HalfPlanes implements SteppedTriangleTest {
     @Override
-    public int asked(
+    public boolean contains(
             double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
-        SideTests.requireFinite(ax, ay, bx, by, cx, cy, x, y);
-        if (beyond(ax, ay, bx, by, cx, cy, x, y)) return -1;
-        if (beyond(bx, by, cx, cy, ax, ay, x, y)) return -2;
-        if (beyond(cx, cy, ax, ay, bx, by, x, y)) return -3;
-        return 3;
-    }
-
-    /** Whether (x, y) lies beyond the side p–q, seen from the third corner r. */
-    private static boolean beyond(
-            double px, double py, double qx, double qy, double rx, double ry, double x, double y) {
-        double l = py - qy;
-        double m = qx - px;
-        double n = -(l * px + m * py);
-        double f = l * x + m * y + n;
-        return l * rx + m * ry + n > 0 ? f < 0 : f > 0;
+        return new Walk(ax, ay, bx, by, cx, cy, x, y).drain();
     }
 
     @Override
-    public int multiplicationsPerSide() {
-        return 6;
+    public SideWalk walk(
+            double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+        return new Walk(ax, ay, bx, by, cx, cy, x, y);
     }
 
     @Override
-    public int additionsPerSide() {
-        return 7;
+    public String valueFormula() {
+        return "f of the point, its sign turned where the third corner has f > 0; inside where none is"
+                + " positive";
+    }
+
+    private static final class Walk extends SideWalk {
+        Walk(double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+            super(ax, ay, bx, by, cx, cy, x, y);
+        }
+
+        @Override
+        double ask(int side) {
+            return switch (side) {
+                case 0 -> side(ax, ay, bx, by, cx, cy);
+                case 1 -> side(bx, by, cx, cy, ax, ay);
+                default -> side(cx, cy, ax, ay, bx, by);
+            };
+        }
+
+        /** f of the point for the side p–q, turned so that the third corner r has f ≤ 0. */
+        private double side(double px, double py, double qx, double qy, double rx, double ry) {
+            spend(6, 7);
+            double l = py - qy;
+            double m = qx - px;
+            double n = -(l * px + m * py);
+            double f = l * x + m * y + n;
+            return l * rx + m * ry + n > 0 ? -f : f;
+        }
+
+        @Override
+        boolean outside(int side, double value) {
+            return value > 0;
+        }
     }
 }

@@ -95,27 +95,33 @@ public final class PointInTriangleTopic
 
     @Override
     public Map<String, Long> operations(PointInTriangle method, ShapeAndPoints input) {
-        if (!(method instanceof SideTests sideTests)) return Map.of();
+        if (method instanceof SteppedTriangleTest stepped) return walked(stepped, input);
+        return method instanceof RobustTriangle ? ofRobust(input) : Map.of();
+    }
+
+    /** What the walks have counted. */
+    private static Map<String, Long> walked(SteppedTriangleTest method, ShapeAndPoints input) {
         var counts = new TreeMap<String, Long>();
         Points t = input.corners();
         for (int i = 0; i < input.points().size(); i++) {
             double x = input.points().x(i);
             double y = input.points().y(i);
-            int asked =
-                    Math.abs(sideTests.asked(t.x(0), t.y(0), t.x(1), t.y(1), t.x(2), t.y(2), x, y));
-            counts.merge("sides asked", (long) asked, Long::sum);
-            counts.merge(
-                    "multiplications",
-                    (long) asked * sideTests.multiplicationsPerSide(),
-                    Long::sum);
-            counts.merge("additions", (long) asked * sideTests.additionsPerSide(), Long::sum);
-            if (method instanceof RobustTriangle robust)
-                counts.merge(
-                        "sides within rounding",
-                        (long) robust.hard(t.x(0), t.y(0), t.x(1), t.y(1), t.x(2), t.y(2), x, y),
-                        Long::sum);
+            SideWalk walk = method.walk(t.x(0), t.y(0), t.x(1), t.y(1), t.x(2), t.y(2), x, y);
+            walk.drain();
+            walk.operations().forEach((name, more) -> counts.merge(name, more, Long::sum));
         }
         return counts;
+    }
+
+    /** Before the exact sides it does the same for every point. */
+    private Map<String, Long> ofRobust(ShapeAndPoints input) {
+        var exactSides = new long[1];
+        long points = spend(new RobustTriangle(() -> exactSides[0]++), input);
+        return Map.of(
+                "sides asked", 3 * points,
+                "sides asked exactly", exactSides[0],
+                "multiplications", RobustTriangle.MULTIPLICATIONS * points,
+                "additions", RobustTriangle.ADDITIONS * points);
     }
 
     @Override

@@ -1,5 +1,6 @@
 package rasterlab.engine.polygon.triangle;
 
+import rasterlab.contract.PointInTriangle;
 import rasterlab.engine.geometry.Orientation;
 
 /**
@@ -12,14 +13,37 @@ import rasterlab.engine.geometry.Orientation;
  * adds what products near zero can lose. Where all three sizes exceed that, none is 0 and equal
  * sign bits mean inside. It costs no jump that depends on the point.
  *
+ * <p>A side's own differences are at most half of E, so a product or sum on the way overflows only
+ * where {@code E·(|x| + |y| + F)} does too. Multiplied out before the small factor, that makes the
+ * bound infinite, which no size exceeds.
+ *
  * <p>Otherwise inside is what is never on the left of one side and on the right of another, seen
  * exactly. The three doubled areas add up to the triangle's own, so where that is 0 and one of them
  * is not, two differ in sign: outside. Where all three are 0, corners and point lie on one line,
  * and their extent decides.
  */
-public final class RobustTriangle implements SideTests {
+public final class RobustTriangle implements PointInTriangle {
     private static final double ROUNDING = 8 * 0x1p-53;
     private static final double UNDERFLOW = 0x1p-1060;
+
+    /** Products of differences: 4 per side; and 2 for the bound. */
+    static final long MULTIPLICATIONS = 14;
+
+    /** 6 differences, 3 additions per side, 7 for E and F, 3 for the bound. */
+    static final long ADDITIONS = 25;
+
+    private final Runnable onExact;
+
+    public RobustTriangle() {
+        this(() -> {});
+    }
+
+    /**
+     * @param onExact run for each side that is asked exactly
+     */
+    RobustTriangle(Runnable onExact) {
+        this.onExact = onExact;
+    }
 
     @Override
     public boolean contains(
@@ -41,7 +65,8 @@ public final class RobustTriangle implements SideTests {
                         + Math.abs(cax)
                         + Math.abs(cay);
         double f = Math.abs(ax) + Math.abs(ay) + e;
-        double bound = ROUNDING * e * (Math.abs(x) + Math.abs(y) + f) + UNDERFLOW;
+        double scale = e * (Math.abs(x) + Math.abs(y) + f);
+        double bound = ROUNDING * scale + UNDERFLOW;
         if (Math.abs(ab) > bound && Math.abs(bc) > bound && Math.abs(ca) > bound) {
             long bits = Double.doubleToRawLongBits(ab);
             return ((bits ^ Double.doubleToRawLongBits(bc))
@@ -51,43 +76,23 @@ public final class RobustTriangle implements SideTests {
         return exactly(ax, ay, bx, by, cx, cy, x, y);
     }
 
-    private static boolean exactly(
+    private boolean exactly(
             double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
-        SideTests.requireFinite(ax, ay, bx, by, cx, cy, x, y);
-        int ab = Orientation.of(ax, ay, bx, by, x, y);
-        int bc = Orientation.of(bx, by, cx, cy, x, y);
-        int ca = Orientation.of(cx, cy, ax, ay, x, y);
+        SideWalk.requireFinite(ax, ay, bx, by, cx, cy, x, y);
+        int ab = exactSide(ax, ay, bx, by, x, y);
+        int bc = exactSide(bx, by, cx, cy, x, y);
+        int ca = exactSide(cx, cy, ax, ay, x, y);
         if (ab * bc < 0 || ab * ca < 0 || bc * ca < 0) return false;
         if ((ab | bc | ca) != 0) return true;
         return within(ax, bx, cx, x) && within(ay, by, cy, y);
     }
 
+    private int exactSide(double px, double py, double qx, double qy, double x, double y) {
+        onExact.run();
+        return Orientation.of(px, py, qx, qy, x, y);
+    }
+
     private static boolean within(double a, double b, double c, double p) {
         return p >= Math.min(a, Math.min(b, c)) && p <= Math.max(a, Math.max(b, c));
-    }
-
-    @Override
-    public int asked(
-            double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
-        return contains(ax, ay, bx, by, cx, cy, x, y) ? 3 : -3;
-    }
-
-    /** Of the three questions, how many doubles alone cannot answer. */
-    int hard(double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
-        int hard = 0;
-        if (!Orientation.easy(ax, ay, bx, by, x, y)) hard++;
-        if (!Orientation.easy(bx, by, cx, cy, x, y)) hard++;
-        if (!Orientation.easy(cx, cy, ax, ay, x, y)) hard++;
-        return hard;
-    }
-
-    @Override
-    public int multiplicationsPerSide() {
-        return 4;
-    }
-
-    @Override
-    public int additionsPerSide() {
-        return 5;
     }
 }

@@ -10,30 +10,50 @@ package rasterlab.engine.polygon.triangle;
  * the corners go; near a side the products' rounding decides. Three zeros agree, so of corners on
  * one line the whole line is inside.
  */
-final class SignDouble implements SideTests {
+final class SignDouble implements SteppedTriangleTest {
     @Override
-    public int asked(
+    public boolean contains(
             double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
-        SideTests.requireFinite(ax, ay, bx, by, cx, cy, x, y);
-        double first = (y - ay) * (cx - ax) - (x - ax) * (cy - ay);
-        double second = (y - cy) * (bx - cx) - (x - cx) * (by - cy);
-        if (differ(first, second)) return -2;
-        double third = (y - by) * (ax - bx) - (x - bx) * (ay - by);
-        return differ(first, third) ? -3 : 3;
-    }
-
-    /** Whether the sign bits differ; −0 has one, 0 and, on every machine so read, NaN have none. */
-    private static boolean differ(double a, double b) {
-        return (Double.doubleToLongBits(a) ^ Double.doubleToLongBits(b)) < 0;
+        return new Walk(ax, ay, bx, by, cx, cy, x, y).drain();
     }
 
     @Override
-    public int multiplicationsPerSide() {
-        return 2;
+    public SideWalk walk(
+            double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+        return new Walk(ax, ay, bx, by, cx, cy, x, y);
     }
 
     @Override
-    public int additionsPerSide() {
-        return 5;
+    public String valueFormula() {
+        return "(y − py)·(qx − px) − (x − px)·(qy − py) for the sides a–c, c–b, b–a; inside where all three"
+                + " sign bits are equal";
+    }
+
+    private static final class Walk extends SideWalk {
+        private double first;
+
+        Walk(double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+            super(ax, ay, bx, by, cx, cy, x, y);
+        }
+
+        @Override
+        double ask(int side) {
+            return switch (side) {
+                case 0 -> first = side(ax, ay, cx, cy);
+                case 1 -> side(cx, cy, bx, by);
+                default -> side(bx, by, ax, ay);
+            };
+        }
+
+        private double side(double px, double py, double qx, double qy) {
+            spend(2, 5);
+            return (y - py) * (qx - px) - (x - px) * (qy - py);
+        }
+
+        /** Whether the sign bits differ; −0 has one, 0 and, so read, NaN have none. */
+        @Override
+        boolean outside(int side, double value) {
+            return (Double.doubleToLongBits(first) ^ Double.doubleToLongBits(value)) < 0;
+        }
     }
 }

@@ -6,34 +6,23 @@ package rasterlab.engine.polygon.triangle;
  * <p>Coordinates are rounded to 24 bits first: 2²⁴ + 1 and 2²⁴ become one. Those beyond the largest
  * float are refused. Products overflow from about 2⁶³ on and vanish below 2⁻⁷⁵.
  */
-final class SignFloat implements SideTests {
+final class SignFloat implements SteppedTriangleTest {
     @Override
-    public int asked(
+    public boolean contains(
             double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
-        SideTests.requireFinite(ax, ay, bx, by, cx, cy, x, y);
-        return asked(
-                rounded(ax),
-                rounded(ay),
-                rounded(bx),
-                rounded(by),
-                rounded(cx),
-                rounded(cy),
-                rounded(x),
-                rounded(y));
+        return new Walk(ax, ay, bx, by, cx, cy, x, y).drain();
     }
 
-    private static int asked(
-            float ax, float ay, float bx, float by, float cx, float cy, float x, float y) {
-        float first = (y - ay) * (cx - ax) - (x - ax) * (cy - ay);
-        float second = (y - cy) * (bx - cx) - (x - cx) * (by - cy);
-        if (differ(first, second)) return -2;
-        float third = (y - by) * (ax - bx) - (x - bx) * (ay - by);
-        return differ(first, third) ? -3 : 3;
+    @Override
+    public SideWalk walk(
+            double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+        return new Walk(ax, ay, bx, by, cx, cy, x, y);
     }
 
-    /** Whether the sign bits differ; −0 has one, 0 and, on every machine so read, NaN have none. */
-    private static boolean differ(float a, float b) {
-        return (Float.floatToIntBits(a) ^ Float.floatToIntBits(b)) < 0;
+    @Override
+    public String valueFormula() {
+        return "(y − py)·(qx − px) − (x − px)·(qy − py) for the sides a–c, c–b, b–a; inside where all three"
+                + " sign bits are equal";
     }
 
     private static float rounded(double coordinate) {
@@ -44,13 +33,47 @@ final class SignFloat implements SideTests {
         return value;
     }
 
-    @Override
-    public int multiplicationsPerSide() {
-        return 2;
-    }
+    private static final class Walk extends SideWalk {
+        private final float axRounded;
+        private final float ayRounded;
+        private final float bxRounded;
+        private final float byRounded;
+        private final float cxRounded;
+        private final float cyRounded;
+        private final float xRounded;
+        private final float yRounded;
+        private double first;
 
-    @Override
-    public int additionsPerSide() {
-        return 5;
+        Walk(double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+            super(ax, ay, bx, by, cx, cy, x, y);
+            axRounded = rounded(ax);
+            ayRounded = rounded(ay);
+            bxRounded = rounded(bx);
+            byRounded = rounded(by);
+            cxRounded = rounded(cx);
+            cyRounded = rounded(cy);
+            xRounded = rounded(x);
+            yRounded = rounded(y);
+        }
+
+        @Override
+        double ask(int side) {
+            return switch (side) {
+                case 0 -> first = side(axRounded, ayRounded, cxRounded, cyRounded);
+                case 1 -> side(cxRounded, cyRounded, bxRounded, byRounded);
+                default -> side(bxRounded, byRounded, axRounded, ayRounded);
+            };
+        }
+
+        private float side(float px, float py, float qx, float qy) {
+            spend(2, 5);
+            return (yRounded - py) * (qx - px) - (xRounded - px) * (qy - py);
+        }
+
+        /** Whether the sign bits differ; −0 has one, 0 and, so read, NaN have none. */
+        @Override
+        boolean outside(int side, double value) {
+            return (Double.doubleToLongBits(first) ^ Double.doubleToLongBits(value)) < 0;
+        }
     }
 }

@@ -11,21 +11,23 @@ package rasterlab.engine.polygon.triangle;
  * positive number, so the boundary is inside where the sides' values are positive and outside where
  * the corners go the other way round.
  */
-final class SignInt implements SideTests {
+final class SignInt implements SteppedTriangleTest {
     @Override
-    public int asked(
+    public boolean contains(
             double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
-        return asked(
-                whole(ax), whole(ay), whole(bx), whole(by), whole(cx), whole(cy), whole(x),
-                whole(y));
+        return new Walk(ax, ay, bx, by, cx, cy, x, y).drain();
     }
 
-    private static int asked(int ax, int ay, int bx, int by, int cx, int cy, int x, int y) {
-        int first = (y - ay) * (cx - ax) - (x - ax) * (cy - ay);
-        int second = (y - cy) * (bx - cx) - (x - cx) * (by - cy);
-        if ((first ^ second) < 0) return -2;
-        int third = (y - by) * (ax - bx) - (x - bx) * (ay - by);
-        return (first ^ third) < 0 ? -3 : 3;
+    @Override
+    public SideWalk walk(
+            double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+        return new Walk(ax, ay, bx, by, cx, cy, x, y);
+    }
+
+    @Override
+    public String valueFormula() {
+        return "(y − py)·(qx − px) − (x − px)·(qy − py) for the sides a–c, c–b, b–a; inside where all three"
+                + " sign bits are equal";
     }
 
     private static int whole(double coordinate) {
@@ -37,13 +39,46 @@ final class SignInt implements SideTests {
         return value;
     }
 
-    @Override
-    public int multiplicationsPerSide() {
-        return 2;
-    }
+    private static final class Walk extends SideWalk {
+        private final int axWhole;
+        private final int ayWhole;
+        private final int bxWhole;
+        private final int byWhole;
+        private final int cxWhole;
+        private final int cyWhole;
+        private final int xWhole;
+        private final int yWhole;
+        private int first;
 
-    @Override
-    public int additionsPerSide() {
-        return 5;
+        Walk(double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+            super(ax, ay, bx, by, cx, cy, x, y);
+            axWhole = whole(ax);
+            ayWhole = whole(ay);
+            bxWhole = whole(bx);
+            byWhole = whole(by);
+            cxWhole = whole(cx);
+            cyWhole = whole(cy);
+            xWhole = whole(x);
+            yWhole = whole(y);
+        }
+
+        @Override
+        double ask(int side) {
+            return switch (side) {
+                case 0 -> first = side(axWhole, ayWhole, cxWhole, cyWhole);
+                case 1 -> side(cxWhole, cyWhole, bxWhole, byWhole);
+                default -> side(bxWhole, byWhole, axWhole, ayWhole);
+            };
+        }
+
+        private int side(int px, int py, int qx, int qy) {
+            spend(2, 5);
+            return (yWhole - py) * (qx - px) - (xWhole - px) * (qy - py);
+        }
+
+        @Override
+        boolean outside(int side, double value) {
+            return (first ^ (int) value) < 0;
+        }
     }
 }

@@ -1,5 +1,7 @@
 package rasterlab.engine.polygon.triangle;
 
+import java.util.Map;
+
 /**
  * Maps the triangle to the unit simplex (0, 0), (1, 0), (0, 1) and looks there.
  *
@@ -10,36 +12,82 @@ package rasterlab.engine.polygon.triangle;
  * <p>A triangle without area has no inverse and is refused. The division rounds, so points on the
  * sides fall to either.
  */
-final class Simplex implements SideTests {
+final class Simplex implements SteppedTriangleTest {
     @Override
-    public int asked(
+    public boolean contains(
             double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
-        SideTests.requireFinite(ax, ay, bx, by, cx, cy, x, y);
-        double ux = ax - cx;
-        double uy = ay - cy;
-        double vx = bx - cx;
-        double vy = by - cy;
-        double area = ux * vy - uy * vx;
-        if (area == 0 || !Double.isFinite(area))
-            throw new IllegalArgumentException(
-                    "the triangle's doubled area must be neither 0 nor beyond doubles, got "
-                            + area);
-        double px = x - cx;
-        double py = y - cy;
-        double u = (px * vy - py * vx) / area;
-        if (u < 0) return -1;
-        double v = (py * ux - px * uy) / area;
-        if (v < 0) return -2;
-        return u + v <= 1 ? 3 : -3;
+        return new Walk(ax, ay, bx, by, cx, cy, x, y).drain();
     }
 
     @Override
-    public int multiplicationsPerSide() {
-        return 2;
+    public SideWalk walk(
+            double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+        return new Walk(ax, ay, bx, by, cx, cy, x, y);
     }
 
     @Override
-    public int additionsPerSide() {
-        return 3;
+    public String valueFormula() {
+        return "u, v and u + v in turn; inside where u ≥ 0, v ≥ 0 and u + v ≤ 1";
+    }
+
+    private static final class Walk extends SideWalk {
+        private final double ux;
+        private final double uy;
+        private final double vx;
+        private final double vy;
+        private final double px;
+        private final double py;
+        private final double area;
+        private double u;
+        private double v;
+        private long divisions;
+
+        Walk(double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
+            super(ax, ay, bx, by, cx, cy, x, y);
+            ux = ax - cx;
+            uy = ay - cy;
+            vx = bx - cx;
+            vy = by - cy;
+            px = x - cx;
+            py = y - cy;
+            area = ux * vy - uy * vx;
+            spend(2, 7);
+            if (area == 0 || !Double.isFinite(area))
+                throw new IllegalArgumentException(
+                        "the triangle's doubled area must be neither 0 nor beyond doubles, got "
+                                + area);
+        }
+
+        @Override
+        double ask(int side) {
+            return switch (side) {
+                case 0 -> u = byArea(px * vy - py * vx);
+                case 1 -> v = byArea(py * ux - px * uy);
+                default -> sum();
+            };
+        }
+
+        private double byArea(double product) {
+            spend(2, 1);
+            divisions++;
+            return product / area;
+        }
+
+        private double sum() {
+            spend(0, 1);
+            return u + v;
+        }
+
+        @Override
+        boolean outside(int side, double value) {
+            return side < 2 ? value < 0 : !(value <= 1);
+        }
+
+        @Override
+        public Map<String, Long> operations() {
+            Map<String, Long> counts = super.operations();
+            counts.put("divisions", divisions);
+            return counts;
+        }
     }
 }

@@ -44,7 +44,7 @@ public final class TriangleBatch {
      * @throws IllegalArgumentException if a coordinate is NaN or infinite
      */
     public TriangleBatch(double ax, double ay, double bx, double by, double cx, double cy) {
-        SideTests.requireFinite(ax, ay, bx, by, cx, cy, 0, 0);
+        SideWalk.requireFinite(ax, ay, bx, by, cx, cy, 0, 0);
         this.ax = ax;
         this.ay = ay;
         this.bx = bx;
@@ -131,7 +131,7 @@ public final class TriangleBatch {
         for (int i = 0; i < x.length; i++) {
             double size = Math.abs(depth[i]);
             if (!thin && size > bound && size < Double.POSITIVE_INFINITY) continue;
-            SideTests.requireFinite(x[i], y[i], 0, 0, 0, 0, 0, 0);
+            SideWalk.requireFinite(x[i], y[i], 0, 0, 0, 0, 0, 0);
             depth[i] = robust.contains(ax, ay, bx, by, cx, cy, x[i], y[i]) ? 0 : -Double.MIN_VALUE;
         }
     }

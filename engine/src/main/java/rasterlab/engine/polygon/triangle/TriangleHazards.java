@@ -106,6 +106,12 @@ final class TriangleHazards {
                         Points.of(3, 3, 9, 9, -1, 0, 3, 8, 9, 2, 12, 3).scaled(1e200),
                         recorded(WRONG, EXACT, REFUSED, REFUSED, REFUSED, WRONG, EXACT)),
                 hazard(
+                        "products-just-overflow",
+                        "Coordinates of 1.5·10¹⁵⁴: some products overflow, others do not.",
+                        Points.of(1.5e154, 0, 1.5e154, 1.2e154, 1.4e154, 1.1e154),
+                        Points.of(1.52e154, 0.6e154, 1.48e154, 0.6e154, 1.46e154, 1.1e154),
+                        recorded(WRONG, EXACT, EXACT, REFUSED, REFUSED, EXACT, EXACT)),
+                hazard(
                         "tiny",
                         "Coordinates of 10⁻²⁰⁰, whose products vanish.",
                         COUNTER_CLOCKWISE.scaled(1e-200),

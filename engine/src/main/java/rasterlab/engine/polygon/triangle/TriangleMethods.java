@@ -38,7 +38,8 @@ final class TriangleMethods {
                         "x' = x·cos t − y·sin t, t turning a corner onto the Oy axis; the other"
                                 + " two need x' of different signs",
                         "the point stays at the origin, the triangle turns about it",
-                        "arc tangent, sine and cosine of one angle per corner, up to three",
+                        "arc tangent, sine and cosine of one angle, 6 multiplications and 9 additions"
+                                + " per corner, up to three",
                         "rounded sines: a point on a side falls to either",
                         "the course's text on analytic geometry, second method, 1991"),
                 new Rotation());
@@ -50,7 +51,7 @@ final class TriangleMethods {
                 new About(
                         "(u v) = (x y)·M⁻¹; inside where u ≥ 0, v ≥ 0, u + v ≤ 1",
                         "the map takes the triangle to (0, 0), (1, 0), (0, 1)",
-                        "6 multiplications and 2 divisions at most",
+                        "4 multiplications, 8 additions and a division, or 6, up to 10 and 2",
                         "no area: refused; points within rounding of a side",
                         "D. Chistyakov's suggestion of 1999, told in the course's text on analytic"
                                 + " geometry"),
@@ -105,8 +106,8 @@ final class TriangleMethods {
                         "exact signs of o(a, b, p), o(b, c, p), o(c, a, p); inside where no two"
                                 + " differ",
                         "the three doubled areas add up to the triangle's",
-                        "two products and an error bound per side; exact arithmetic only within"
-                                + " rounding of a side",
+                        "14 multiplications and 25 additions for the three sides and the error"
+                                + " bound; exact orientations only within rounding of a side",
                         "none known for finite doubles",
                         "exact signs after J. R. Shewchuk, Adaptive precision floating-point"
                                 + " arithmetic and fast robust geometric predicates, 1997"),

@@ -3,6 +3,7 @@ package rasterlab.engine.polygon.triangulation;
 import java.util.Arrays;
 import rasterlab.engine.geometry.Finite;
 import rasterlab.engine.geometry.Orientation;
+import rasterlab.engine.polygon.MeetingEdges;
 
 /**
  * A polygon's corners without repetitions, counter-clockwise, each with its number in the input.
@@ -30,16 +31,18 @@ final class Corners {
      */
     static Corners ofSimple(double[] x, double[] y, int most) {
         Corners corners = distinct(x, y, most);
-        new SimplePolygon(corners).require();
+        MeetingEdges.of(corners.x, corners.y)
+                .ifPresent(
+                        pair -> {
+                            throw corners.meeting(pair);
+                        });
         return corners.clockwise() ? corners.reversed() : corners;
     }
 
     /** As {@link #ofSimple}, but in the order given and with crossings not looked for. */
     static Corners distinct(double[] x, double[] y, int most) {
         Finite.requirePoints("corner", x, y, 3);
-        if (x.length > most)
-            throw new IllegalArgumentException(
-                    "at most " + most + " corners are taken, got " + x.length);
+        requireAtMost(most, x.length);
         var kept = new int[x.length];
         int size = 0;
         for (int i = 0; i < x.length; i++)
@@ -52,12 +55,30 @@ final class Corners {
         return new Corners(picked(x, number), picked(y, number), number);
     }
 
+    /**
+     * @throws IllegalArgumentException if there are more corners than {@code most}
+     */
+    static void requireAtMost(int most, int corners) {
+        if (corners > most)
+            throw new IllegalArgumentException(
+                    "at most " + most + " corners are taken, got " + corners);
+    }
+
     private static boolean differ(double[] x, double[] y, int i, int j) {
         return x[i] != x[j] || y[i] != y[j];
     }
 
     private static double[] picked(double[] values, int[] number) {
         return Arrays.stream(number).mapToDouble(i -> values[i]).toArray();
+    }
+
+    private IllegalArgumentException meeting(MeetingEdges.Pair pair) {
+        return new IllegalArgumentException(
+                "edges may meet only at the corner they share, but those from corners "
+                        + number[pair.one()]
+                        + " and "
+                        + number[pair.other()]
+                        + " meet elsewhere");
     }
 
     int size() {
@@ -67,12 +88,6 @@ final class Corners {
     /** Exact turn at j on the way from i to k: 1 to the left, −1 to the right, 0 straight. */
     int turn(int i, int j, int k) {
         return Orientation.of(x[i], y[i], x[j], y[j], x[k], y[k]);
-    }
-
-    /** −1 where corner i comes before j from left to right, and below it where x is the same. */
-    int compare(int i, int j) {
-        if (x[i] != x[j]) return x[i] < x[j] ? -1 : 1;
-        return y[i] == y[j] ? 0 : y[i] < y[j] ? -1 : 1;
     }
 
     int after(int i) {
@@ -86,8 +101,13 @@ final class Corners {
     /** The leftmost corner of a simple polygon is convex: its turn is the polygon's. */
     private boolean clockwise() {
         int leftmost = 0;
-        for (int i = 1; i < size(); i++) if (compare(i, leftmost) < 0) leftmost = i;
+        for (int i = 1; i < size(); i++) if (leftOf(i, leftmost)) leftmost = i;
         return turn(before(leftmost), leftmost, after(leftmost)) < 0;
+    }
+
+    /** Whether corner i comes before j from left to right, and below it where x is the same. */
+    private boolean leftOf(int i, int j) {
+        return x[i] < x[j] || x[i] == x[j] && y[i] < y[j];
     }
 
     private Corners reversed() {

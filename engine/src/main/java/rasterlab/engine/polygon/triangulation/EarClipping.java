@@ -23,7 +23,7 @@ public final class EarClipping implements SteppedTriangulator {
         return "the next corner round the polygon that is an ear";
     }
 
-    static final class Walk implements TriangleWalk {
+    private static final class Walk implements TriangleWalk {
         private final EarRing ring;
         private final ArrayDeque<Integer> toTry = new ArrayDeque<>();
         private int a;
@@ -49,10 +49,6 @@ public final class EarClipping implements SteppedTriangulator {
             return true;
         }
 
-        EarRing ring() {
-            return ring;
-        }
-
         @Override
         public int a() {
             return ring.number(a);
@@ -66,6 +62,11 @@ public final class EarClipping implements SteppedTriangulator {
         @Override
         public int c() {
             return ring.number(c);
+        }
+
+        @Override
+        public long turns() {
+            return ring.turns();
         }
     }
 }

@@ -1,7 +1,7 @@
 package rasterlab.engine.polygon.triangulation;
 
 /**
- * Joins corner 0 to all others: triangles (0, i, i + 1).
+ * Joins corner 0 to all others: triangles (0, i, i + 1), or (i + 1, i, 0) of a clockwise polygon.
  *
  * <p>Right where the polygon is convex and no other corner lies on the two sides at corner 0; any
  * other is refused. That is so where, seen exactly, every triangle turns the same way, every corner
@@ -12,16 +12,7 @@ final class Fan implements SteppedTriangulator {
 
     @Override
     public TriangleWalk walk(double[] x, double[] y) {
-        Corners corners = Corners.distinct(x, y, MOST_CORNERS);
-        int way = corners.turn(0, 1, 2);
-        for (int i = 1; i + 1 < corners.size(); i++) {
-            requireTurn(corners, 0, i, i + 1, way);
-            requireTurn(corners, 0, 1, i + 1, way);
-        }
-        for (int i = 0; i < corners.size(); i++)
-            if (corners.turn(corners.before(i), i, corners.after(i)) == -way)
-                throw refusal(corners, i);
-        return new Walk(corners, way > 0);
+        return new Walk(Corners.distinct(x, y, MOST_CORNERS));
     }
 
     @Override
@@ -29,29 +20,44 @@ final class Fan implements SteppedTriangulator {
         return "corner 0, i and i + 1 for i = 1, 2, …";
     }
 
-    private static void requireTurn(Corners corners, int i, int j, int k, int way) {
-        if (way == 0 || corners.turn(i, j, k) != way) throw refusal(corners, k);
-    }
-
-    private static IllegalArgumentException refusal(Corners corners, int i) {
-        return new IllegalArgumentException(
-                "a fan needs a convex polygon without corners on the sides at corner 0, but corner "
-                        + corners.number[i]
-                        + " ("
-                        + corners.x[i]
-                        + ", "
-                        + corners.y[i]
-                        + ") is in the way");
-    }
-
+    /** Cuts off corner i, one after another, so that 0 and i + 1 are the ends of the diagonal. */
     private static final class Walk implements TriangleWalk {
         private final Corners corners;
         private final boolean counterClockwise;
         private int i;
+        private long turns;
 
-        Walk(Corners corners, boolean counterClockwise) {
+        Walk(Corners corners) {
             this.corners = corners;
-            this.counterClockwise = counterClockwise;
+            int way = turn(0, 1, 2);
+            for (int k = 1; k + 1 < corners.size(); k++) {
+                requireTurn(0, k, k + 1, way);
+                requireTurn(0, 1, k + 1, way);
+            }
+            for (int k = 0; k < corners.size(); k++)
+                if (turn(corners.before(k), k, corners.after(k)) == -way) throw refusal(k);
+            counterClockwise = way > 0;
+        }
+
+        private int turn(int i, int j, int k) {
+            turns++;
+            return corners.turn(i, j, k);
+        }
+
+        private void requireTurn(int i, int j, int k, int way) {
+            if (way == 0 || turn(i, j, k) != way) throw refusal(k);
+        }
+
+        private IllegalArgumentException refusal(int corner) {
+            return new IllegalArgumentException(
+                    "a fan needs a convex polygon without corners on the sides at corner 0, but"
+                            + " corner "
+                            + corners.number[corner]
+                            + " ("
+                            + corners.x[corner]
+                            + ", "
+                            + corners.y[corner]
+                            + ") is in the way");
         }
 
         @Override
@@ -63,17 +69,22 @@ final class Fan implements SteppedTriangulator {
 
         @Override
         public int a() {
-            return corners.number[0];
+            return corners.number[counterClockwise ? 0 : i + 1];
         }
 
         @Override
         public int b() {
-            return corners.number[counterClockwise ? i : i + 1];
+            return corners.number[i];
         }
 
         @Override
         public int c() {
-            return corners.number[counterClockwise ? i + 1 : i];
+            return corners.number[counterClockwise ? i + 1 : 0];
+        }
+
+        @Override
+        public long turns() {
+            return turns;
         }
     }
 }

@@ -7,15 +7,13 @@ package rasterlab.engine.polygon.triangulation;
  * corners may go either way round, and the sign of a turn is exact instead of compared with 10⁻⁶.
  * Of equal diagonals the first round the polygon is cut.
  *
- * <p>Each cut looks at all ears: n²/2 diagonals for n corners. At most {@value #MOST_CORNERS}
- * corners are taken.
+ * <p>Each cut looks at all ears: n²/2 diagonals for n corners. At most {@value
+ * EarClipping#MOST_CORNERS} corners are taken.
  */
 final class ShortestDiagonal implements SteppedTriangulator {
-    static final int MOST_CORNERS = 20_000;
-
     @Override
     public TriangleWalk walk(double[] x, double[] y) {
-        return new Walk(Corners.ofSimple(x, y, MOST_CORNERS));
+        return new Walk(Corners.ofSimple(x, y, EarClipping.MOST_CORNERS));
     }
 
     @Override
@@ -23,7 +21,7 @@ final class ShortestDiagonal implements SteppedTriangulator {
         return "the ear with the least (xj − xh)² + (yj − yh)²";
     }
 
-    static final class Walk implements TriangleWalk {
+    private static final class Walk implements TriangleWalk {
         private final EarRing ring;
         private final boolean[] ear;
         private int start;
@@ -66,10 +64,6 @@ final class ShortestDiagonal implements SteppedTriangulator {
             return best;
         }
 
-        EarRing ring() {
-            return ring;
-        }
-
         @Override
         public int a() {
             return ring.number(a);
@@ -83,6 +77,11 @@ final class ShortestDiagonal implements SteppedTriangulator {
         @Override
         public int c() {
             return ring.number(c);
+        }
+
+        @Override
+        public long turns() {
+            return ring.turns();
         }
     }
 }

@@ -3,28 +3,25 @@ package rasterlab.engine.polygon.triangulation;
 import rasterlab.engine.geometry.Finite;
 
 /**
- * The course's shortest-diagonal listing, with the faults of its idea.
+ * The course's shortest-diagonal listing, its slips mended, with the faults of its idea.
  *
  * <p>Of the corners i whose turn {@code D = (xi − xh)·(yj − yh) − (xj − xh)·(yi − yh)} exceeds 10⁻⁶
  * the one with the shortest diagonal from h to j is cut, if it is below 10³⁰. Whether another
  * corner lies in the triangle is not asked. So polygons in small units, large ones, and those given
  * clockwise have no such corner; then the corner of the last cut's place is cut, whatever it is.
  *
- * <p>Two slips of the listing as printed are mended, since with them it cuts nothing right at all:
- * it assigns i + 1 to h where j is meant, and closes the gap in the list of corners from the first
- * corner on instead of from i.
+ * <p>Two slips of the listing as printed are mended, since with them it cuts nothing at all ({@link
+ * ShortestDiagonalPrintedTextbook} has them): it assigns i + 1 to h where j is meant, and closes
+ * the gap in the list of corners from the first corner on instead of from i.
  */
 final class ShortestDiagonalTextbook implements SteppedTriangulator {
     private static final double BIG = 1e30;
     private static final double LEAST_TURN = 0.000001;
-    private static final int MOST_CORNERS = 20_000;
 
     @Override
     public TriangleWalk walk(double[] x, double[] y) {
         Finite.requirePoints("corner", x, y, 3);
-        if (x.length > MOST_CORNERS)
-            throw new IllegalArgumentException(
-                    "at most " + MOST_CORNERS + " corners are taken, got " + x.length);
+        Corners.requireAtMost(EarClipping.MOST_CORNERS, x.length);
         return new Walk(x, y);
     }
 
@@ -42,6 +39,7 @@ final class ShortestDiagonalTextbook implements SteppedTriangulator {
         private int a;
         private int b;
         private int c;
+        private long turns;
 
         Walk(double[] x, double[] y) {
             this.x = x;
@@ -87,6 +85,7 @@ final class ShortestDiagonalTextbook implements SteppedTriangulator {
         }
 
         private double turn(int i) {
+            turns++;
             int h = v[before(i)];
             double dxi = x[v[i]] - x[h];
             double dyi = y[v[i]] - y[h];
@@ -108,6 +107,11 @@ final class ShortestDiagonalTextbook implements SteppedTriangulator {
         @Override
         public int c() {
             return c;
+        }
+
+        @Override
+        public long turns() {
+            return turns;
         }
     }
 }

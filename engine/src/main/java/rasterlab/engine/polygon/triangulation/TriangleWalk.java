@@ -19,4 +19,7 @@ public interface TriangleWalk {
 
     /** Number of the triangle's last corner; a–c is the diagonal. */
     int c();
+
+    /** Turns of three corners computed so far, those before the first triangle included. */
+    long turns();
 }

@@ -1,5 +1,6 @@
 package rasterlab.engine.polygon.triangulation;
 
+import static rasterlab.engine.study.Verdict.Kind.CRASHED;
 import static rasterlab.engine.study.Verdict.Kind.EXACT;
 import static rasterlab.engine.study.Verdict.Kind.REFUSED;
 import static rasterlab.engine.study.Verdict.Kind.WRONG;
@@ -30,6 +31,11 @@ final class TriangulateHazards {
     /** Simple polygons in handy numbers. */
     private static List<Hazard<Points>> ofShapes() {
         return List.of(
+                hazard(
+                        "one-triangle",
+                        "A triangle, which needs no cut: the listing as printed fails even here.",
+                        Points.of(0, 0, 4, 0, 0, 3),
+                        recorded(EXACT, EXACT, EXACT, EXACT)),
                 hazard(
                         "convex",
                         "A convex polygon, given counter-clockwise: any diagonals will do.",
@@ -119,6 +125,7 @@ final class TriangulateHazards {
         return new Hazard<>(name, description, corners, recorded);
     }
 
+    /** The listing as printed crashes at its first turn, whatever the polygon. */
     private static Map<String, Verdict.Kind> recorded(
             Verdict.Kind fan,
             Verdict.Kind shortestDiagonalTextbook,
@@ -126,6 +133,7 @@ final class TriangulateHazards {
             Verdict.Kind earClipping) {
         return Map.of(
                 "fan", fan,
+                "shortest-diagonal-printed-textbook", CRASHED,
                 "shortest-diagonal-textbook", shortestDiagonalTextbook,
                 "shortest-diagonal", shortestDiagonal,
                 "ear-clipping", earClipping);

@@ -10,20 +10,40 @@ final class TriangulateMethods {
     private TriangulateMethods() {}
 
     static List<Method<Triangulator>> all() {
-        return List.of(fan(), shortestDiagonalTextbook(), shortestDiagonal(), earClipping());
+        return List.of(
+                fan(),
+                shortestDiagonalPrintedTextbook(),
+                shortestDiagonalTextbook(),
+                shortestDiagonal(),
+                earClipping());
     }
 
     private static Method<Triangulator> fan() {
         return new Method<>(
                 "fan",
                 new About(
-                        "triangles (0, i, i + 1), i = 1 … n − 2",
+                        "triangles (0, i, i + 1), or (i + 1, i, 0) clockwise, i = 1 … n − 2",
                         "the triangles so far cover the corners 0 … i + 1",
-                        "3·n exact turns to see that the polygon is convex, then nothing",
+                        "3·n − 3 exact turns to see that the polygon is convex, then nothing",
                         "polygons that are not convex, and corners on the sides at corner 0:"
                                 + " refused",
                         "the course's lecture text on triangulation, first listing"),
                 new Fan());
+    }
+
+    private static Method<Triangulator> shortestDiagonalPrintedTextbook() {
+        return new Method<>(
+                "shortest-diagonal-printed-textbook",
+                new About(
+                        "h = i − 1, then h = i + 1 where j = i + 1 is meant; cut i where D = (xi −"
+                                + " xh)·(yj − yh) − (xj − xh)·(yi − yh) > 10⁻⁶ and the diagonal"
+                                + " from h to j is shortest",
+                        "none: j is never set",
+                        "nothing, since the first turn is never computed",
+                        "every polygon: the first turn asks for corner V(0), and corners count from"
+                                + " 1",
+                        "the course's lecture text on triangulation, second listing as printed"),
+                new ShortestDiagonalPrintedTextbook());
     }
 
     private static Method<Triangulator> shortestDiagonalTextbook() {

@@ -35,7 +35,7 @@ public final class TriangulateTopic implements Topic<Triangulator, Points, Trian
 
     @Override
     public Triangles record(Triangulator method, Points corners, int limit) {
-        var answer = new Triangles(method.triangulate(corners.xs().clone(), corners.ys().clone()));
+        var answer = new Triangles(method.triangulate(corners.xs(), corners.ys()));
         if (answer.size() > limit) throw new LimitReached(limit, answer.first(limit));
         return answer;
     }
@@ -52,7 +52,7 @@ public final class TriangulateTopic implements Topic<Triangulator, Points, Trian
      */
     @Override
     public Triangles exact(Points corners, int limit) {
-        return new ExactPolygon(corners).cut().first(limit);
+        return new ExactTriangulation(corners).cut().first(limit);
     }
 
     @Override
@@ -60,18 +60,14 @@ public final class TriangulateTopic implements Topic<Triangulator, Points, Trian
         return TriangulationComparison.compare(corners, exact, actual);
     }
 
-    /** The exact turns computed for tries of ears, counted as they are made. */
+    /** The turns of three corners that each method computes, counted as they are made. */
     @Override
     public Map<String, Long> operations(Triangulator method, Points corners) {
         if (!(method instanceof SteppedTriangulator stepped)) return Map.of();
         TriangleWalk walk = stepped.walk(corners.xs(), corners.ys());
         long cuts = 0;
         while (walk.advance()) cuts++;
-        if (walk instanceof EarClipping.Walk ears)
-            return Map.of("cuts", cuts, "turns", ears.ring().turns());
-        if (walk instanceof ShortestDiagonal.Walk ears)
-            return Map.of("cuts", cuts, "turns", ears.ring().turns());
-        return Map.of("cuts", cuts);
+        return Map.of("cuts", cuts, "turns", walk.turns());
     }
 
     @Override

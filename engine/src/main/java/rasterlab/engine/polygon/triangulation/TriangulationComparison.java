@@ -23,12 +23,12 @@ import rasterlab.engine.study.Deviation;
 final class TriangulationComparison {
     private static final double LEAST_PERCENT = 1e-6;
 
-    private final ExactPolygon polygon;
+    private final ExactTriangulation polygon;
     private final int corners;
     private final Triangles actual;
 
     private TriangulationComparison(Points corners, Triangles actual) {
-        polygon = new ExactPolygon(corners);
+        polygon = new ExactTriangulation(corners);
         this.corners = corners.size();
         this.actual = actual;
     }

@@ -23,7 +23,7 @@ class PolygonFullTest {
                     PolygonTask.of(
                             FillRule.values()[i % 2], SIDE, SIDE, corners(3 + i % 8, random));
             List<Integer> exact = new ArrayList<>();
-            new ExactPolygon(task).fill((y, from, to) -> exact.addAll(List.of(y, from, to)));
+            new ExactFill(task).fill((y, from, to) -> exact.addAll(List.of(y, from, to)));
             assertEquals(exact, spans(new ScanlinePolygon(), task), "seed 1967, polygon " + i);
             assertEquals(exact, spans(new EdgeFunctionPolygon(), task), "seed 1967, polygon " + i);
         }

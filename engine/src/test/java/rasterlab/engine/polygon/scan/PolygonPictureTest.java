@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -35,6 +36,19 @@ class PolygonPictureTest {
     @MethodSource("mistakes")
     void theNaiveOneMissesThePicture(String picture, FillRule rule, double[] corners) {
         assertNotEquals(picture, drawn(new NaivePolygon(), rule, corners, picture));
+    }
+
+    /** Two spans in each of four rows, in the last only one; eight columns, four edges. */
+    @Test
+    void noEdgeFunctionIsEvaluatedTwice() {
+        PolygonTask task = PolygonTask.of(EVEN_ODD, 12, 12, 1, 1, 9, 1, 9, 5, 5, 0.5, 1, 5);
+        SpanWalk walk =
+                new EdgeFunctionPolygon()
+                        .walk(task.x(), task.y(), task.rule(), task.width(), task.height());
+        int spans = 0;
+        while (walk.advance()) spans++;
+        assertEquals(7, spans);
+        assertEquals(8 * 4 * 4, walk.operations().get("edge functions"));
     }
 
     static Stream<Arguments> mistakes() {

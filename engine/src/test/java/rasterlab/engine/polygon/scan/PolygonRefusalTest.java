@@ -6,6 +6,7 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -63,6 +64,25 @@ class PolygonRefusalTest {
                         good,
                         0,
                         9));
+    }
+
+    @Test
+    void aTaskThatIsNoneIsRefused() {
+        double[] three = {1, 2, 3};
+        assertRefused(
+                "a polygon needs as many x as y, got 3 and 2",
+                () -> new PolygonTask(three, new double[2], FillRule.EVEN_ODD, 9, 9));
+        assertRefused(
+                "picture size must be from 1×1 to 8192×8192 pixels, got 9×0",
+                () -> new PolygonTask(three, three, FillRule.EVEN_ODD, 9, 0));
+        assertRefused(
+                "corners need an even count of numbers, got 3",
+                () -> PolygonTask.of(FillRule.EVEN_ODD, 9, 9, three));
+    }
+
+    private static void assertRefused(String message, Executable task) {
+        var refusal = assertThrows(IllegalArgumentException.class, task);
+        assertEquals(message, refusal.getMessage());
     }
 
     @Test

@@ -6,8 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -39,6 +42,7 @@ class PointInTriangleTest {
         Points triangle = Points.of(0, 0, 8, 0, 0, 8);
         Points flat = Points.of(0, 0, 4, 4, 2, 2);
         Points dot = Points.of(3, 3, 3, 3, 3, 3);
+        Points large = Points.of(1.5e154, 0, 1.5e154, 1.2e154, 1.4e154, 1.1e154);
         return Stream.of(
                 argumentSet("inside is outside", true, triangle, 1, 1),
                 argumentSet("outside is inside", false, triangle, 5, 5),
@@ -49,7 +53,8 @@ class PointInTriangleTest {
                 argumentSet("its whole line is inside", false, flat, 5, 5),
                 argumentSet("beside its line is inside", false, flat, 3, 2),
                 argumentSet("triangle of one point has none", true, dot, 3, 3),
-                argumentSet("triangle of one point has all", false, dot, 3, 4));
+                argumentSet("triangle of one point has all", false, dot, 3, 4),
+                argumentSet("overflowed product has a sign", false, large, 1.52e154, 0.6e154));
     }
 
     @Test
@@ -94,6 +99,47 @@ class PointInTriangleTest {
         assertEquals(
                 Map.of("sides asked", 2L, "multiplications", 4L, "additions", 10L),
                 TOPIC.operations(new SignDouble(), outside));
+    }
+
+    @Test
+    void simplexCostsItsDivisionsAndStopsEarly() {
+        assertCosts("{additions=8, divisions=1, multiplications=4, sides asked=1}", -1, 1);
+        assertCosts("{additions=9, divisions=2, multiplications=6, sides asked=2}", 1, -1);
+        assertCosts("{additions=10, divisions=2, multiplications=6, sides asked=3}", 1, 1);
+    }
+
+    private static void assertCosts(String costs, double x, double y) {
+        var input = new ShapeAndPoints(Points.of(8, 0, 0, 8, 0, 0), Points.of(x, y));
+        assertEquals(costs, new TreeMap<>(TOPIC.operations(new Simplex(), input)).toString());
+    }
+
+    @Test
+    void rotationCostsAnAngleForEachCorner() {
+        var input = new ShapeAndPoints(Points.of(0, 0, 8, 1, 3, 7), Points.of(3, 3));
+        var counts = TOPIC.operations(new Rotation(), input);
+        for (String angle : List.of("arc tangents", "sines", "cosines", "sides asked"))
+            assertEquals(3, counts.get(angle), angle);
+        assertEquals(18, counts.get("multiplications"));
+        assertEquals(27, counts.get("additions"));
+    }
+
+    @Test
+    void onlySidesAskedExactlyCountAsExact() {
+        Points corners = Points.of(0, 0, 8, 0, 0, 8);
+        var input = new ShapeAndPoints(corners, Points.of(1, 1, 9, 9, 4, 4));
+        var counts = TOPIC.operations(ROBUST, input);
+        assertEquals(3, counts.get("sides asked exactly"), "of (4, 4) alone");
+        assertEquals(3 * 14, counts.get("multiplications"));
+        assertEquals(3 * 25, counts.get("additions"));
+    }
+
+    @Test
+    void stepsAreTheSidesUpToTheOneThatSettlesTheAnswer() {
+        var walk = new SignInt().walk(0, 0, 8, 0, 0, 8, -1, 1);
+        var steps = new ArrayList<String>();
+        while (walk.advance()) steps.add(walk.side() + ": " + walk.value());
+        assertEquals(List.of("0: 8.0", "1: -64.0"), steps);
+        assertFalse(walk.inside());
     }
 
     /** Erratum: the text says that the way round does not matter. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import java.util.Random;
 import java.util.function.DoubleSupplier;
 import org.junit.jupiter.api.Test;
+import rasterlab.engine.polygon.ExactMembership;
 import rasterlab.engine.polygon.NearSides;
 import rasterlab.engine.polygon.Points;
 
@@ -92,6 +93,18 @@ class TriangleBatchTest {
         assertAsRobust(Points.of(4, 4, 4, 4, 4, 4), points(whole), "one point");
     }
 
+    /** Where one product after the other leaves the range of doubles. */
+    @Test
+    void productsAboutToOverflowAreJudgedExactly() {
+        var random = new Random(SEED);
+        for (int round = 0; round < 120; round++) {
+            double size = Math.scalb(1.0, 500 + random.nextInt(41));
+            Points corners = corners(() -> size * random.nextDouble());
+            Points points = points(() -> size * random.nextDouble());
+            assertExact(corners, points, "seed " + SEED + ", round " + round);
+        }
+    }
+
     @Test
     void numbersThatAreNoneAreRefused() {
         for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY}) {
@@ -130,10 +143,32 @@ class TriangleBatchTest {
         return Points.of(values);
     }
 
-    private static void assertAsRobust(Points t, Points points, String where) {
+    private static double[] judged(Points t, Points points) {
         var depth = new double[points.size()];
         new TriangleBatch(t.x(0), t.y(0), t.x(1), t.y(1), t.x(2), t.y(2))
                 .judge(points.xs(), points.ys(), depth);
+        return depth;
+    }
+
+    private static void assertExact(Points t, Points points, String where) {
+        double[] depth = judged(t, points);
+        var exact = new ExactMembership(t);
+        var robust = new RobustTriangle();
+        for (int i = 0; i < depth.length; i++) {
+            double x = points.x(i);
+            double y = points.y(i);
+            boolean inside = exact.contains(x, y);
+            String point = where + ", " + t + " (" + x + ", " + y + ")";
+            assertEquals(inside, depth[i] >= 0, point);
+            assertEquals(
+                    inside,
+                    robust.contains(t.x(0), t.y(0), t.x(1), t.y(1), t.x(2), t.y(2), x, y),
+                    point);
+        }
+    }
+
+    private static void assertAsRobust(Points t, Points points, String where) {
+        double[] depth = judged(t, points);
         var robust = new RobustTriangle();
         for (int i = 0; i < depth.length; i++) {
             double x = points.x(i);

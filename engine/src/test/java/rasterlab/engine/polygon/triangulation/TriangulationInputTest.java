@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -75,7 +77,7 @@ class TriangulationInputTest {
                         "two corners in one place hide each other",
                         of(0, 4, 2, 4, 0, 2),
                         of(0, 0, 2, 4, 4, 2),
-                        MEET + " from corners 1 and 5 meet elsewhere"),
+                        MEET + " from corners 2 and 5 meet elsewhere"),
                 argumentSet(
                         "edge that goes back along its neighbour",
                         of(0, 8, 4, 4),
@@ -99,6 +101,26 @@ class TriangulationInputTest {
         assertTrue(
                 refusal.getMessage().endsWith("corners are taken, got 1000000"),
                 refusal.getMessage());
+    }
+
+    /** Steps are told as the corner cut off and the diagonal a–c. */
+    @Test
+    void fanCutsOffTheMiddleCornerWhicheverWayRound() {
+        assertEquals(List.of("0 1 2", "0 2 3"), steps(new Fan(), of(0, 4, 4, 0), of(0, 0, 4, 4)));
+        assertEquals(List.of("2 1 0", "3 2 0"), steps(new Fan(), of(0, 4, 4, 0), of(4, 4, 0, 0)));
+    }
+
+    @Test
+    void fanCostsThreeTurnsPerCornerLessThree() {
+        var walk = new Fan().walk(of(0, 4, 4, 0), of(0, 0, 4, 4));
+        assertEquals(9, walk.turns());
+    }
+
+    private static List<String> steps(SteppedTriangulator method, double[] x, double[] y) {
+        var steps = new ArrayList<String>();
+        var walk = method.walk(x, y);
+        while (walk.advance()) steps.add(walk.a() + " " + walk.b() + " " + walk.c());
+        return steps;
     }
 
     @Test

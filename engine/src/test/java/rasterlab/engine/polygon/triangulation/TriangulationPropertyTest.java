@@ -34,7 +34,7 @@ class TriangulationPropertyTest {
             @ForAll long seed) {
         var random = new Random(seed);
         Points polygon = Points.of(random.ints(2L * corners, 0, grid).asDoubleStream().toArray());
-        boolean simple = new ExactPolygon(polygon).simple();
+        boolean simple = new ExactTriangulation(polygon).simple();
         for (String order : ORDERS)
             if (simple) assertCovered(polygon, order);
             else
@@ -83,7 +83,7 @@ class TriangulationPropertyTest {
 
     private static void assertCovered(Points polygon, String order) {
         Triangles triangles = cut(polygon, order);
-        var exact = new ExactPolygon(polygon);
+        var exact = new ExactTriangulation(polygon);
         BigDecimal covered = BigDecimal.ZERO;
         for (int t = 0; t < triangles.size(); t++)
             covered =
@@ -103,6 +103,6 @@ class TriangulationPropertyTest {
     }
 
     private static Deviation compare(Points polygon, Triangles triangles) {
-        return TOPIC.compare(polygon, new ExactPolygon(polygon).cut(), triangles);
+        return TOPIC.compare(polygon, new ExactTriangulation(polygon).cut(), triangles);
     }
 }

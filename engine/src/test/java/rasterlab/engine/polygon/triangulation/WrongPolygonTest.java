@@ -1,6 +1,7 @@
 package rasterlab.engine.polygon.triangulation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -37,7 +38,7 @@ class WrongPolygonTest {
         Points polygon = kept();
         Triangles cut = textbook(polygon);
         assertEquals("[2, 3, 0, 2, 0, 1]", cut.toString());
-        var exact = new ExactPolygon(polygon);
+        var exact = new ExactTriangulation(polygon);
         for (int k = 0; k < 3; k++) {
             int from = cut.corner(0, k);
             int to = cut.corner(0, (k + 1) % 3);
@@ -53,30 +54,27 @@ class WrongPolygonTest {
         assertEquals("triangle 1 (2, 0, 1) goes clockwise", error.first());
     }
 
-    /** Erratum: the listing assigns i + 1 to h where j is meant, so j has no value yet. */
+    /** Erratum: the listing assigns i + 1 to h where j is meant, so j names no corner. */
     @Test
-    void asPrintedTheFirstTurnHasNoThirdCorner() {
-        int m = 4;
-        var v = new int[] {0, 1, 2, 3, 4};
-        int j = 0;
-        int i = 1;
-        int h = m;
-        h = i + 1;
-        assertEquals(2, v[h], "h is the corner after i, which j should be");
-        assertEquals(0, v[j], "j names no corner: the list begins with 1");
+    void asPrintedTheFirstTurnAsksForACornerThatIsNotThere() {
+        var printed = TOPIC.method("shortest-diagonal-printed-textbook").implementation();
+        for (Points polygon : List.of(Points.of(0, 0, 4, 0, 0, 3), kept())) {
+            var crash =
+                    assertThrows(
+                            ArrayIndexOutOfBoundsException.class,
+                            () -> printed.triangulate(polygon.xs(), polygon.ys()));
+            assertTrue(crash.getMessage().startsWith("Index -1 "), crash.getMessage());
+        }
     }
 
-    /** Erratum: the listing closes the gap from the first corner on, not from the one cut. */
+    /** With h and j as meant, the triangle that the printed listing fails on is cut. */
     @Test
-    void asPrintedEachCutLosesTheFirstCornerInstead() {
-        var v = new int[] {1, 2, 3, 4, 5};
-        int m = 4;
-        for (int l = 0; l < m; l++) v[l] = v[l + 1];
-        assertEquals(List.of(2, 3, 4, 5), List.of(v[0], v[1], v[2], v[3]), "whichever i was cut");
+    void mendedTheFirstTurnIsRight() {
+        assertEquals("[0, 1, 2]", textbook(Points.of(0, 0, 4, 0, 0, 3)).toString());
     }
 
     private static boolean simpleCounterClockwise(Points polygon) {
-        var exact = new ExactPolygon(polygon);
+        var exact = new ExactTriangulation(polygon);
         return exact.ring().equals(List.of(0, 1, 2, 3)) && exact.simple();
     }
 
@@ -86,6 +84,6 @@ class WrongPolygonTest {
     }
 
     private static Deviation textbookError(Points polygon) {
-        return TOPIC.compare(polygon, new ExactPolygon(polygon).cut(), textbook(polygon));
+        return TOPIC.compare(polygon, new ExactTriangulation(polygon).cut(), textbook(polygon));
     }
 }

@@ -13,12 +13,12 @@ import rasterlab.engine.polygon.Points;
  * <p>Slow and plain: every edge is held against every other, every corner against every triangle.
  * Shares no code with the methods it judges.
  */
-public final class ExactPolygon {
+public final class ExactTriangulation {
     private final BigDecimal[] x;
     private final BigDecimal[] y;
     private final List<Integer> ring = new ArrayList<>();
 
-    public ExactPolygon(Points corners) {
+    public ExactTriangulation(Points corners) {
         int n = corners.size();
         x = new BigDecimal[n];
         y = new BigDecimal[n];

@@ -11,13 +11,13 @@ import rasterlab.contract.Spans;
  * <p>Every double is a decimal fraction, so all coordinates are whole multiples of one power of
  * ten; rows and columns are counted in that unit.
  */
-final class ExactPolygon {
+final class ExactFill {
     private final PolygonTask task;
     private final BigInteger pixel;
     private final BigInteger[] x;
     private final BigInteger[] y;
 
-    ExactPolygon(PolygonTask task) {
+    ExactFill(PolygonTask task) {
         this.task = task;
         int digits =
                 DoubleStream.concat(DoubleStream.of(task.x()), DoubleStream.of(task.y()))

@@ -1,0 +1,109 @@
+package rasterlab.app.cli.run;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.Locale;
+import java.util.TreeSet;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.contract.LinePlane;
+import rasterlab.engine.geometry.Line;
+import rasterlab.engine.geometry.Plane;
+import rasterlab.engine.geometry.Vector;
+import rasterlab.engine.geometry.meeting.LinePlaneTopic;
+import rasterlab.engine.study.Topic;
+
+/**
+ * Topic {@code line-plane}: {@code line} and either {@code plane} by three points or {@code normal}
+ * and {@code point}; {@code mu} and {@code point} out, and what the two make of each other.
+ */
+final class LinePlaneRun implements TopicRun {
+    private static final JsonField<double[]> LINE =
+            JsonField.required("line", json -> json.points(3, 2, 2));
+    private static final JsonField<double[]> PLANE =
+            JsonField.optional("plane", json -> json.points(3, 3, 3));
+    private static final JsonField<double[]> NORMAL =
+            JsonField.optional("normal", json -> json.numbers(3, 3));
+    private static final JsonField<double[]> POINT =
+            JsonField.optional("point", json -> json.numbers(3, 3));
+
+    private final LinePlaneTopic topic = new LinePlaneTopic();
+    private final Watch watch;
+
+    /**
+     * @param watch gives up a method that does not end
+     */
+    LinePlaneRun(Watch watch) {
+        this.watch = watch;
+    }
+
+    @Override
+    public Topic<?, ?, ?> topic() {
+        return topic;
+    }
+
+    @Override
+    public Answer answer(String method, byte[] text, int length, boolean steps) {
+        if (steps) throw Steps.none(method);
+        Given given = StrictJson.object(text, length, LINE, PLANE, NORMAL, POINT);
+        Line line = line(given.get(LINE));
+        Plane plane = plane(given);
+        LinePlane meeting = topic.method(method).implementation();
+        double mu =
+                watch.call(
+                        method,
+                        () ->
+                                meeting.meets(
+                                        numbers(plane.normal()),
+                                        plane.c(),
+                                        numbers(line.from()),
+                                        numbers(line.through())));
+        return json -> write(json, line, plane, mu);
+    }
+
+    private static Line line(double[] ends) {
+        try {
+            return new Line(vector(ends, 0), vector(ends, 3));
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput("/line: " + e.getMessage());
+        }
+    }
+
+    private static Plane plane(Given given) {
+        boolean byNormal = given.has("normal") && given.has("point");
+        if (given.has("normal") != given.has("point") || byNormal == given.has("plane"))
+            throw Complaint.badInput(
+                    "/: expected either plane, or normal and point, got "
+                            + new TreeSet<>(given.names()));
+        try {
+            if (byNormal)
+                return Plane.through(vector(given.get(POINT), 0), vector(given.get(NORMAL), 0));
+            double[] p = given.get(PLANE);
+            return Plane.through(vector(p, 0), vector(p, 3), vector(p, 6));
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput((byNormal ? "/normal: " : "/plane: ") + e.getMessage());
+        }
+    }
+
+    private static Vector vector(double[] numbers, int from) {
+        return new Vector(numbers[from], numbers[from + 1], numbers[from + 2]);
+    }
+
+    private static double[] numbers(Vector v) {
+        return new double[] {v.x(), v.y(), v.z()};
+    }
+
+    /** A μ that is no number, as the textbook's can be, names no point. */
+    private static void write(JsonGenerator json, Line line, Plane plane, double mu)
+            throws IOException {
+        JsonNumbers.writeField(json, "mu", mu);
+        if (Double.isFinite(mu)) {
+            json.writeFieldName("point");
+            JsonNumbers.write(json, numbers(line.at(mu)));
+            json.writeStringField("part", Line.part(mu).name().toLowerCase(Locale.ROOT));
+        }
+        JsonNumbers.writeField(json, "angle", plane.angleWith(line));
+        json.writeFieldName("cosines");
+        JsonNumbers.write(json, numbers(line.direction().unit()));
+        JsonNumbers.writeField(json, "projection", line.direction().projectedOn(plane.normal()));
+    }
+}

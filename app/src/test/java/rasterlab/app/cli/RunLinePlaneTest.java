@@ -1,0 +1,77 @@
+package rasterlab.app.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Topic line-plane by {@code ./lab run}. */
+class RunLinePlaneTest {
+    private static final String LEVEL = "\"normal\":[0,0,2],\"point\":[7,7,4]";
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("answers")
+    void answers(String method, String json, String answer) {
+        Ran ran = Ran.labReading(json, "run", "line-plane", method);
+        assertEquals(answer + "\n", ran.out());
+        ran.assertDone();
+    }
+
+    static Stream<Arguments> answers() {
+        return Stream.of(
+                argumentSet(
+                        "point beyond the second is between",
+                        "formula",
+                        "{\"line\":[[1,1,0],[1,1,1]]," + LEVEL + "}",
+                        "{\"mu\":4.0,\"point\":[1.0,1.0,4.0],\"part\":\"beyond\",\"angle\":90.0,"
+                                + "\"cosines\":[0.0,0.0,1.0],\"projection\":1.0}"),
+                argumentSet(
+                        "three points are no plane",
+                        "unrounded",
+                        "{\"line\":[[0,0,2],[0,0,0]],\"plane\":[[0,0,1],[1,0,1],[0,1,1]]}",
+                        "{\"mu\":0.5,\"point\":[0.0,0.0,1.0],\"part\":\"between\",\"angle\":90.0,"
+                                + "\"cosines\":[0.0,0.0,-1.0],\"projection\":-2.0}"),
+                argumentSet(
+                        "textbook names a point of a parallel line",
+                        "formula-textbook",
+                        "{\"line\":[[0,0,1],[1,0,1]]," + LEVEL + "}",
+                        "{\"mu\":null,\"angle\":0.0,\"cosines\":[1.0,0.0,0.0],"
+                                + "\"projection\":0.0}"));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void refuses(int code, String json, String message) {
+        Ran.labReading(json, "run", "line-plane", "formula")
+                .assertComplains(code, "./lab run: " + message);
+    }
+
+    static Stream<Arguments> mistakes() {
+        return Stream.of(
+                argumentSet(
+                        "parallel line meets the plane",
+                        3,
+                        "{\"line\":[[0,0,1],[1,0,1]]," + LEVEL + "}",
+                        "formula refuses: line must not be parallel to the plane, but n·p* is"
+                                + " 0.0"),
+                argumentSet(
+                        "normal without a point is a plane",
+                        2,
+                        "{\"line\":[[0,0,1],[1,0,2]],\"normal\":[0,0,1]}",
+                        "/: expected either plane, or normal and point, got [line, normal]"),
+                argumentSet(
+                        "one point twice is a line",
+                        2,
+                        "{\"line\":[[1,2,3],[1,2,3]]," + LEVEL + "}",
+                        "/line: a line needs two different points, got Vector[x=1.0, y=2.0, z=3.0]"
+                                + " twice"),
+                argumentSet(
+                        "normal of no length has a direction",
+                        2,
+                        "{\"line\":[[0,0,1],[1,0,2]],\"normal\":[0,0,0],\"point\":[1,1,1]}",
+                        "/normal: a plane's normal must not be Vector[x=0.0, y=0.0, z=0.0]"));
+    }
+}

@@ -1,0 +1,113 @@
+package rasterlab.engine.geometry.meeting;
+
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
+import static rasterlab.engine.study.Verdict.Kind.REFUSED;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import rasterlab.engine.geometry.Line;
+import rasterlab.engine.geometry.Plane;
+import rasterlab.engine.geometry.Vector;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+import rasterlab.engine.study.Workload;
+
+/** Lines and planes on which methods fail, and those to measure. */
+final class LinePlaneInputs {
+    private static final long SEED = 230;
+    private static final Vector O = at(0, 0, 0);
+    private static final Plane LEVEL = new Plane(at(0, 0, 2), 8);
+
+    private LinePlaneInputs() {}
+
+    private static Vector at(double x, double y, double z) {
+        return new Vector(x, y, z);
+    }
+
+    static List<Hazard<PlaneAndLines>> hazards() {
+        return List.of(
+                hazard(
+                        "three-points",
+                        "The plane through (1, 0, 0), (0, 2, 0), (0, 0, 3), met a third of the way.",
+                        Plane.through(at(1, 0, 0), at(0, 2, 0), at(0, 0, 3)),
+                        new Line(O, at(1, 2, 3)),
+                        recorded(EXACT, EXACT, EXACT)),
+                hazard(
+                        "parallel",
+                        "The line stays below the plane: n·p* = 0.",
+                        LEVEL,
+                        new Line(at(0, 0, 1), at(1, 1, 1)),
+                        recorded(WRONG, REFUSED, REFUSED)),
+                hazard(
+                        "in-the-plane",
+                        "Every point of the line is common: 0 / 0.",
+                        LEVEL,
+                        new Line(at(0, 0, 4), at(1, 1, 4)),
+                        recorded(WRONG, REFUSED, REFUSED)),
+                hazard(
+                        "nearly-parallel",
+                        "Of products of 10⁸ a sum of 10⁻⁷ is left.",
+                        new Plane(at(1, 1, 1), 2),
+                        new Line(at(0.1, 0.2, 0.3), at(1e8 + 0.1, -1e8 + 0.2, 0.3 + 1e-7)),
+                        recorded(WRONG, WRONG, EXACT)),
+                hazard(
+                        "huge",
+                        "Coordinates of 10²⁰⁰, whose products overflow.",
+                        new Plane(at(0, 1e200, 2e200), 8e300),
+                        new Line(at(1e200, 1e200, 0), at(2e200, 1e200, 1e200)),
+                        recorded(WRONG, EXACT, EXACT)),
+                hazard(
+                        "tiny",
+                        "Coordinates of 10⁻²⁰⁰, whose products vanish.",
+                        Plane.through(at(1e-200, 0, 0), at(0, 2e-200, 0), at(0, 0, 3e-200)),
+                        new Line(O, at(1e-200, 2e-200, 3e-200)),
+                        recorded(EXACT, EXACT, EXACT)),
+                hazard(
+                        "vanishing-slope",
+                        "A normal and a direction of 10⁻²⁰⁰ each: n·p* seems to be 0.",
+                        new Plane(at(0, 0, 1e-200), 1e-300),
+                        new Line(O, at(0, 1e-200, 1e-200)),
+                        recorded(WRONG, EXACT, EXACT)),
+                hazard(
+                        "beyond-doubles",
+                        "The common point is 10⁴⁰⁰ steps away.",
+                        new Plane(at(0, 0, 1), 1e200),
+                        new Line(O, at(1, 0, 1e-200)),
+                        recorded(WRONG, REFUSED, REFUSED)));
+    }
+
+    private static Hazard<PlaneAndLines> hazard(
+            String name, String text, Plane plane, Line line, Map<String, Verdict.Kind> recorded) {
+        return new Hazard<>(name, text, new PlaneAndLines(plane, List.of(line)), recorded);
+    }
+
+    private static Map<String, Verdict.Kind> recorded(
+            Verdict.Kind textbook, Verdict.Kind formula, Verdict.Kind unrounded) {
+        return Map.of("formula-textbook", textbook, "formula", formula, "unrounded", unrounded);
+    }
+
+    static List<Workload<PlaneAndLines>> workloads() {
+        return List.of(lines(1), lines(16), lines(256), lines(4_096));
+    }
+
+    private static Workload<PlaneAndLines> lines(int count) {
+        var random = new Random(SEED + count);
+        var inputs = new ArrayList<PlaneAndLines>();
+        for (int i = 0; i < 4_096 / Math.max(count, 64); i++) {
+            var lines = new ArrayList<Line>();
+            for (int k = 0; k < count; k++) lines.add(new Line(anywhere(random), anywhere(random)));
+            inputs.add(new PlaneAndLines(Plane.through(anywhere(random), anywhere(random)), lines));
+        }
+        return new Workload<>("lines-" + count, count, inputs);
+    }
+
+    private static Vector anywhere(Random random) {
+        return at(
+                random.nextDouble(-100, 100),
+                random.nextDouble(-100, 100),
+                random.nextDouble(-100, 100));
+    }
+}

@@ -1,0 +1,93 @@
+package rasterlab.engine.geometry.meeting;
+
+import java.util.Arrays;
+import java.util.List;
+import rasterlab.contract.LinePlane;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+
+/**
+ * Where a line meets a plane.
+ *
+ * <p>The error is that of μ, over μ itself where it is above 1. Up to 8·2⁻⁵³ counts as exact, as
+ * two sums and a quotient are rounded; up to 10⁻⁹ serves.
+ */
+public final class LinePlaneTopic implements Topic<LinePlane, PlaneAndLines, Meetings> {
+    private static final double CORRECT = 8 * 0x1p-53;
+    private static final double USABLE = 1e-9;
+
+    @Override
+    public String name() {
+        return "line-plane";
+    }
+
+    @Override
+    public List<Method<LinePlane>> methods() {
+        return LinePlaneMethods.all();
+    }
+
+    @Override
+    public List<Hazard<PlaneAndLines>> hazards() {
+        return LinePlaneInputs.hazards();
+    }
+
+    @Override
+    public List<Workload<PlaneAndLines>> workloads() {
+        return LinePlaneInputs.workloads();
+    }
+
+    @Override
+    public Meetings record(LinePlane method, PlaneAndLines input, int limit) {
+        Meetings all = answers(input, method::meets);
+        if (all.size() > limit) throw new LimitReached(limit, all.first(limit));
+        return all;
+    }
+
+    private static Meetings answers(PlaneAndLines input, PlaneAndLines.Answers answers) {
+        var mu = new double[input.size()];
+        Arrays.setAll(mu, i -> input.mu(answers, i));
+        return new Meetings(mu);
+    }
+
+    @Override
+    public long spend(LinePlane method, PlaneAndLines input) {
+        double sum = 0;
+        for (int i = 0; i < input.size(); i++) sum += input.mu(method::meets, i);
+        // Hardly ever true, but only this class knows: the answers have to be computed.
+        return sum == Math.PI ? 0 : input.size();
+    }
+
+    @Override
+    public Meetings exact(PlaneAndLines input, int limit) {
+        return answers(input, ExactMeeting::mu).first(limit);
+    }
+
+    @Override
+    public Deviation compare(PlaneAndLines input, Meetings exact, Meetings actual) {
+        return exact.deviation(actual);
+    }
+
+    @Override
+    public boolean correct(Deviation deviation) {
+        return deviation.worst() <= CORRECT;
+    }
+
+    @Override
+    public boolean usable(Deviation deviation) {
+        return deviation.worst() <= USABLE;
+    }
+
+    @Override
+    public String item() {
+        return "line";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "of p* or μ";
+    }
+}

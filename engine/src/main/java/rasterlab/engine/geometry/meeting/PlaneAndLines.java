@@ -1,0 +1,45 @@
+package rasterlab.engine.geometry.meeting;
+
+import java.util.Arrays;
+import java.util.List;
+import rasterlab.engine.geometry.Line;
+import rasterlab.engine.geometry.Plane;
+import rasterlab.engine.geometry.Vector;
+
+/** A plane and the lines to meet it: an input of topic {@code line-plane}. */
+public final class PlaneAndLines {
+    private final double[] normal;
+    private final double c;
+    private final double[][] from;
+    private final double[][] through;
+
+    public PlaneAndLines(Plane plane, List<Line> lines) {
+        normal = numbers(plane.normal());
+        c = plane.c();
+        from = lines.stream().map(line -> numbers(line.from())).toArray(double[][]::new);
+        through = lines.stream().map(line -> numbers(line.through())).toArray(double[][]::new);
+    }
+
+    /** Answers of a method, or of the reference. */
+    @FunctionalInterface
+    interface Answers {
+        double mu(double[] normal, double c, double[] from, double[] through);
+    }
+
+    private static double[] numbers(Vector v) {
+        return new double[] {v.x(), v.y(), v.z()};
+    }
+
+    int size() {
+        return from.length;
+    }
+
+    double mu(Answers answers, int line) {
+        return answers.mu(normal, c, from[line], through[line]);
+    }
+
+    @Override
+    public String toString() {
+        return from.length + " lines and the plane " + Arrays.toString(normal) + "·p = " + c;
+    }
+}

@@ -1,0 +1,66 @@
+package rasterlab.engine.geometry.meeting;
+
+import rasterlab.contract.LinePlane;
+import rasterlab.engine.geometry.Expansion;
+import rasterlab.engine.geometry.Finite;
+
+/**
+ * The same formula with both sums kept without error: μ = (c − n·p₁) / (n·p₂ − n·p₁).
+ *
+ * <p>Only the two sums and their quotient are rounded, so μ is off by at most 4·2⁻⁵³ of itself and
+ * n·p* is 0 exactly where the line is parallel. All coordinates of one kind are multiplied by one
+ * power of two, which leaves μ as it is; those not 0 have to be within 2⁴⁰⁰ of the largest, so that
+ * every product's error is a double.
+ */
+final class UnroundedMeeting implements LinePlane {
+    private static final double SMALLEST_PART = 0x1p-400;
+    private static final double SMALLEST_C = 0x1p-900;
+    private static final double LARGEST_C = 0x1p900;
+
+    @Override
+    public double meets(double[] normal, double c, double[] from, double[] through) {
+        Finite.require("normal coordinate", normal);
+        Finite.require("c", c);
+        Finite.require("point coordinate", from);
+        Finite.require("point coordinate", through);
+        int byNormal = -Math.getExponent(largest(normal));
+        int byPoint = -Math.getExponent(Math.max(largest(from), largest(through)));
+        double scaledC = Math.scalb(c, byNormal + byPoint);
+        double size = Math.abs(scaledC);
+        if (c != 0 && !(size >= SMALLEST_C && size <= LARGEST_C))
+            throw new IllegalArgumentException(
+                    "c must be 0 or within 2⁹⁰⁰ of the largest n·p, got " + c);
+        double[] n = near1(normal, byNormal);
+        double[] start = near1(from, byPoint);
+        double[] end = near1(through, byPoint);
+        var rise = new Expansion(7);
+        var slope = new Expansion(12);
+        rise.add(scaledC);
+        for (int axis = 0; axis < 3; axis++) {
+            rise.addProduct(-n[axis], start[axis]);
+            slope.addProduct(n[axis], end[axis]);
+            slope.addProduct(-n[axis], start[axis]);
+        }
+        if (slope.sign() == 0)
+            throw new IllegalArgumentException(
+                    "line must not be parallel to the plane, but n·p* is 0");
+        double mu = rise.value() / slope.value();
+        Finite.require("μ", mu);
+        return mu;
+    }
+
+    private static double largest(double[] xyz) {
+        return Math.max(Math.abs(xyz[0]), Math.max(Math.abs(xyz[1]), Math.abs(xyz[2])));
+    }
+
+    private static double[] near1(double[] xyz, int by) {
+        var scaled = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            scaled[axis] = Math.scalb(xyz[axis], by);
+            if (xyz[axis] != 0 && Math.abs(scaled[axis]) < SMALLEST_PART)
+                throw new IllegalArgumentException(
+                        "coordinates must be 0 or within 2⁴⁰⁰ of the largest, got " + xyz[axis]);
+        }
+        return scaled;
+    }
+}

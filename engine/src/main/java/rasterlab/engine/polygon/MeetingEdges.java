@@ -1,0 +1,143 @@
+package rasterlab.engine.polygon;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.TreeSet;
+import rasterlab.engine.geometry.Orientation;
+
+/**
+ * Finds two edges of a polygon that meet elsewhere than at the corner they share.
+ *
+ * <p>Edge i joins corner i to the next. A line sweeps over the corners by x (and by y among equal
+ * x) and keeps the edges it crosses in order from below. Two edges that meet are neighbours in this
+ * order before the line reaches their common point, so only neighbours are tested: O(n log n) for n
+ * corners. All tests are exact.
+ *
+ * <p>Source: M. I. Shamos and D. Hoey, Geometric intersection problems, 17th Annual Symposium on
+ * Foundations of Computer Science, 1976, pp. 208–215.
+ */
+public final class MeetingEdges {
+    private final double[] x;
+    private final double[] y;
+    private final TreeSet<Integer> crossed = new TreeSet<>(this::compare);
+    private Optional<Pair> found = Optional.empty();
+
+    private MeetingEdges(double[] x, double[] y) {
+        this.x = x;
+        this.y = y;
+    }
+
+    /**
+     * Two edges by their numbers.
+     *
+     * @param one the smaller number
+     */
+    public record Pair(int one, int other) {}
+
+    /**
+     * The first pair that the sweep finds; none where the polygon is simple.
+     *
+     * <p>Corners in one place are a pair too: the edges that start there.
+     *
+     * @param x of at least 3 corners, finite, no two following ones in one place
+     * @param y as many
+     */
+    public static Optional<Pair> of(double[] x, double[] y) {
+        return new MeetingEdges(x, y).sweep();
+    }
+
+    private Optional<Pair> sweep() {
+        int n = x.length;
+        Integer[] order = new Integer[n];
+        Arrays.setAll(order, i -> i);
+        // Not by comparingDouble, to which −0 is less than 0.
+        Arrays.sort(order, (i, j) -> before(i, j) ? -1 : before(j, i) ? 1 : 0);
+        for (int i = 1; i < n; i++)
+            if (!before(order[i - 1], order[i])) return Optional.of(pair(order[i - 1], order[i]));
+        for (int i = 0; i < n && found.isEmpty(); i++) visit(order[i]);
+        return found;
+    }
+
+    private void visit(int corner) {
+        int before = (corner + x.length - 1) % x.length;
+        if (first(before) != corner) remove(before);
+        if (first(corner) != corner) remove(corner);
+        if (first(before) == corner) insert(before);
+        if (first(corner) == corner) insert(corner);
+    }
+
+    private void insert(int edge) {
+        Integer below = crossed.lower(edge);
+        Integer above = crossed.higher(edge);
+        if (below != null) test(below, edge);
+        if (above != null) test(edge, above);
+        crossed.add(edge);
+    }
+
+    private void remove(int edge) {
+        Integer below = crossed.lower(edge);
+        Integer above = crossed.higher(edge);
+        crossed.remove(edge);
+        if (below != null && above != null) test(below, above);
+    }
+
+    /** The end of an edge that the sweep meets first. */
+    private int first(int edge) {
+        int next = (edge + 1) % x.length;
+        return before(edge, next) ? edge : next;
+    }
+
+    private int last(int edge) {
+        int next = (edge + 1) % x.length;
+        return before(edge, next) ? next : edge;
+    }
+
+    private boolean before(int one, int other) {
+        return x[one] < x[other] || x[one] == x[other] && y[one] < y[other];
+    }
+
+    /** Order from below of two edges that the sweep line crosses. */
+    private int compare(int one, int other) {
+        if (one == other) return 0;
+        if (before(first(other), first(one))) return -compare(other, one);
+        int side = side(one, first(other));
+        if (side == 0) side = side(one, last(other));
+        return side == 0 ? Integer.compare(one, other) : -side;
+    }
+
+    /** 1 where a corner lies above an edge or its line, −1 below, 0 on it. */
+    private int side(int edge, int corner) {
+        int a = first(edge);
+        int b = last(edge);
+        return Orientation.of(x[a], y[a], x[b], y[b], x[corner], y[corner]);
+    }
+
+    private void test(int one, int other) {
+        if (found.isPresent()) return;
+        if (neighbours(one, other) ? overlap(one, other) : meet(one, other))
+            found = Optional.of(pair(one, other));
+    }
+
+    private static Pair pair(int one, int other) {
+        return new Pair(Math.min(one, other), Math.max(one, other));
+    }
+
+    private boolean neighbours(int one, int other) {
+        int apart = Math.abs(one - other);
+        return apart == 1 || apart == x.length - 1;
+    }
+
+    /** Whether two edges with a shared corner run back over each other. */
+    private boolean overlap(int one, int other) {
+        boolean sameLine = side(one, first(other)) == 0 && side(one, last(other)) == 0;
+        return sameLine && (first(one) == first(other) || last(one) == last(other));
+    }
+
+    private boolean meet(int one, int other) {
+        int first = side(one, first(other));
+        int last = side(one, last(other));
+        if (first == 0 && last == 0)
+            return !before(last(one), first(other)) && !before(last(other), first(one));
+        return first * last <= 0 && side(other, first(one)) * side(other, last(one)) <= 0;
+    }
+}

@@ -1,0 +1,20 @@
+package rasterlab.engine.polygon.triangle;
+
+import rasterlab.contract.PointInTriangle;
+
+/**
+ * A method that asks side after side and stops at the first that settles the answer: judging and
+ * stepping drain the same walk.
+ */
+public interface SteppedTriangleTest extends PointInTriangle {
+    /**
+     * A walk round the triangle's sides for one point.
+     *
+     * @throws IllegalArgumentException as {@code contains} does
+     */
+    SideWalk walk(
+            double ax, double ay, double bx, double by, double cx, double cy, double x, double y);
+
+    /** What {@link SideWalk#value} is, as a formula, and which values mean inside. */
+    String valueFormula();
+}
