@@ -2,8 +2,8 @@ package rasterlab.engine.clip;
 
 /** Areas of polygons given as x and y of each corner in turn. */
 final class PolygonArea {
-    /** An area below this share of its extents' product is rounding. */
-    private static final double ROUNDING = 0x1p-46;
+    /** A ring larger than this share of the window's square was not made by rounding. */
+    private static final double CLEAR = 0x1p-30;
 
     private PolygonArea() {}
 
@@ -17,15 +17,41 @@ final class PolygonArea {
         return twice / 2;
     }
 
-    /** Whether a ring encloses more than rounding can. */
-    static boolean isAny(double[] xy) {
-        if (xy.length < 6) return false;
-        double width = 0;
-        double height = 0;
-        for (int i = 2; i < xy.length; i += 2) {
-            width = Math.max(width, Math.abs(xy[i] - xy[0]));
-            height = Math.max(height, Math.abs(xy[i + 1] - xy[1]));
+    /**
+     * Whether a ring in a window surely encloses more than the rounding of its corners can: they
+     * move by less than 2⁻³⁷ of the window's extent. All is first divided by the power of 2 that
+     * makes the window's largest coordinate about 1, so that no product overflows; one that
+     * vanishes makes this false.
+     */
+    static boolean isClear(double[] xy, double[] window) {
+        int down = -exponent(window, 0, 1);
+        double[] near = scaled(window, down, down);
+        double size = Math.max(extent(near, 0), extent(near, 1));
+        return of(scaled(xy, down, down)) > CLEAR * size * size;
+    }
+
+    /** The exponent of the largest of every {@code step}-th number from {@code start}. */
+    static int exponent(double[] numbers, int start, int step) {
+        double most = 0;
+        for (int i = start; i < numbers.length; i += step)
+            most = Math.max(most, Math.abs(numbers[i]));
+        return Math.getExponent(most);
+    }
+
+    /** The corners with x times 2^{@code byX} and y times 2^{@code byY}. */
+    static double[] scaled(double[] xy, int byX, int byY) {
+        var scaled = new double[xy.length];
+        for (int i = 0; i < xy.length; i++) scaled[i] = Math.scalb(xy[i], i % 2 == 0 ? byX : byY);
+        return scaled;
+    }
+
+    private static double extent(double[] xy, int start) {
+        double least = xy[start];
+        double most = xy[start];
+        for (int i = start; i < xy.length; i += 2) {
+            least = Math.min(least, xy[i]);
+            most = Math.max(most, xy[i]);
         }
-        return of(xy) > ROUNDING * width * height;
+        return most - least;
     }
 }

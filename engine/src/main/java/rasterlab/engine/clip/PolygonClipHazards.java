@@ -147,6 +147,18 @@ final class PolygonClipHazards {
                         recorded(EXACT, EXACT),
                         "-1e30 -1e30, 1e30 0, 0 1e30"),
                 hazard(
+                        "huge-window",
+                        "A window of 1e200 by 1e200: no area in it is a double.",
+                        PolygonInWindow.rectangle(0, 0, 1e200, 1e200),
+                        recorded(EXACT, EXACT),
+                        "1e199 1e199, 9e199 1e199, 5e199 9e199"),
+                hazard(
+                        "sliver",
+                        "Wholly inside and thinner than a rounding of its extents' product.",
+                        TEN,
+                        recorded(EXACT, EXACT),
+                        "1 1, 9 9, 5 5.0000000000001"),
+                hazard(
                         "self-intersecting",
                         "Two edges cross: which part is inside has no single answer.",
                         TEN,

@@ -20,9 +20,28 @@ final class PolygonComparison {
             if (!Arrays.stream(piece).allMatch(Double::isFinite))
                 return new Deviation(
                         1, exact.size(), actual.size(), exact.size(), text(piece) + " is no place");
-        double area = AreaBetween.of(exact, actual);
-        double share = area == 0 ? 0 : area / Math.abs(PolygonArea.of(window));
+        double share = share(window, exact, actual);
         return new Deviation(share, missing, extra, exact.size(), first(exact, actual, share));
+    }
+
+    /**
+     * The area of one only as a share of the window's. All x are first divided by one power of 2
+     * and all y by another, which no share depends on, so that the largest are about 1 and no area
+     * is beyond a double.
+     */
+    private static double share(double[] window, List<double[]> exact, List<double[]> actual) {
+        int x = PolygonArea.exponent(window, 0, 2);
+        int y = PolygonArea.exponent(window, 1, 2);
+        for (double[] piece : actual) {
+            x = Math.max(x, PolygonArea.exponent(piece, 0, 2));
+            y = Math.max(y, PolygonArea.exponent(piece, 1, 2));
+        }
+        double area = AreaBetween.of(scaled(exact, -x, -y), scaled(actual, -x, -y));
+        return area == 0 ? 0 : area / Math.abs(PolygonArea.of(PolygonArea.scaled(window, -x, -y)));
+    }
+
+    private static List<double[]> scaled(List<double[]> pieces, int byX, int byY) {
+        return pieces.stream().map(piece -> PolygonArea.scaled(piece, byX, byY)).toList();
     }
 
     private static String first(List<double[]> exact, List<double[]> actual, double share) {

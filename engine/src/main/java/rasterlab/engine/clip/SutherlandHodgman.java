@@ -15,6 +15,11 @@ import rasterlab.contract.PolygonSink;
  * − e), d and e being the distances of p and q from the line, in doubles where these carry enough
  * digits, otherwise without rounding.
  *
+ * <p>At last the ring may have no area: a touched side, bridges only. The crossings' rounding can
+ * make that a little and a thin piece nothing, so a ring that is not clearly large is sent only if
+ * subject and window, as given, share points inside both ({@link Overlap}), and three corners or
+ * more are left of it.
+ *
  * <p>Source: I. E. Sutherland and G. W. Hodgman, Reentrant polygon clipping, Communications of the
  * ACM 17(1), 1974, pp. 32–42.
  */
@@ -26,6 +31,7 @@ public final class SutherlandHodgman implements SteppedPolygonClipper {
 
     private static final class Walk implements PolygonWalk {
         private final Ring window;
+        private final Ring subject;
         private double[] polygon;
         private double[] cut = new double[16];
         private int size;
@@ -33,6 +39,7 @@ public final class SutherlandHodgman implements SteppedPolygonClipper {
 
         Walk(Ring window, Ring subject) {
             this.window = window;
+            this.subject = subject;
             polygon = subject.xy();
         }
 
@@ -88,7 +95,13 @@ public final class SutherlandHodgman implements SteppedPolygonClipper {
 
         @Override
         public void send(PolygonSink out) {
-            if (PolygonArea.isAny(polygon)) out.polygon(polygon.clone());
+            if (isLeft()) out.polygon(polygon.clone());
+        }
+
+        private boolean isLeft() {
+            return polygon.length >= 6
+                    && (PolygonArea.isClear(polygon, window.xy())
+                            || Overlap.isAny(window, subject));
         }
     }
 }

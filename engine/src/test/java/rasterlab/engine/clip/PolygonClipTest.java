@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.time.Duration;
 import java.util.Arrays;
@@ -20,6 +21,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class PolygonClipTest {
     private static final boolean FULL = Boolean.getBoolean("rasterlab.full");
+    private static final double MOST = Double.MAX_VALUE;
     private static final double[] TEN = PolygonInWindow.rectangle(0, 0, 10, 10);
 
     @Test
@@ -178,6 +180,63 @@ class PolygonClipTest {
         for (String method : List.of("sutherland-hodgman", "weiler-atherton"))
             assertTimeoutPreemptively(
                     Duration.ofMinutes(2), () -> PolygonCases.clip(method, window, star));
+    }
+
+    static Stream<Arguments> extremeWindows() {
+        double huge = 1e200;
+        double tiny = 1e-170;
+        return Stream.of(
+                argumentSet(
+                        "areas beyond the largest double",
+                        PolygonInWindow.rectangle(0, 0, huge, huge),
+                        new double[] {
+                            0.1 * huge, 0.1 * huge, 0.9 * huge, 0.1 * huge, 0.5 * huge, 0.9 * huge
+                        }),
+                argumentSet(
+                        "areas below the smallest double",
+                        PolygonInWindow.rectangle(0, 0, tiny, tiny),
+                        new double[] {
+                            0.1 * tiny, 0.1 * tiny, 2 * tiny, 0.1 * tiny, 0.5 * tiny, 0.9 * tiny
+                        }),
+                argumentSet(
+                        "wide beyond doubles and as low",
+                        PolygonInWindow.rectangle(0, 0, huge, tiny),
+                        new double[] {0, 0, 2 * huge, 0, huge, 3 * tiny}),
+                argumentSet(
+                        "the largest window",
+                        PolygonInWindow.rectangle(-MOST, -MOST, MOST, MOST),
+                        new double[] {-MOST, -MOST, MOST, -1, 0, MOST}),
+                argumentSet(
+                        "a sliver wholly inside",
+                        PolygonInWindow.rectangle(-1, -1, 11, 11),
+                        new double[] {0, 0, 10, 10, 5, 5 + 1e-13}),
+                argumentSet(
+                        "a sliver cut at both ends",
+                        PolygonInWindow.rectangle(1, 1, 9, 9),
+                        new double[] {0, 0, 10, 10, 5, 5 + 1e-13}),
+                argumentSet(
+                        "a speck in a large window",
+                        PolygonInWindow.rectangle(0, 0, huge, huge),
+                        new double[] {0, 0, tiny, 0, 0, tiny}));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("extremeWindows")
+    void noPieceIsLostWhereItsAreaIsNoOrdinaryDouble(double[] window, double[] subject) {
+        for (String method : List.of("sutherland-hodgman", "weiler-atherton"))
+            assertEquals(1, PolygonCases.clip(method, window, subject).size(), method);
+        PolygonCases.assertRight(window, subject);
+    }
+
+    /** An edge passes exactly through (0, 0), which a rounded crossing makes a triangle. */
+    @Test
+    void aTouchedCornerLeavesNothingHoweverTheCrossingIsRounded() {
+        for (int before = 1; before < 40; before++)
+            for (int behind = 1; behind < 40; behind++) {
+                double[] subject = {-7 * before, 3 * before, -300, -300, 7 * behind, -3 * behind};
+                var pieces = PolygonCases.clip("sutherland-hodgman", TEN, subject);
+                assertEquals(0, pieces.size(), () -> Arrays.toString(subject));
+            }
     }
 
     @Test
