@@ -7,7 +7,7 @@ import rasterlab.contract.SegmentSink;
 import rasterlab.contract.SpaceSegmentSink;
 
 /** Takes what methods send, segment after segment. */
-final class PartCapture implements SegmentSink, SpaceSegmentSink {
+public final class PartCapture implements SegmentSink, SpaceSegmentSink {
     private final List<Optional<double[]>> parts = new ArrayList<>();
     private int again;
     private double[] part = {};
@@ -28,12 +28,12 @@ final class PartCapture implements SegmentSink, SpaceSegmentSink {
     }
 
     /** Closes the account of one segment. */
-    void next() {
+    public void next() {
         parts.add(part.length > 0 ? Optional.of(part) : Optional.empty());
         part = new double[0];
     }
 
-    ClippedEnds captured() {
+    public ClippedEnds captured() {
         return new ClippedEnds(parts, again);
     }
 }

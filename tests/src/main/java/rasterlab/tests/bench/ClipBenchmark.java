@@ -15,8 +15,8 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import rasterlab.contract.SegmentClipper;
 import rasterlab.contract.SegmentSink;
-import rasterlab.engine.clip.CohenSutherland;
-import rasterlab.engine.clip.LiangBarsky;
+import rasterlab.engine.clip.segment.CohenSutherland;
+import rasterlab.engine.clip.segment.LiangBarsky;
 
 /**
  * Segments with both ends anywhere in the nine regions, each region as large as the window; the

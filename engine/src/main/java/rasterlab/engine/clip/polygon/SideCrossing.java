@@ -1,0 +1,74 @@
+package rasterlab.engine.clip.polygon;
+
+import java.math.BigDecimal;
+import rasterlab.engine.clip.Fraction;
+import rasterlab.engine.clip.UnroundedInterval;
+
+/** Where an edge passes the line of a window's side. */
+final class SideCrossing {
+    /** Beyond this many times the side's length the crossing is computed without rounding. */
+    private static final double LONGEST = 1024;
+
+    /** So much of a distance must be left after its subtraction. */
+    private static final double ENOUGH = 1.0 / 16;
+
+    private SideCrossing() {}
+
+    /** The crossing of the edge p→q, whose ends are on different sides of the line. */
+    static double[] of(Ring window, int side, double px, double py, double qx, double qy) {
+        double ax = window.x(side);
+        double ay = window.y(side);
+        double wayX = window.x(side + 1) - ax;
+        double wayY = window.y(side + 1) - ay;
+        double left = wayX * (py - ay);
+        double right = wayY * (px - ax);
+        double farLeft = wayX * (qy - ay);
+        double farRight = wayY * (qx - ax);
+        double d = left - right;
+        double e = farLeft - farRight;
+        double length = Math.max(Math.abs(wayX), Math.abs(wayY));
+        double edge = Math.max(Math.abs(qx - px), Math.abs(qy - py));
+        boolean enough =
+                Math.abs(d) >= ENOUGH * (Math.abs(left) + Math.abs(right))
+                        && Math.abs(e) >= ENOUGH * (Math.abs(farLeft) + Math.abs(farRight))
+                        && edge <= LONGEST * length
+                        && length >= 0x1p-300
+                        && length <= 0x1p300;
+        if (!enough) return exactly(window, side, px, py, qx, qy);
+        double t = d / (d - e);
+        // On an upright or level side the crossing has the side's own coordinate.
+        return new double[] {
+            wayX == 0 ? ax : px + t * (qx - px), wayY == 0 ? ay : py + t * (qy - py)
+        };
+    }
+
+    private static double[] exactly(
+            Ring window, int side, double px, double py, double qx, double qy) {
+        Fraction t = share(window, side, px, py, qx, qy);
+        return new double[] {t.between(px, qx), t.between(py, qy)};
+    }
+
+    /** t of the crossing on p→q, without rounding. */
+    static Fraction share(Ring window, int side, double px, double py, double qx, double qy) {
+        double ax = window.x(side);
+        double ay = window.y(side);
+        double bx = window.x(side + 1);
+        double by = window.y(side + 1);
+        var d = doubledArea(ax, ay, bx, by, px, py);
+        var e = doubledArea(ax, ay, bx, by, qx, qy);
+        return d.signum() <= 0
+                ? new Fraction(d.negate(), e.subtract(d))
+                : new Fraction(d, d.subtract(e));
+    }
+
+    /** Twice the area of the triangle a, b, c without rounding, above 0 where it turns left. */
+    private static BigDecimal doubledArea(
+            double ax, double ay, double bx, double by, double cx, double cy) {
+        BigDecimal left = difference(bx, ax).multiply(difference(cy, ay));
+        return left.subtract(difference(by, ay).multiply(difference(cx, ax)));
+    }
+
+    private static BigDecimal difference(double a, double b) {
+        return UnroundedInterval.difference(a, b);
+    }
+}
