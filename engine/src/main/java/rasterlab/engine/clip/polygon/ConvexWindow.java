@@ -7,13 +7,15 @@ final class ConvexWindow {
     private ConvexWindow() {}
 
     /**
-     * The window without corners that lie on the straight line between their neighbours.
+     * The window without corners between whose neighbours its boundary goes straight on.
      *
      * @throws IllegalArgumentException if it has no area or is not convex; names the corner
      */
     static Ring of(double[] corners) {
-        Ring ring = strict(Ring.of("window", corners));
+        Ring given = Ring.of("window", corners);
+        Ring ring = strict(given);
         if (ring.size() < 3) throw new IllegalArgumentException("window must have an area above 0");
+        requireNowhereBack(given);
         if (ring.turn(ring.lowest()) < 0) ring = ring.reversed();
         for (int i = 0; i < ring.size(); i++)
             if (ring.turn(i) <= 0)
@@ -33,6 +35,23 @@ final class ConvexWindow {
                 kept[size++] = ring.y(i);
             }
         return new Ring(Arrays.copyOf(kept, size));
+    }
+
+    /** A corner without a turn may be the tip of a spike, where the boundary runs back. */
+    private static void requireNowhereBack(Ring ring) {
+        for (int i = 0; i < ring.size(); i++) {
+            int before = i + ring.size() - 1;
+            boolean between =
+                    isBetween(ring.x(before), ring.x(i), ring.x(i + 1))
+                            && isBetween(ring.y(before), ring.y(i), ring.y(i + 1));
+            if (ring.turn(i) == 0 && !between)
+                throw new IllegalArgumentException(
+                        "window must be convex, but turns back at its corner " + place(ring, i));
+        }
+    }
+
+    private static boolean isBetween(double one, double middle, double other) {
+        return Math.min(one, other) <= middle && middle <= Math.max(one, other);
     }
 
     /** Turning left all the time, a ring may still go round twice: then x rises more than once. */

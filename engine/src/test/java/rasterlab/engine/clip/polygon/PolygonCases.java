@@ -50,7 +50,10 @@ final class PolygonCases {
         } catch (IllegalArgumentException refusal) {
             accepted = false;
         }
-        assertEquals(proper, accepted, () -> Arrays.toString(subject));
+        assertEquals(
+                proper,
+                accepted,
+                () -> Arrays.toString(subject) + " in " + Arrays.toString(window));
         return proper;
     }
 

@@ -155,6 +155,10 @@ class PolygonClipTest {
                 Arguments.of(
                         new double[] {0, 0, 4, 0, 1, 1, 0, 4}, proper, "its corner (1.0, 1.0)"),
                 Arguments.of(
+                        new double[] {0, 0, 10, 0, 5, 0, 5, 5},
+                        proper,
+                        "turns back at its corner (10.0, 0.0)"),
+                Arguments.of(
                         new double[] {0, 3, -2, -3, 3, 1, -3, 1, 2, -3},
                         proper,
                         "goes round 2 times"));
@@ -171,6 +175,17 @@ class PolygonClipTest {
                             () -> PolygonCases.clip(method, window, subject));
             assertTrue(refusal.getMessage().contains(part), refusal.getMessage());
         }
+    }
+
+    /** Spikes, loops, stars and lines among them. */
+    @Test
+    void aWindowIsAcceptedIfAndOnlyIfItIsConvex() {
+        double[] subject = {1, 1, 5, 2, 3, 6};
+        var random = new Random(6);
+        int proper = 0;
+        for (int i = 0; i < 40_000; i++)
+            if (PolygonCases.proper(PolygonCases.onGrid(random, 3 + i % 4), subject)) proper++;
+        assertTrue(proper > 1_000, proper + " proper windows");
     }
 
     @Test

@@ -59,6 +59,26 @@ class SegmentClipTest {
     }
 
     @Test
+    void course5ErratumTheWindowsTopStandsForItsRightSide() {
+        // (26, −4) goes to y = 26 + (1 + 4)·(10 − 26)/(8 − 26) = 274/9 at x = 20, then to y = 10 at
+        // x = 20 + (8 − 20)·(10 − 274/9)/(1 − 274/9) = 3092/265; with xmax for ymax it is 12.05
+        var window = new ClipWindow(0, 0, 20, 10);
+        var nested = TOPIC.method("cohen-sutherland-nested-textbook").implementation();
+        assertArrayEquals(
+                new double[] {8, 1, 3092 / 265.0, 10},
+                SegmentCases.clip(nested, window, 8, 1, 26, -4).orElseThrow(),
+                1e-12);
+    }
+
+    @Test
+    void course5ARoundedSlopeKeepsAnEndOutsideForEver() {
+        var walk =
+                SegmentClipTopic.walk(
+                        new CohenSutherlandFloatTextbook(), TEN, new double[] {-5, 21, 10, 10});
+        for (int i = 0; i < 10_000; i++) assertTrue(walk.advance());
+    }
+
+    @Test
     void course5ErratumTheNestedTestNeverMovesAnEndThatIsOnlyLeft() {
         var walk =
                 SegmentClipTopic.walk(
