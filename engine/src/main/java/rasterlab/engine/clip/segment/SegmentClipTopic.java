@@ -61,19 +61,20 @@ public final class SegmentClipTopic
      */
     @Override
     public ClippedEnds record(SegmentClipper method, SegmentsInWindow input, int limit) {
-        var capture = new PartCapture();
+        var capture = new PartCapture(limit);
         for (double[] s : input.segments()) {
             if (method instanceof SteppedSegmentClipper stepped)
-                requireEnd(walk(stepped, input.window(), s), capture);
-            clip(method, input.window(), s, capture);
+                drained(walk(stepped, input.window(), s), capture).send(capture);
+            else clip(method, input.window(), s, capture);
             capture.next();
         }
         return capture.captured();
     }
 
-    private static void requireEnd(SegmentWalk walk, PartCapture capture) {
+    private static SegmentWalk drained(SegmentWalk walk, PartCapture capture) {
         for (int steps = 0; walk.advance(); steps++)
             if (steps == MOST_STEPS) throw new LimitReached(MOST_STEPS, capture.captured());
+        return walk;
     }
 
     static void clip(SegmentClipper method, ClipWindow window, double[] s, SegmentSink out) {

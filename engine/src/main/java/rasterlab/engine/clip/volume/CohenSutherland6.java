@@ -8,7 +8,8 @@ package rasterlab.engine.clip.volume;
  * where the codes share a bit, all is left where both are 0. A plane whose bit one code has is met
  * at t = d0/(d0 − d1), d being the signed distances z − y, z + y, z − x, z + x, 1 − z, z − zmin of
  * the ends, above 0 within. Each is one difference of doubles: its sign is exact, and t errs by
- * less than 2⁻⁵¹. An end at or behind the eye has bit 6 and no other meaning.
+ * less than 2⁻⁵¹. An end at the eye has bit 6 only; behind it, where z &lt; −z, every y is above z
+ * or below −z or both, and so is every x, which gives it bits of other planes as well.
  *
  * <p>It ends because each plane is cut at once. An interval of t closer to a single point than
  * {@value #SURE} is handed over.
@@ -52,7 +53,7 @@ public final class CohenSutherland6 implements SteppedVolumeClipper {
         };
     }
 
-    private static final class Walk extends VolumeWalk {
+    private static final class Walk extends PyramidWalk {
         private final int fromCode;
         private final int toCode;
         private int open;
@@ -71,8 +72,8 @@ public final class CohenSutherland6 implements SteppedVolumeClipper {
             if (open == 0 || enter > leave || unsure()) return false;
             plane = Integer.numberOfTrailingZeros(open);
             open &= open - 1;
-            double d0 = distance(plane, zmin, x0, y0, z0);
-            double d1 = distance(plane, zmin, x1, y1, z1);
+            double d0 = distance(plane, zmin, eyeX0, eyeY0, eyeZ0);
+            double d1 = distance(plane, zmin, eyeX1, eyeY1, eyeZ1);
             t = d0 / (d0 - d1);
             divisions++;
             if (d0 < 0) enter = Math.max(enter, t);

@@ -40,23 +40,28 @@ public final class HomogeneousClip implements SteppedVolumeClipper {
         return new double[] {x, y, (z - zmin) / (1 - zmin), z};
     }
 
-    private static final class Walk extends VolumeWalk {
-        private final double[] from;
-        private final double[] to;
+    private static final class Walk extends PyramidWalk {
+        private final double[] bordersFrom;
+        private final double[] bordersTo;
         private int plane = -1;
         private double t = Double.NaN;
 
         Walk(double zmin, double x0, double y0, double z0, double x1, double y1, double z1) {
             super(zmin, x0, y0, z0, x1, y1, z1);
-            from = borders(x0, y0, z0);
-            to = borders(x1, y1, z1);
+            bordersFrom = borders(x0, y0, z0);
+            bordersTo = borders(x1, y1, z1);
         }
 
-        /** The six border coordinates of a point. */
-        private double[] borders(double x, double y, double z) {
-            double[] h = canonical(zmin, x, y, z);
+        /** The six border coordinates of a point, for which M_p divides once. */
+        private double[] borders(double eyeX, double eyeY, double eyeZ) {
+            double[] clip = canonical(zmin, eyeX, eyeY, eyeZ);
+            divisions++;
+            double clipX = clip[0];
+            double clipY = clip[1];
+            double clipZ = clip[2];
+            double clipW = clip[3];
             return new double[] {
-                h[3] - h[0], h[3] + h[0], h[3] - h[1], h[3] + h[1], h[2], h[3] - h[2]
+                clipW - clipX, clipW + clipX, clipW - clipY, clipW + clipY, clipZ, clipW - clipZ
             };
         }
 
@@ -68,8 +73,8 @@ public final class HomogeneousClip implements SteppedVolumeClipper {
         }
 
         private void cut(int border) {
-            double b0 = from[border];
-            double b1 = to[border];
+            double b0 = bordersFrom[border];
+            double b1 = bordersTo[border];
             t = Double.NaN;
             if (border == 5 && hidden(b0, b1)) handOver();
             if (b0 < 0 && b1 < 0) leave = Double.NEGATIVE_INFINITY;
@@ -83,8 +88,8 @@ public final class HomogeneousClip implements SteppedVolumeClipper {
 
         /** Whether the rounding of W − Z may change a sign, or shift the crossing too far. */
         private boolean hidden(double b0, double b1) {
-            double e0 = ROUNDING * (Math.abs(z0) + Math.abs(from[4]));
-            double e1 = ROUNDING * (Math.abs(z1) + Math.abs(to[4]));
+            double e0 = ROUNDING * (Math.abs(eyeZ0) + Math.abs(bordersFrom[4]));
+            double e1 = ROUNDING * (Math.abs(eyeZ1) + Math.abs(bordersTo[4]));
             if (Math.abs(b0) <= e0 || Math.abs(b1) <= e1) return true;
             return b0 < 0 != b1 < 0
                     && 2 * (e0 + e1) * Math.max(reach(), 1) > MOST_SHIFT * Math.abs(b0 - b1);

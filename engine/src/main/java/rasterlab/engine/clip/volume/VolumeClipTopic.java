@@ -37,7 +37,7 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
 
     @Override
     public List<Method<VolumeClipper>> methods() {
-        return List.of(cohenSutherland(), homogeneous());
+        return List.of(cohenSutherland(), divideFirstTextbook(), homogeneous());
     }
 
     private static Method<VolumeClipper> cohenSutherland() {
@@ -54,6 +54,23 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
                                 + " R. F. Sproull, Principles of Interactive Computer Graphics,"
                                 + " 1973"),
                 new CohenSutherland6());
+    }
+
+    private static Method<VolumeClipper> divideFirstTextbook() {
+        return new Method<>(
+                "divide-first-textbook",
+                new About(
+                        "X = x/z, Y = y/z, Z = (z − zmin)/((1 − zmin)·z); −1 ≤ X ≤ 1, −1 ≤ Y ≤ 1,"
+                                + " 0 ≤ Z ≤ 1; back by z = zmin/(1 − (1 − zmin)·Z)",
+                        "none: the segment between the divided ends is the segment's picture only"
+                                + " where both ends are in front of the eye",
+                        "six divisions for both ends, one for each side between them, two to take"
+                                + " what is left back",
+                        "an end behind the eye gives what does not lie between the ends; an end at"
+                                + " the eye gives infinities or NaN",
+                        "the order that J. F. Blinn and M. E. Newell, Clipping using homogeneous"
+                                + " coordinates, SIGGRAPH 1978, warn of"),
+                new DivideFirstTextbook());
     }
 
     private static Method<VolumeClipper> homogeneous() {
@@ -90,19 +107,20 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
      */
     @Override
     public ClippedEnds record(VolumeClipper method, SegmentsInVolume input, int limit) {
-        var capture = new PartCapture();
+        var capture = new PartCapture(limit);
         for (double[] s : input.segments()) {
             if (method instanceof SteppedVolumeClipper stepped)
-                requireEnd(walk(stepped, input.zmin(), s), capture);
-            clip(method, input.zmin(), s, capture);
+                drained(walk(stepped, input.zmin(), s), capture).send(capture);
+            else clip(method, input.zmin(), s, capture);
             capture.next();
         }
         return capture.captured();
     }
 
-    private static void requireEnd(VolumeWalk walk, PartCapture capture) {
+    private static VolumeWalk drained(VolumeWalk walk, PartCapture capture) {
         for (int steps = 0; walk.advance(); steps++)
             if (steps == MOST_STEPS) throw new LimitReached(MOST_STEPS, capture.captured());
+        return walk;
     }
 
     static void clip(VolumeClipper method, double zmin, double[] s, SpaceSegmentSink out) {
@@ -159,6 +177,7 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
             VolumeWalk walk = walk(stepped, input.zmin(), s);
             long steps = 0;
             while (walk.advance()) steps++;
+            walk.send(new PartCapture(1));
             counts.merge("steps", steps, Long::sum);
             counts.merge("divisions", (long) walk.divisions(), Long::sum);
             counts.merge("handed over", walk.unsure() ? 1L : 0L, Long::sum);

@@ -25,7 +25,7 @@ final class SegmentCases {
     }
 
     static Optional<double[]> clip(SegmentClipper method, ClipWindow window, double... ends) {
-        var capture = new PartCapture();
+        var capture = new PartCapture(10);
         SegmentClipTopic.clip(method, window, ends, capture);
         capture.next();
         assertEquals(0, capture.captured().again(), "sent twice");

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
@@ -15,7 +16,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.SegmentClipper;
+import rasterlab.engine.clip.ClippedEnds;
 import rasterlab.engine.clip.PartCapture;
+import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Workload;
 
@@ -171,7 +174,7 @@ class SegmentClipTest {
             double[] ends = SegmentCases.randomSegment(random, window);
             SegmentWalk walk = SegmentClipTopic.walk(stepped, window, ends);
             while (walk.advance()) assertTrue(!walk.at().isEmpty());
-            var capture = new PartCapture();
+            var capture = new PartCapture(10);
             walk.send(capture);
             capture.next();
             Optional<double[]> walked = capture.captured().parts().get(0);
@@ -179,6 +182,26 @@ class SegmentClipTest {
             assertEquals(clipped.isPresent(), walked.isPresent());
             if (walked.isPresent()) assertArrayEquals(clipped.get(), walked.get());
         }
+    }
+
+    @Test
+    void aMethodThatSendsForEverIsStopped() {
+        SegmentClipper endless =
+                (xmin, ymin, xmax, ymax, x0, y0, x1, y1, out) -> {
+                    while (true) out.segment(x0, y0, x1, y1);
+                };
+        var input = new SegmentsInWindow(TEN, List.of(new double[4]));
+        assertThrows(LimitReached.class, () -> TOPIC.record(endless, input, 1_000));
+    }
+
+    @ParameterizedTest
+    @MethodSource("right")
+    void moreSegmentsThanTheLimitAreLeftOutButThoseBeforeAreKept(Method<SegmentClipper> method) {
+        var input = new SegmentsInWindow(TEN, Collections.nCopies(5, new double[] {1, 2, 3, 4}));
+        var reached =
+                assertThrows(
+                        LimitReached.class, () -> TOPIC.record(method.implementation(), input, 3));
+        assertEquals(3, ((ClippedEnds) reached.recorded()).kept());
     }
 
     @Test

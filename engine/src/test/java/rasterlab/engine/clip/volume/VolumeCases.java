@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import rasterlab.contract.VolumeClipper;
 import rasterlab.engine.clip.PartCapture;
 import rasterlab.engine.clip.exact.ExactClip;
+import rasterlab.engine.study.Method;
 
 /** Segments in space for tests, and what every method must make of each. */
 final class VolumeCases {
@@ -17,8 +19,12 @@ final class VolumeCases {
 
     private VolumeCases() {}
 
+    static List<Method<VolumeClipper>> rightMethods() {
+        return TOPIC.methods().stream().filter(method -> !method.faulty()).toList();
+    }
+
     static Optional<double[]> clip(VolumeClipper method, double zmin, double... ends) {
-        var capture = new PartCapture();
+        var capture = new PartCapture(10);
         VolumeClipTopic.clip(method, zmin, ends, capture);
         capture.next();
         assertEquals(0, capture.captured().again(), "sent twice");
@@ -28,7 +34,7 @@ final class VolumeCases {
     /** Fails unless every method leaves what the exact answer says. */
     static void assertRight(double zmin, double... ends) {
         Optional<double[]> exact = ExactClip.volume(zmin, ends);
-        for (var method : TOPIC.methods()) {
+        for (var method : rightMethods()) {
             Optional<double[]> actual = clip(method.implementation(), zmin, ends);
             String where = method.name() + " of " + Arrays.toString(ends) + ", zmin " + zmin;
             if (exact.isPresent() != actual.isPresent())

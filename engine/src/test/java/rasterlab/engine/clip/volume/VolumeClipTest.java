@@ -15,6 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.VolumeClipper;
+import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 
 class VolumeClipTest {
@@ -32,6 +33,9 @@ class VolumeClipTest {
         assertEquals(16, CohenSutherland6.code(zmin, 0, 0, 1.5));
         assertEquals(32, CohenSutherland6.code(zmin, 0, 0, 0.125));
         assertEquals(1 + 4 + 16, CohenSutherland6.code(zmin, 3, 3, 2));
+        assertEquals(32, CohenSutherland6.code(zmin, 0, 0, 0));
+        assertEquals(1 + 2 + 4 + 8 + 32, CohenSutherland6.code(zmin, 0, 0, -1));
+        assertEquals(1 + 8 + 32, CohenSutherland6.code(zmin, -3, 3, -1));
     }
 
     @Test
@@ -49,11 +53,46 @@ class VolumeClipTest {
 
     @Test
     void behindTheEyeIsNotFoldedToTheFront() {
-        for (var method : TOPIC.methods())
+        for (var method : VolumeCases.rightMethods())
             assertTrue(
                     VolumeCases.clip(method.implementation(), 0.1, 0.1, 0.1, -0.5, 0, 0, -0.9)
                             .isEmpty(),
                     method.name());
+    }
+
+    @Test
+    void course5DividingFirstKeepsWhatIsNotBetweenTheEnds() {
+        // from (0, 0, −1) to (0, 0, 0.5), zmin = 1/4: Z = (−1 − 1/4)/(3/4·−1) = 5/3 and Z = 2/3, so
+        // the box keeps Z = 1..2/3, z = 1..0.5, where z = 0.25..0.5 is right
+        var first = TOPIC.method("divide-first-textbook").implementation();
+        assertArrayEquals(
+                new double[] {0, 0, 1, 0, 0, 0.5},
+                VolumeCases.clip(first, 0.25, 0, 0, -1, 0, 0, 0.5).orElseThrow(),
+                1e-15);
+    }
+
+    @Test
+    void theMatrixsDivisionsAreCounted() {
+        assertEquals(0, divisions("cohen-sutherland-6", 0, 0, 0.5, 0, 0, 0.75));
+        assertEquals(2, divisions("homogeneous", 0, 0, 0.5, 0, 0, 0.75));
+        assertEquals(1, divisions("cohen-sutherland-6", 0, 0, 0.5, 0, 0, 1.5));
+        assertEquals(3, divisions("homogeneous", 0, 0, 0.5, 0, 0, 1.5));
+        assertEquals(9, divisions("divide-first-textbook", 0, 0, 0.5, 0, 0, 1.5));
+    }
+
+    private static long divisions(String method, double... ends) {
+        var input = new SegmentsInVolume(0.25, List.of(ends));
+        return TOPIC.operations(TOPIC.method(method).implementation(), input).get("divisions");
+    }
+
+    @Test
+    void aMethodThatSendsForEverIsStopped() {
+        VolumeClipper endless =
+                (zmin, x0, y0, z0, x1, y1, z1, out) -> {
+                    while (true) out.segment(x0, y0, z0, x1, y1, z1);
+                };
+        var input = new SegmentsInVolume(0.25, List.of(new double[6]));
+        assertThrows(LimitReached.class, () -> TOPIC.record(endless, input, 1_000));
     }
 
     @Test
@@ -105,7 +144,7 @@ class VolumeClipTest {
                         "x of end 1",
                         "y of end 1",
                         "z of end 1");
-        for (var method : TOPIC.methods()) {
+        for (var method : VolumeCases.rightMethods()) {
             for (int i = 0; i < 6; i++)
                 for (double bad : new double[] {Double.NaN, Double.POSITIVE_INFINITY}) {
                     double[] ends = {0, 0, 0.5, 0.1, 0.1, 0.6};
@@ -139,7 +178,7 @@ class VolumeClipTest {
     @Test
     void fewSegmentsOfAStudyAreHandedOver() {
         for (var workload : TOPIC.workloads())
-            for (var method : TOPIC.methods()) {
+            for (var method : VolumeCases.rightMethods()) {
                 long handedOver = 0;
                 for (var input : workload.inputs())
                     handedOver +=
