@@ -10,11 +10,14 @@ import java.util.TreeSet;
  * The area that only one of two sets of polygons covers.
  *
  * <p>All edges of both together, filled by the even-odd rule, are that area. Edges that both have
- * are struck out; level lines through the ends and crossings of the rest cut the area into
- * trapezoids, whose middles are added up.
+ * are struck out; level lines through the ends and, of up to {@value #MOST_CROSSED}, the crossings
+ * of the rest cut the area into trapezoids, whose middles are added up.
  */
 final class AreaBetween {
-    /** Beyond so many different edges their crossings are left out. */
+    /**
+     * Beyond so many different edges their crossings are left out, which would take too long; a
+     * trapezoid in which edges cross is then measured at its middle all the same.
+     */
     private static final int MOST_CROSSED = 300;
 
     private final List<double[]> edges = new ArrayList<>();

@@ -15,33 +15,44 @@ import rasterlab.engine.clip.Fraction;
 final class InnerChains {
     private final Ring window;
     private final Ring subject;
+    private final SideCrossing crossing;
     private final List<InnerChain> chains = new ArrayList<>();
     private double[] corners = new double[16];
     private int size;
+    private long sideTests;
     private RimPoint enter;
 
-    private InnerChains(Ring window, Ring subject) {
+    InnerChains(Ring window, Ring subject) {
         this.window = window;
         this.subject = subject;
+        crossing = new SideCrossing(window);
+        int start = 0;
+        while (start < subject.size() && inside(start)) start++;
+        if (start == subject.size()) return;
+        for (int i = 0; i < subject.size(); i++) edge((start + i) % subject.size());
     }
 
     /** The chains in the subject's order; none where its boundary never leaves or meets the rim. */
-    static List<InnerChain> of(Ring window, Ring subject) {
-        var chains = new InnerChains(window, subject);
-        int start = 0;
-        while (start < subject.size() && chains.inside(start)) start++;
-        if (start == subject.size()) return List.of();
-        for (int i = 0; i < subject.size(); i++) chains.edge((start + i) % subject.size());
-        return chains.chains;
+    List<InnerChain> chains() {
+        return chains;
+    }
+
+    long sideTests() {
+        return sideTests;
+    }
+
+    long unroundedCrossings() {
+        return crossing.unrounded();
     }
 
     /** Whether a corner of the subject is strictly inside the window. */
-    boolean inside(int corner) {
+    private boolean inside(int corner) {
         for (int side = 0; side < window.size(); side++) if (side(side, corner) <= 0) return false;
         return true;
     }
 
     private int side(int side, int corner) {
+        sideTests++;
         return window.side(side, subject.x(corner), subject.y(corner));
     }
 
@@ -72,13 +83,8 @@ final class InnerChains {
     }
 
     private Fraction share(int side, int from) {
-        return SideCrossing.share(
-                window,
-                side,
-                subject.x(from),
-                subject.y(from),
-                subject.x(from + 1),
-                subject.y(from + 1));
+        return crossing.share(
+                side, subject.x(from), subject.y(from), subject.x(from + 1), subject.y(from + 1));
     }
 
     private RimPoint point(int side, Fraction share, int from) {

@@ -9,7 +9,7 @@ final class Overlap {
      * and one of the two lies in the other.
      */
     static boolean isAny(Ring window, Ring subject) {
-        return !InnerChains.of(window, subject).isEmpty()
+        return !new InnerChains(window, subject).chains().isEmpty()
                 || Enclosure.of(window, subject).isPresent();
     }
 }

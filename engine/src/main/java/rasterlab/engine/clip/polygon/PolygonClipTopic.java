@@ -45,7 +45,7 @@ public final class PolygonClipTopic
                         "for each side: keep the corners on its left, add p + d/(d − e)·(q − p)"
                                 + " where an edge passes its line",
                         "after each side the ring lies within the sides so far",
-                        "a test for each corner and side, a division for each crossing",
+                        "a test for each side and corner left so far, a division for each crossing",
                         "pieces of a non-convex subject stay joined by bridges along the window's"
                                 + " sides: one ring, the right area",
                         "I. E. Sutherland and G. W. Hodgman, Reentrant polygon clipping,"
@@ -60,8 +60,9 @@ public final class PolygonClipTopic
                         "along the subject inside the window, along the rim from each leaving to"
                                 + " the next entering place",
                         "the piece lies to the left of the way",
-                        "a test for each corner and side; each crossing is computed without"
-                                + " rounding and ordered along the rim",
+                        "at most two tests for each edge and side, and one more for corners before"
+                                + " the first outside; each crossing is computed without rounding"
+                                + " and ordered along the rim",
                         "none known for simple subjects; others are refused",
                         "K. Weiler and P. Atherton, Hidden surface removal using polygon area"
                                 + " sorting, SIGGRAPH 1977"),
@@ -134,6 +135,9 @@ public final class PolygonClipTopic
         long steps = 0;
         while (walk.advance()) steps++;
         counts.put("steps", steps);
+        counts.put("side tests", walk.sideTests());
+        counts.put("divisions", walk.divisions());
+        counts.put("unrounded crossings", walk.unroundedCrossings());
         walk.send(piece -> counts.merge("pieces", 1L, Long::sum));
         walk.send(piece -> counts.merge("corners left", piece.length / 2L, Long::sum));
         return counts;

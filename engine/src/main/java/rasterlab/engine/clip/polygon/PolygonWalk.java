@@ -17,6 +17,15 @@ public interface PolygonWalk {
     /** x and y of each corner of the polygon that the last step made or went on with. */
     double[] polygon();
 
+    /** How often it was asked on which side of a window's side a corner lies, so far. */
+    long sideTests();
+
+    /** Divisions of doubles made so far. */
+    long divisions();
+
+    /** Crossings computed without rounding so far. */
+    long unroundedCrossings();
+
     /** Sends the pieces, once {@link #advance} has returned false. */
     void send(PolygonSink out);
 }

@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import rasterlab.engine.clip.Fraction;
 import rasterlab.engine.clip.UnroundedInterval;
 
-/** Where an edge passes the line of a window's side. */
+/** Where edges pass the lines of a window's sides, and what it took to know. */
 final class SideCrossing {
     /** Beyond this many times the side's length the crossing is computed without rounding. */
     private static final double LONGEST = 1024;
@@ -12,10 +12,26 @@ final class SideCrossing {
     /** So much of a distance must be left after its subtraction. */
     private static final double ENOUGH = 1.0 / 16;
 
-    private SideCrossing() {}
+    private final Ring window;
+    private long divisions;
+    private long unrounded;
+
+    SideCrossing(Ring window) {
+        this.window = window;
+    }
+
+    /** Divisions of doubles made so far. */
+    long divisions() {
+        return divisions;
+    }
+
+    /** Crossings computed without rounding so far. */
+    long unrounded() {
+        return unrounded;
+    }
 
     /** The crossing of the edge p→q, whose ends are on different sides of the line. */
-    static double[] of(Ring window, int side, double px, double py, double qx, double qy) {
+    double[] of(int side, double px, double py, double qx, double qy) {
         double ax = window.x(side);
         double ay = window.y(side);
         double wayX = window.x(side + 1) - ax;
@@ -34,22 +50,23 @@ final class SideCrossing {
                         && edge <= LONGEST * length
                         && length >= 0x1p-300
                         && length <= 0x1p300;
-        if (!enough) return exactly(window, side, px, py, qx, qy);
+        if (!enough) return exactly(side, px, py, qx, qy);
         double t = d / (d - e);
+        divisions++;
         // On an upright or level side the crossing has the side's own coordinate.
         return new double[] {
             wayX == 0 ? ax : px + t * (qx - px), wayY == 0 ? ay : py + t * (qy - py)
         };
     }
 
-    private static double[] exactly(
-            Ring window, int side, double px, double py, double qx, double qy) {
-        Fraction t = share(window, side, px, py, qx, qy);
+    private double[] exactly(int side, double px, double py, double qx, double qy) {
+        Fraction t = share(side, px, py, qx, qy);
         return new double[] {t.between(px, qx), t.between(py, qy)};
     }
 
     /** t of the crossing on p→q, without rounding. */
-    static Fraction share(Ring window, int side, double px, double py, double qx, double qy) {
+    Fraction share(int side, double px, double py, double qx, double qy) {
+        unrounded++;
         double ax = window.x(side);
         double ay = window.y(side);
         double bx = window.x(side + 1);

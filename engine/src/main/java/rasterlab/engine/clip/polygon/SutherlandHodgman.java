@@ -32,14 +32,17 @@ public final class SutherlandHodgman implements SteppedPolygonClipper {
     private static final class Walk implements PolygonWalk {
         private final Ring window;
         private final Ring subject;
+        private final SideCrossing crossing;
         private double[] polygon;
         private double[] cut = new double[16];
         private int size;
         private int side;
+        private long sideTests;
 
         Walk(Ring window, Ring subject) {
             this.window = window;
             this.subject = subject;
+            crossing = new SideCrossing(window);
             polygon = subject.xy();
         }
 
@@ -48,9 +51,11 @@ public final class SutherlandHodgman implements SteppedPolygonClipper {
             if (side == window.size() || polygon.length == 0) return false;
             size = 0;
             int last = polygon.length - 2;
-            int lastSide = polygon.length == 0 ? 0 : sideOf(last);
+            int closingSide = sideOf(last);
+            int lastSide = closingSide;
             for (int corner = 0; corner < polygon.length; corner += 2) {
-                int thisSide = sideOf(corner);
+                boolean closing = corner == polygon.length - 2;
+                int thisSide = closing ? closingSide : sideOf(corner);
                 if (lastSide * thisSide < 0) addCrossing(last, corner);
                 if (thisSide >= 0) add(polygon[corner], polygon[corner + 1]);
                 last = corner;
@@ -62,18 +67,14 @@ public final class SutherlandHodgman implements SteppedPolygonClipper {
         }
 
         private int sideOf(int corner) {
+            sideTests++;
             return window.side(side, polygon[corner], polygon[corner + 1]);
         }
 
         private void addCrossing(int from, int to) {
             double[] point =
-                    SideCrossing.of(
-                            window,
-                            side,
-                            polygon[from],
-                            polygon[from + 1],
-                            polygon[to],
-                            polygon[to + 1]);
+                    crossing.of(
+                            side, polygon[from], polygon[from + 1], polygon[to], polygon[to + 1]);
             add(point[0], point[1]);
         }
 
@@ -91,6 +92,21 @@ public final class SutherlandHodgman implements SteppedPolygonClipper {
         @Override
         public double[] polygon() {
             return polygon.clone();
+        }
+
+        @Override
+        public long sideTests() {
+            return sideTests;
+        }
+
+        @Override
+        public long divisions() {
+            return crossing.divisions();
+        }
+
+        @Override
+        public long unroundedCrossings() {
+            return crossing.unrounded();
         }
 
         @Override

@@ -30,6 +30,7 @@ public final class WeilerAtherton implements SteppedPolygonClipper {
 
     private static final class Walk implements PolygonWalk {
         private final Ring window;
+        private final InnerChains cut;
         private final List<InnerChain> chains;
         private final TreeMap<RimPoint, InnerChain> entering = new TreeMap<>();
         private final List<double[]> pieces = new ArrayList<>();
@@ -42,7 +43,8 @@ public final class WeilerAtherton implements SteppedPolygonClipper {
 
         Walk(Ring window, Ring subject) {
             this.window = window;
-            chains = InnerChains.of(window, subject);
+            cut = new InnerChains(window, subject);
+            chains = cut.chains();
             for (InnerChain each : chains) entering.put(each.enter(), each);
             if (chains.isEmpty())
                 Enclosure.of(window, subject).ifPresent(ring -> pieces.add(ring.xy()));
@@ -114,6 +116,22 @@ public final class WeilerAtherton implements SteppedPolygonClipper {
         @Override
         public double[] polygon() {
             return Ring.withoutRepeats(Arrays.copyOf(piece, size));
+        }
+
+        @Override
+        public long sideTests() {
+            return cut.sideTests();
+        }
+
+        /** None: places on the rim are fractions. */
+        @Override
+        public long divisions() {
+            return 0;
+        }
+
+        @Override
+        public long unroundedCrossings() {
+            return cut.unroundedCrossings();
         }
 
         @Override

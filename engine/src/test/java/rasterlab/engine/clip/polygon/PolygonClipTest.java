@@ -38,8 +38,25 @@ class PolygonClipTest {
     void course5TheTriangleOverACornerLosesThatCorner(String method) {
         // (5, 5)→(15, 8) meets x = 10 at y = 6.5, (8, 15)→(5, 5) meets y = 10 at x = 6.5
         double[] piece = PolygonCases.clip(method, TEN, 5, 5, 15, 8, 8, 15).get(0);
-        assertEquals(4 * 5, 5 * piece.length / 2, Arrays.toString(piece));
+        assertEquals(4, piece.length / 2, Arrays.toString(piece));
         assertEquals(25 - 2 * 3.75, PolygonArea.of(piece), 1e-12);
+    }
+
+    @Test
+    void testsAndDivisionsOfTheTriangleOverACornerAreCounted() {
+        // 3 corners at the bottom, 3 at the right, which leaves 4, 4 at the top, 4 at the left
+        assertEquals(14, counted("sutherland-hodgman", "side tests"));
+        assertEquals(4, counted("sutherland-hodgman", "divisions"));
+        assertEquals(0, counted("weiler-atherton", "divisions"));
+        // right and top by the edges from (5, 5) and to it, and by the one outside
+        assertEquals(4, counted("weiler-atherton", "unrounded crossings"));
+        assertTrue(counted("weiler-atherton", "side tests") <= 2 * 3 * 4 + 3 * 4);
+    }
+
+    private static long counted(String method, String what) {
+        var input = new PolygonInWindow(TEN, new double[] {5, 5, 15, 8, 8, 15});
+        var topic = PolygonCases.TOPIC;
+        return topic.operations(topic.method(method).implementation(), input).get(what);
     }
 
     @Test
@@ -192,9 +209,17 @@ class PolygonClipTest {
     void aHundredThousandCornersAreNoHang() {
         double[] star = PolygonClipWorkloads.star(FULL ? 1_000_000 : 100_000, new Random(1));
         double[] window = PolygonInWindow.rectangle(0, 0, 100, 100);
-        for (String method : List.of("sutherland-hodgman", "weiler-atherton"))
-            assertTimeoutPreemptively(
-                    Duration.ofMinutes(2), () -> PolygonCases.clip(method, window, star));
+        double bridged = areaInTime("sutherland-hodgman", window, star);
+        double separate = areaInTime("weiler-atherton", window, star);
+        assertEquals(separate, bridged, PolygonClipTopic.RIGHT_SHARE * 100 * 100);
+        assertTrue(separate > 1_000, "area " + separate);
+    }
+
+    private static double areaInTime(String method, double[] window, double[] subject) {
+        List<double[]> pieces =
+                assertTimeoutPreemptively(
+                        Duration.ofMinutes(2), () -> PolygonCases.clip(method, window, subject));
+        return pieces.stream().mapToDouble(PolygonArea::of).sum();
     }
 
     static Stream<Arguments> extremeWindows() {

@@ -85,11 +85,13 @@ class PolygonPropertyTest {
     /** Where a piece touches itself or is not simple by rounding, it is no subject. */
     @Property(tries = TRIES, maxDiscardRatio = 50)
     void clippingAgainChangesNothing(@ForAll("subjects") double[] subject) {
-        double[] upright = PolygonInWindow.rectangle(0, 0, 6, 6);
-        Assume.that(PolygonCases.proper(upright, subject));
-        for (double[] piece : PolygonCases.clip("weiler-atherton", upright, subject))
-            if (PolygonCases.proper(upright, piece))
-                assertSame(List.of(piece), PolygonCases.clip("weiler-atherton", upright, piece));
+        for (double[] window : List.of(PolygonInWindow.rectangle(0, 0, 6, 6), window(0))) {
+            Assume.that(PolygonCases.proper(window, subject));
+            for (String method : METHODS)
+                for (double[] piece : PolygonCases.clip(method, window, subject))
+                    if (PolygonCases.proper(window, piece))
+                        assertSame(List.of(piece), PolygonCases.clip(method, window, piece));
+        }
     }
 
     /** Nothing is lost and nothing is twice where two windows meet. */
