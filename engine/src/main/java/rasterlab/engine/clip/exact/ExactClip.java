@@ -37,6 +37,33 @@ public final class ExactClip {
     }
 
     /**
+     * What is left of a plane segment in a convex window with an area.
+     *
+     * @param corners x and y of each in turn, in either direction
+     * @param ends x0, y0, x1, y1
+     * @return as {@link #plane}
+     */
+    public static Optional<double[]> convex(double[] corners, double[] ends) {
+        if (!finite(ends)) return Optional.empty();
+        int n = corners.length / 2;
+        var borders = new Ratio[n][];
+        Ratio area = Ratio.ZERO;
+        for (int i = 0; i < n; i++) {
+            Ratio[] from = point(corners, 2 * i, 2);
+            Ratio[] to = point(corners, 2 * ((i + 1) % n), 2);
+            Ratio a = from[1].minus(to[1]);
+            Ratio b = to[0].minus(from[0]);
+            Ratio k = Ratio.ZERO.minus(a.times(from[0])).minus(b.times(from[1]));
+            borders[i] = new Ratio[] {a, b, k};
+            area = area.plus(from[0].times(to[1]).minus(to[0].times(from[1])));
+        }
+        if (area.signum() < 0)
+            for (Ratio[] border : borders)
+                for (int i = 0; i < 3; i++) border[i] = Ratio.ZERO.minus(border[i]);
+        return clip(borders, ends);
+    }
+
+    /**
      * What is left of a segment in the normalised view volume.
      *
      * @param zmin distance of the nearest plane

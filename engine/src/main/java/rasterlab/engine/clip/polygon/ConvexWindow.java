@@ -3,7 +3,7 @@ package rasterlab.engine.clip.polygon;
 import java.util.Arrays;
 
 /** Accepts windows that are convex and have an area, and turns them counter-clockwise. */
-final class ConvexWindow {
+public final class ConvexWindow {
     private ConvexWindow() {}
 
     /**
@@ -11,7 +11,7 @@ final class ConvexWindow {
      *
      * @throws IllegalArgumentException if it has no area or is not convex; names the corner
      */
-    static Ring of(double[] corners) {
+    public static Ring of(double[] corners) {
         Ring given = Ring.of("window", corners);
         Ring ring = strict(given);
         if (ring.size() < 3) throw new IllegalArgumentException("window must have an area above 0");

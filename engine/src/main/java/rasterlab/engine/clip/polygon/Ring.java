@@ -10,7 +10,7 @@ import rasterlab.engine.geometry.Orientation;
  *
  * @param xy x and y of each corner in turn
  */
-record Ring(double[] xy) {
+public record Ring(double[] xy) {
     /** The most corners of a polygon to clip. */
     static final int MOST_CORNERS = 1 << 24;
 

@@ -1,6 +1,7 @@
 package rasterlab.engine.clip.segment;
 
 import rasterlab.contract.SegmentSink;
+import rasterlab.engine.clip.polygon.ConvexWindow;
 
 /**
  * The segment cut by each edge of a convex window, through the edge's inward normal.
@@ -8,8 +9,9 @@ import rasterlab.contract.SegmentSink;
  * <p>With a corner c of the edge and its inward normal n, the points within are those with n·(p −
  * c) ≥ 0. On the segment n·(p(t) − c) = inside + t·rate, inside = n·(p0 − c), rate = n·(p1 − p0);
  * it enters at t = −inside/rate where rate &gt; 0, leaves there where rate &lt; 0, and runs along
- * the edge where rate = 0. The window here is the contract's rectangle, corners counter-clockwise;
- * for a rectangle one of n's coordinates is 0, so that t errs by less than 2⁻⁵⁰.
+ * the edge where rate = 0. The contract's window is a rectangle, corners counter-clockwise, so that
+ * one of n's coordinates is 0 and t errs by less than 2⁻⁵⁰; {@link ConvexWindowWalk} takes any
+ * other convex window.
  *
  * <p>Source: M. Cyrus and J. Beck, Generalized two- and three-dimensional clipping, Computers and
  * Graphics 3, 1978, pp. 23–28.
@@ -30,6 +32,31 @@ public final class CyrusBeck implements SteppedSegmentClipper {
             double x1,
             double y1) {
         return new Walk(xmin, ymin, xmax, ymax, x0, y0, x1, y1);
+    }
+
+    /**
+     * A walk through any convex window.
+     *
+     * @param corners x and y of each in turn, in either direction; not changed
+     * @throws IllegalArgumentException if the window is not convex or has no area, now, or if an
+     *     end is not finite, now or from {@link SegmentWalk#send}
+     */
+    public SegmentWalk walk(double[] corners, double x0, double y0, double x1, double y1) {
+        return ConvexWindowWalk.of(ConvexWindow.of(corners).xy(), x0, y0, x1, y1);
+    }
+
+    /**
+     * Sends what is left of the segment in a convex window, if anything, once. As in {@link
+     * rasterlab.contract.SegmentClipper} an end in the window stays as it is and the decision is
+     * exact; a new end on a slanted edge may lie outside by its rounding.
+     *
+     * @param corners as for {@link #walk(double[], double, double, double, double)}
+     */
+    public void clip(
+            double[] corners, double x0, double y0, double x1, double y1, SegmentSink out) {
+        SegmentWalk walk = walk(corners, x0, y0, x1, y1);
+        while (walk.advance()) continue;
+        walk.send(out);
     }
 
     @Override

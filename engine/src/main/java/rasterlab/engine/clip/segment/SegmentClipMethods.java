@@ -17,6 +17,7 @@ final class SegmentClipMethods {
                 cohenSutherlandFloatTextbook(),
                 cohenSutherland(),
                 liangBarsky(),
+                branchlessLiangBarsky(),
                 midpoint(),
                 cyrusBeck());
     }
@@ -97,6 +98,22 @@ final class SegmentClipMethods {
         return new Method<>(
                 "liang-barsky",
                 new About(
+                        "p = −dx, dx, −dy, dy; q = x0 − xmin, xmax − x0, y0 − ymin, ymax − y0;"
+                                + " t = q/p enters where p < 0, leaves where p > 0",
+                        "what is left of the sides so far is enter ≤ t ≤ leave",
+                        "a division for each side it is not parallel to, until nothing is left: at"
+                                + " most four",
+                        "none known; intervals about as short as rounding are handed over to"
+                                + " unrounded arithmetic",
+                        "Y.-D. Liang and B. A. Barsky, A new concept and method for line"
+                                + " clipping, ACM Transactions on Graphics 3(1), 1984"),
+                new LiangBarsky());
+    }
+
+    private static Method<SegmentClipper> branchlessLiangBarsky() {
+        return new Method<>(
+                "liang-barsky-branchless",
+                new About(
                         "enter = max(0, (near − x0)/(x1 − x0), the same in y); back = max(0, (x1 −"
                                 + " far)/(x1 − x0), the same in y); left where enter + back < 1",
                         "what is left of the sides so far is enter ≤ t ≤ 1 − back",
@@ -106,7 +123,7 @@ final class SegmentClipMethods {
                                 + " unrounded arithmetic",
                         "Y.-D. Liang and B. A. Barsky, A new concept and method for line"
                                 + " clipping, ACM Transactions on Graphics 3(1), 1984"),
-                new LiangBarsky());
+                new BranchlessLiangBarsky());
     }
 
     private static Method<SegmentClipper> midpoint() {

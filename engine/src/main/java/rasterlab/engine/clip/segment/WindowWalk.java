@@ -142,8 +142,13 @@ abstract class WindowWalk implements SegmentWalk {
 
     @Override
     public final void send(SegmentSink out) {
-        if (unsure) UnroundedClip.clip(xmin, ymin, xmax, ymax, x0, y0, x1, y1, out);
+        if (unsure) sendUnrounded(out);
         else if (kept()) piece(out);
+    }
+
+    /** Computes all again without rounding, and checks the numbers. */
+    void sendUnrounded(SegmentSink out) {
+        UnroundedClip.clip(xmin, ymin, xmax, ymax, x0, y0, x1, y1, out);
     }
 
     /** Whether something is left, where the walk is sure. */
