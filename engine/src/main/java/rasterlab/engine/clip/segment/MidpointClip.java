@@ -20,6 +20,7 @@ import rasterlab.contract.SegmentSink;
  */
 public final class MidpointClip implements SteppedSegmentClipper {
     private static final int DEEPEST = 52;
+    private static final double NARROWEST = 0x1p-52;
 
     @Override
     public SegmentWalk walk(
@@ -121,7 +122,7 @@ public final class MidpointClip implements SteppedSegmentClipper {
             if (middle() == 0) visible = t;
             else enter = t;
             width /= 2;
-            if (width > 0x1p-52) return;
+            if (width > NARROWEST) return;
             enter = visible;
             visible = leaveCode == 0 ? 1 : visible;
             part = leaveCode == 0 ? Part.OVER : Part.LEAVING;
@@ -133,7 +134,7 @@ public final class MidpointClip implements SteppedSegmentClipper {
             if (middle() == 0) visible = t;
             else leave = t;
             width /= 2;
-            if (width > 0x1p-52) return;
+            if (width > NARROWEST) return;
             leave = visible;
             part = Part.OVER;
         }

@@ -11,8 +11,9 @@ package rasterlab.engine.clip.volume;
  * less than 2⁻⁵¹. An end at the eye has bit 6 only; behind it, where z &lt; −z, every y is above z
  * or below −z or both, and so is every x, which gives it bits of other planes as well.
  *
- * <p>It ends because each plane is cut at once. An interval of t closer to a single point than
- * {@value #SURE} is handed over.
+ * <p>It ends because each plane is cut at once. enter and leave err by less than 2⁻⁵¹ each, so
+ * where they are more than {@value #SURE} apart their order is the exact one; nearer, it is handed
+ * over.
  *
  * <p>Source: the course's textbook, chapter on the view volume; W. M. Newman and R. F. Sproull,
  * Principles of Interactive Computer Graphics, 1973.

@@ -11,9 +11,11 @@ package rasterlab.engine.clip.volume;
  * linear, the same t gives the point in the pyramid.
  *
  * <p>W − Z = zmin·(1 − z)/(1 − zmin) is a small difference of large numbers where zmin is small,
- * the loss that depth buffers know. Its rounding, up to 6·u·(|W| + |Z|), u = 2⁻⁵³, is followed:
- * where it might change a sign or move an end by more than {@value #MOST_SHIFT}, the segment is
- * handed over.
+ * the loss that depth buffers know. Its rounding, 3·u·|Z| from Z's three operations and u·(|W| +
+ * |Z|) from the difference (u = 2⁻⁵³), so less than 6·u·(|W| + |Z|), is followed: where it might
+ * change a sign or move an end by more than {@value #MOST_SHIFT}, the segment is handed over. So
+ * each t errs by less than that, and where enter and leave are more than {@value #SURE} apart, over
+ * twice as much, their order is the exact one; nearer, it is handed over too.
  *
  * <p>Source: J. F. Blinn and M. E. Newell, Clipping using homogeneous coordinates, Computer
  * Graphics (SIGGRAPH) 12(3), 1978, pp. 245–251; the matrix is the course textbook's.

@@ -2,6 +2,7 @@ package rasterlab.engine.clip.volume;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -132,6 +133,49 @@ class VolumeClipTest {
                                 ends[k] = rest % 5 / 2.0 - (k % 3 == 2 ? 0.5 : 1);
                             VolumeCases.assertRight(0.5, ends);
                         });
+    }
+
+    /** Past two planes' edge by the last bit, where enter and leave cannot be told apart. */
+    @Test
+    void whatPassesAnEdgeWithinRoundingIsHandedOver() {
+        double zmin = 0.28092317220248836;
+        double[] ends = {
+            -0.8270626826963425,
+            -0.1133614272232579,
+            0.33069211255419134,
+            -0.3142451386671449,
+            0.3142451386671451,
+            0.314245138667145
+        };
+        for (var method : VolumeCases.rightMethods())
+            assertTrue(handsOver(method, zmin, ends), method.name());
+        VolumeCases.assertRight(zmin, ends);
+    }
+
+    /** W − Z is 10⁻⁹·(1 − z): of its 53 bits 30 are gone, as depth buffers know. */
+    @Test
+    void aFarPlaneThatRoundingHidesIsHandedOverByHomogeneousOnly() {
+        double[] ends = {0, 0, 0.5, 0, 0, 1.5};
+        for (var method : VolumeCases.rightMethods())
+            assertEquals(
+                    method.name().equals("homogeneous"),
+                    handsOver(method, 1e-9, ends),
+                    method.name());
+        VolumeCases.assertRight(1e-9, ends);
+    }
+
+    /** An ordinary cut is decided in doubles. */
+    @Test
+    void whatIsCutInTheMiddleOfAPlaneIsNotHandedOver() {
+        for (var method : VolumeCases.rightMethods())
+            assertFalse(handsOver(method, 0.25, 0, 0, 0.5, 0.125, 0, 1.5), method.name());
+    }
+
+    private static boolean handsOver(Method<VolumeClipper> method, double zmin, double... ends) {
+        var stepped = (SteppedVolumeClipper) method.implementation();
+        VolumeWalk walk = VolumeClipTopic.walk(stepped, zmin, ends);
+        while (walk.advance()) continue;
+        return walk.unsure();
     }
 
     static Stream<Arguments> refused() {
