@@ -14,7 +14,8 @@ public record ClippedEnds(List<Optional<double[]>> parts, int again) {
         parts = List.copyOf(parts);
     }
 
-    long kept() {
+    /** How many segments something is left of. */
+    public long kept() {
         return parts.stream().filter(Optional::isPresent).count();
     }
 }

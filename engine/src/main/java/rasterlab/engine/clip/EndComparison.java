@@ -13,7 +13,7 @@ import rasterlab.engine.study.Deviation;
  * the others the worst error is the largest distance of a coordinate of an end from the exact one,
  * in the unit given.
  */
-final class EndComparison {
+public final class EndComparison {
     private final double unit;
     private double worst;
     private long missing;
@@ -24,7 +24,7 @@ final class EndComparison {
         this.unit = unit;
     }
 
-    static Deviation compare(ClippedEnds exact, ClippedEnds actual, double unit) {
+    public static Deviation compare(ClippedEnds exact, ClippedEnds actual, double unit) {
         var comparison = new EndComparison(unit);
         for (int i = 0; i < exact.parts().size(); i++)
             comparison.segment(i, exact.parts().get(i), actual.parts().get(i));

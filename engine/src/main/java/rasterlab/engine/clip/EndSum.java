@@ -4,7 +4,7 @@ import rasterlab.contract.SegmentSink;
 import rasterlab.contract.SpaceSegmentSink;
 
 /** Adds up the ends, so that a compiler cannot leave them uncomputed. */
-final class EndSum implements SegmentSink, SpaceSegmentSink {
+public final class EndSum implements SegmentSink, SpaceSegmentSink {
     private double sum;
 
     @Override
@@ -17,7 +17,7 @@ final class EndSum implements SegmentSink, SpaceSegmentSink {
         sum += x0 + y0 + z0 + x1 + y1 + z1;
     }
 
-    void requireComputed() {
+    public void requireComputed() {
         // Never true of workloads, but only they know: the ends have to be computed.
         if (sum == Double.POSITIVE_INFINITY) throw new AssertionError("sum of ends overflowed");
     }

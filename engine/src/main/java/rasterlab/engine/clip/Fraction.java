@@ -7,12 +7,15 @@ import java.math.MathContext;
  * A quotient of decimals without rounding; every double is a finite decimal. Compared by
  * multiplying across.
  *
+ * <p>The methods' own; the references count in {@code clip.exact.Ratio}, another representation by
+ * other code, so that a fault in one cannot hide in the other.
+ *
  * @param over any decimal
  * @param under above 0
  */
-record Fraction(BigDecimal over, BigDecimal under) implements Comparable<Fraction> {
-    static final Fraction ZERO = new Fraction(BigDecimal.ZERO, BigDecimal.ONE);
-    static final Fraction ONE = new Fraction(BigDecimal.ONE, BigDecimal.ONE);
+public record Fraction(BigDecimal over, BigDecimal under) implements Comparable<Fraction> {
+    public static final Fraction ZERO = new Fraction(BigDecimal.ZERO, BigDecimal.ONE);
+    public static final Fraction ONE = new Fraction(BigDecimal.ONE, BigDecimal.ONE);
 
     /** Digits of a new coordinate before it becomes a double: ample for one correct rounding. */
     private static final MathContext DIGITS = new MathContext(40);
@@ -22,23 +25,23 @@ record Fraction(BigDecimal over, BigDecimal under) implements Comparable<Fractio
         return over.multiply(other.under).compareTo(other.over.multiply(under));
     }
 
-    int compareTo(double value) {
+    public int compareTo(double value) {
         return over.compareTo(new BigDecimal(value).multiply(under));
     }
 
     /** The coordinate this share of the way between two, without rounding. */
-    Fraction way(double from, double to) {
+    public Fraction way(double from, double to) {
         BigDecimal start = new BigDecimal(from);
         BigDecimal change = new BigDecimal(to).subtract(start);
         return new Fraction(start.multiply(under).add(change.multiply(over)), under);
     }
 
     /** The nearest double to the coordinate this share of the way between two. */
-    double between(double from, double to) {
+    public double between(double from, double to) {
         return way(from, to).toDouble();
     }
 
-    double toDouble() {
+    public double toDouble() {
         return over.divide(under, DIGITS).doubleValue();
     }
 }

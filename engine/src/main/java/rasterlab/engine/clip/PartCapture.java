@@ -5,12 +5,22 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.SegmentSink;
 import rasterlab.contract.SpaceSegmentSink;
+import rasterlab.engine.study.LimitReached;
 
-/** Takes what methods send, segment after segment. */
-final class PartCapture implements SegmentSink, SpaceSegmentSink {
+/** Takes what methods send, segment after segment, up to a limit. */
+public final class PartCapture implements SegmentSink, SpaceSegmentSink {
     private final List<Optional<double[]>> parts = new ArrayList<>();
+    private final int limit;
+    private int sent;
     private int again;
     private double[] part = {};
+
+    /**
+     * @param limit the most parts to take
+     */
+    public PartCapture(int limit) {
+        this.limit = limit;
+    }
 
     @Override
     public void segment(double x0, double y0, double x1, double y1) {
@@ -23,17 +33,19 @@ final class PartCapture implements SegmentSink, SpaceSegmentSink {
     }
 
     private void take(double... ends) {
+        if (sent == limit) throw new LimitReached(limit, captured());
+        sent++;
         if (part.length > 0) again++;
         else part = ends;
     }
 
     /** Closes the account of one segment. */
-    void next() {
+    public void next() {
         parts.add(part.length > 0 ? Optional.of(part) : Optional.empty());
         part = new double[0];
     }
 
-    ClippedEnds captured() {
+    public ClippedEnds captured() {
         return new ClippedEnds(parts, again);
     }
 }

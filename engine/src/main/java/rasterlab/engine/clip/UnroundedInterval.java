@@ -11,7 +11,7 @@ import java.math.BigDecimal;
  * distance is linear in t, so t = d0/(d0 − d1) at the border. Fractions are compared by multiplying
  * across.
  */
-final class UnroundedInterval {
+public final class UnroundedInterval {
     private Fraction enter = Fraction.ZERO;
     private Fraction leave = Fraction.ONE;
 
@@ -21,7 +21,7 @@ final class UnroundedInterval {
      * @param d0 signed distance of the first end, {@code d1} of the second
      * @return whether something is left
      */
-    boolean cut(BigDecimal d0, BigDecimal d1) {
+    public boolean cut(BigDecimal d0, BigDecimal d1) {
         boolean out0 = d0.signum() < 0;
         boolean out1 = d1.signum() < 0;
         if (out0 && out1) return false;
@@ -36,27 +36,27 @@ final class UnroundedInterval {
     }
 
     /** Cuts at the border coordinate = {@code least}, the larger coordinates being within. */
-    boolean cutBelow(double c0, double c1, double least) {
+    public boolean cutBelow(double c0, double c1, double least) {
         return cut(difference(c0, least), difference(c1, least));
     }
 
     /** Cuts at the border coordinate = {@code most}, the smaller coordinates being within. */
-    boolean cutAbove(double c0, double c1, double most) {
+    public boolean cutAbove(double c0, double c1, double most) {
         return cut(difference(most, c0), difference(most, c1));
     }
 
     /** a − b, exactly. */
-    static BigDecimal difference(double a, double b) {
+    public static BigDecimal difference(double a, double b) {
         return new BigDecimal(a).subtract(new BigDecimal(b));
     }
 
     /** The coordinate that is {@code c0} at t = 0 and {@code c1} at t = 1, where it enters. */
-    double atEnter(double c0, double c1) {
+    public double atEnter(double c0, double c1) {
         return enter.over().signum() == 0 ? c0 : enter.between(c0, c1);
     }
 
     /** The same coordinate where it leaves. */
-    double atLeave(double c0, double c1) {
+    public double atLeave(double c0, double c1) {
         return leave.equals(Fraction.ONE) ? c1 : leave.between(c0, c1);
     }
 }

@@ -15,8 +15,8 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import rasterlab.contract.SegmentClipper;
 import rasterlab.contract.SegmentSink;
-import rasterlab.engine.clip.CohenSutherland;
-import rasterlab.engine.clip.LiangBarsky;
+import rasterlab.engine.clip.segment.BranchlessLiangBarsky;
+import rasterlab.engine.clip.segment.CohenSutherland;
 
 /**
  * Segments with both ends anywhere in the nine regions, each region as large as the window; the
@@ -39,7 +39,7 @@ public class ClipBenchmark {
     private final double[] ends = new double[4 * SEGMENTS];
     private final Rectangle2D.Double window = new Rectangle2D.Double(0, 0, SIZE, SIZE);
     private final SegmentClipper cohenSutherland = new CohenSutherland();
-    private final SegmentClipper liangBarsky = new LiangBarsky();
+    private final SegmentClipper liangBarsky = new BranchlessLiangBarsky();
     private double sum;
 
     private static Goal goal(String name, String method, double ratio) {

@@ -137,6 +137,26 @@ class ArchitectureTest {
                 .check(classes);
     }
 
+    @Test
+    void packagesOfClippingFormNoCircle() {
+        slices().assignedFrom(topPackagesOf("rasterlab.engine.clip"))
+                .should()
+                .beFreeOfCycles()
+                .check(classes);
+    }
+
+    /** The references share no code with the methods they judge. */
+    @Test
+    void exactClippingKnowsNoMethod() {
+        noClasses()
+                .that()
+                .resideInAPackage("rasterlab.engine.clip.exact..")
+                .should()
+                .dependOnClassesThat()
+                .resideOutsideOfPackages("rasterlab.engine.clip.exact..", "java..")
+                .check(classes);
+    }
+
     /** Each package right below the module's root with all that is in it, and the root itself. */
     private static SliceAssignment topPackagesOf(String root) {
         return new SliceAssignment() {

@@ -11,11 +11,11 @@ import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.PolygonClipper;
-import rasterlab.engine.clip.ClipWindow;
-import rasterlab.engine.clip.PolygonClipTopic;
-import rasterlab.engine.clip.PolygonInWindow;
-import rasterlab.engine.clip.PolygonWalk;
-import rasterlab.engine.clip.SteppedPolygonClipper;
+import rasterlab.engine.clip.polygon.PolygonClipTopic;
+import rasterlab.engine.clip.polygon.PolygonInWindow;
+import rasterlab.engine.clip.polygon.PolygonWalk;
+import rasterlab.engine.clip.polygon.SteppedPolygonClipper;
+import rasterlab.engine.clip.segment.ClipWindow;
 import rasterlab.engine.study.Topic;
 
 /**

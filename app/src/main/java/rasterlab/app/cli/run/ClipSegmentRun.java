@@ -6,12 +6,12 @@ import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.SegmentClipper;
-import rasterlab.engine.clip.ClipWalk;
-import rasterlab.engine.clip.ClipWindow;
 import rasterlab.engine.clip.ClippedEnds;
-import rasterlab.engine.clip.SegmentClipTopic;
-import rasterlab.engine.clip.SegmentsInWindow;
-import rasterlab.engine.clip.SteppedSegmentClipper;
+import rasterlab.engine.clip.segment.ClipWindow;
+import rasterlab.engine.clip.segment.SegmentClipTopic;
+import rasterlab.engine.clip.segment.SegmentWalk;
+import rasterlab.engine.clip.segment.SegmentsInWindow;
+import rasterlab.engine.clip.segment.SteppedSegmentClipper;
 import rasterlab.engine.study.Topic;
 
 /** Topic {@code clip-segment}: {@code window}, {@code segments}; {@code segments} out. */
@@ -72,13 +72,13 @@ public final class ClipSegmentRun implements TopicRun {
     private static List<ClipRun.Step> steps(
             SteppedSegmentClipper method, ClipWindow window, double[] segment) {
         var steps = new ArrayList<ClipRun.Step>();
-        ClipWalk walk = SegmentClipTopic.walk(method, window, segment);
+        SegmentWalk walk = SegmentClipTopic.walk(method, window, segment);
         while (walk.advance()) steps.add(step(walk.at(), walk.decision(), walk));
         if (walk.unsure()) steps.add(step("without rounding", Double.NaN, walk));
         return steps;
     }
 
-    private static ClipRun.Step step(String at, double decision, ClipWalk walk) {
+    private static ClipRun.Step step(String at, double decision, SegmentWalk walk) {
         var left = new double[4];
         walk.piece(
                 (x0, y0, x1, y1) -> {

@@ -8,10 +8,10 @@ import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.VolumeClipper;
 import rasterlab.engine.clip.ClippedEnds;
-import rasterlab.engine.clip.SegmentsInVolume;
-import rasterlab.engine.clip.SteppedVolumeClipper;
-import rasterlab.engine.clip.VolumeClipTopic;
-import rasterlab.engine.clip.VolumeWalk;
+import rasterlab.engine.clip.volume.SegmentsInVolume;
+import rasterlab.engine.clip.volume.SteppedVolumeClipper;
+import rasterlab.engine.clip.volume.VolumeClipTopic;
+import rasterlab.engine.clip.volume.VolumeWalk;
 import rasterlab.engine.study.Topic;
 
 /** Topic {@code clip-volume}: {@code zmin}, {@code segments}; {@code segments} out. */

@@ -1,0 +1,83 @@
+package rasterlab.engine.clip.exact;
+
+import java.util.ArrayList;
+
+/**
+ * Whether there is a right answer at all, found out by looking at all pairs of edges in fractions;
+ * for the exact reference.
+ */
+public final class ProperInput {
+    private ProperInput() {}
+
+    /** Whether the window is convex with an area and the subject is simple. */
+    public static boolean is(double[] window, double[] subject) {
+        if (!finite(window) || !finite(subject)) return false;
+        Ratio[][] around = distinct(window);
+        return simple(around) && convex(around) && simple(distinct(subject));
+    }
+
+    private static boolean finite(double[] numbers) {
+        for (double number : numbers) if (!Double.isFinite(number)) return false;
+        return numbers.length % 2 == 0;
+    }
+
+    private static Ratio[][] distinct(double[] xy) {
+        var ring = new ArrayList<Ratio[]>();
+        for (int i = 0; i < xy.length; i += 2) {
+            Ratio[] corner = {Ratio.of(xy[i]), Ratio.of(xy[i + 1])};
+            if (ring.isEmpty() || !same(ring.get(ring.size() - 1), corner)) ring.add(corner);
+        }
+        while (ring.size() > 1 && same(ring.get(0), ring.get(ring.size() - 1)))
+            ring.remove(ring.size() - 1);
+        return ring.toArray(new Ratio[0][]);
+    }
+
+    private static boolean same(Ratio[] a, Ratio[] b) {
+        return a[0].equals(b[0]) && a[1].equals(b[1]);
+    }
+
+    private static boolean convex(Ratio[][] ring) {
+        int left = 0;
+        int right = 0;
+        for (int i = 0; i < ring.length; i++) {
+            int turn = turn(ring[i], ring[(i + 1) % ring.length], ring[(i + 2) % ring.length]);
+            if (turn > 0) left++;
+            if (turn < 0) right++;
+        }
+        return left + right >= 3 && left * right == 0;
+    }
+
+    private static boolean simple(Ratio[][] ring) {
+        int n = ring.length;
+        if (n < 3) return false;
+        for (int i = 0; i < n; i++)
+            for (int j = i + 1; j < n; j++) if (!apart(ring, i, j)) return false;
+        return true;
+    }
+
+    private static boolean apart(Ratio[][] ring, int i, int j) {
+        int n = ring.length;
+        Ratio[] a = ring[i];
+        Ratio[] b = ring[(i + 1) % n];
+        Ratio[] c = ring[j];
+        Ratio[] d = ring[(j + 1) % n];
+        if (j == i + 1) return !on(a, b, d) && !on(c, d, a);
+        if (i == 0 && j == n - 1) return !on(c, d, b) && !on(a, b, c);
+        if (on(a, b, c) || on(a, b, d) || on(c, d, a) || on(c, d, b)) return false;
+        return turn(a, b, c) * turn(a, b, d) >= 0 || turn(c, d, a) * turn(c, d, b) >= 0;
+    }
+
+    /** Whether p is a point of the edge a→b. */
+    private static boolean on(Ratio[] a, Ratio[] b, Ratio[] p) {
+        return turn(a, b, p) == 0 && between(a[0], b[0], p[0]) && between(a[1], b[1], p[1]);
+    }
+
+    private static boolean between(Ratio a, Ratio b, Ratio p) {
+        return a.compareTo(p) * b.compareTo(p) <= 0;
+    }
+
+    private static int turn(Ratio[] a, Ratio[] b, Ratio[] c) {
+        Ratio left = b[0].minus(a[0]).times(c[1].minus(a[1]));
+        return left.minus(b[1].minus(a[1]).times(c[0].minus(a[0]))).signum();
+    }
+}

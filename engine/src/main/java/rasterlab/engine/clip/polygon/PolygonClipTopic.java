@@ -1,0 +1,155 @@
+package rasterlab.engine.clip.polygon;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import rasterlab.contract.PolygonClipper;
+import rasterlab.engine.clip.EndSum;
+import rasterlab.engine.clip.exact.ExactPolygonClip;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Method.About;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+
+/**
+ * Clipping a polygon by a convex window.
+ *
+ * <p>Right means: as many pieces as there are, and at most 10⁻¹² of the window's area covered by
+ * only one of answer and exact pieces; crossings are fractions, which no double is equal to, and
+ * moving a corner by a rounding changes the area by a few 10⁻¹⁶ of the window's. Usable means: the
+ * area is right to a millionth, whatever the pieces, since a bridge between two fills nothing.
+ */
+public final class PolygonClipTopic
+        implements Topic<PolygonClipper, PolygonInWindow, List<double[]>> {
+    static final double RIGHT_SHARE = 1e-12;
+    private static final double USABLE_SHARE = 1e-6;
+
+    @Override
+    public String name() {
+        return "clip-polygon";
+    }
+
+    @Override
+    public List<Method<PolygonClipper>> methods() {
+        return List.of(sutherlandHodgman(), weilerAtherton());
+    }
+
+    private static Method<PolygonClipper> sutherlandHodgman() {
+        return new Method<>(
+                "sutherland-hodgman",
+                new About(
+                        "for each side: keep the corners on its left, add p + d/(d − e)·(q − p)"
+                                + " where an edge passes its line",
+                        "after each side the ring lies within the sides so far",
+                        "a test for each side and corner left so far, a division for each crossing",
+                        "pieces of a non-convex subject stay joined by bridges along the window's"
+                                + " sides: one ring, the right area",
+                        "I. E. Sutherland and G. W. Hodgman, Reentrant polygon clipping,"
+                                + " Communications of the ACM 17(1), 1974"),
+                new SutherlandHodgman());
+    }
+
+    private static Method<PolygonClipper> weilerAtherton() {
+        return new Method<>(
+                "weiler-atherton",
+                new About(
+                        "along the subject inside the window, along the rim from each leaving to"
+                                + " the next entering place",
+                        "the piece lies to the left of the way",
+                        "at most two tests for each edge and side, and one more for corners before"
+                                + " the first outside; each crossing is computed without rounding"
+                                + " and ordered along the rim",
+                        "none known for simple subjects; others are refused",
+                        "K. Weiler and P. Atherton, Hidden surface removal using polygon area"
+                                + " sorting, SIGGRAPH 1977"),
+                new WeilerAtherton());
+    }
+
+    @Override
+    public List<Hazard<PolygonInWindow>> hazards() {
+        return PolygonClipHazards.all();
+    }
+
+    @Override
+    public List<Workload<PolygonInWindow>> workloads() {
+        return PolygonClipWorkloads.all();
+    }
+
+    @Override
+    public List<double[]> record(PolygonClipper method, PolygonInWindow input, int limit) {
+        var pieces = new ArrayList<double[]>();
+        method.clip(
+                input.window(),
+                input.subject(),
+                piece -> {
+                    if (pieces.size() == limit) throw new LimitReached(limit, List.copyOf(pieces));
+                    pieces.add(piece);
+                });
+        return pieces;
+    }
+
+    /** {@inheritDoc} The items are the subject's corners, whatever is left of them. */
+    @Override
+    public long spend(PolygonClipper method, PolygonInWindow input) {
+        var sum = new EndSum();
+        method.clip(
+                input.window(),
+                input.subject(),
+                piece -> sum.segment(piece[0], piece[1], piece.length, 0));
+        sum.requireComputed();
+        return input.corners();
+    }
+
+    @Override
+    public List<double[]> exact(PolygonInWindow input, int limit) {
+        List<double[]> pieces = ExactPolygonClip.pieces(input.window(), input.subject());
+        return pieces.subList(0, Math.min(limit, pieces.size()));
+    }
+
+    @Override
+    public Deviation compare(PolygonInWindow input, List<double[]> exact, List<double[]> actual) {
+        return PolygonComparison.compare(input.window(), exact, actual);
+    }
+
+    @Override
+    public boolean correct(Deviation deviation) {
+        return deviation.missing() == 0
+                && deviation.extra() == 0
+                && deviation.worst() <= RIGHT_SHARE;
+    }
+
+    @Override
+    public boolean usable(Deviation deviation) {
+        return deviation.worst() <= USABLE_SHARE;
+    }
+
+    @Override
+    public Map<String, Long> operations(PolygonClipper method, PolygonInWindow input) {
+        var counts = new TreeMap<String, Long>();
+        if (!(method instanceof SteppedPolygonClipper stepped)) return counts;
+        PolygonWalk walk = stepped.walk(input.window(), input.subject());
+        long steps = 0;
+        while (walk.advance()) steps++;
+        counts.put("steps", steps);
+        counts.put("side tests", walk.sideTests());
+        counts.put("divisions", walk.divisions());
+        counts.put("unrounded crossings", walk.unroundedCrossings());
+        walk.send(piece -> counts.merge("pieces", 1L, Long::sum));
+        walk.send(piece -> counts.merge("corners left", piece.length / 2L, Long::sum));
+        return counts;
+    }
+
+    @Override
+    public String item() {
+        return "corner";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "window areas";
+    }
+}

@@ -1,0 +1,61 @@
+package rasterlab.engine.clip.polygon;
+
+import java.util.Arrays;
+import java.util.List;
+import rasterlab.engine.study.Deviation;
+
+/**
+ * How far clipped polygons are from the exact pieces: the area only one of the two covers, as a
+ * share of the window's, and how many pieces are missing or too many.
+ *
+ * <p>Pieces are counted, not paired: where two are joined by a bridge, one is missing.
+ */
+final class PolygonComparison {
+    private PolygonComparison() {}
+
+    static Deviation compare(double[] window, List<double[]> exact, List<double[]> actual) {
+        long missing = Math.max(0, exact.size() - actual.size());
+        long extra = Math.max(0, actual.size() - exact.size());
+        for (double[] piece : actual)
+            if (!Arrays.stream(piece).allMatch(Double::isFinite))
+                return new Deviation(
+                        1, exact.size(), actual.size(), exact.size(), text(piece) + " is no place");
+        double share = share(window, exact, actual);
+        return new Deviation(share, missing, extra, exact.size(), first(exact, actual, share));
+    }
+
+    /**
+     * The area of one only as a share of the window's. All x are first divided by one power of 2
+     * and all y by another, which no share depends on, so that the largest are about 1 and no area
+     * is beyond a double.
+     */
+    private static double share(double[] window, List<double[]> exact, List<double[]> actual) {
+        int x = PolygonArea.exponent(window, 0, 2);
+        int y = PolygonArea.exponent(window, 1, 2);
+        for (double[] piece : actual) {
+            x = Math.max(x, PolygonArea.exponent(piece, 0, 2));
+            y = Math.max(y, PolygonArea.exponent(piece, 1, 2));
+        }
+        double area = AreaBetween.of(scaled(exact, -x, -y), scaled(actual, -x, -y));
+        return area == 0 ? 0 : area / Math.abs(PolygonArea.of(PolygonArea.scaled(window, -x, -y)));
+    }
+
+    private static List<double[]> scaled(List<double[]> pieces, int byX, int byY) {
+        return pieces.stream().map(piece -> PolygonArea.scaled(piece, byX, byY)).toList();
+    }
+
+    private static String first(List<double[]> exact, List<double[]> actual, double share) {
+        if (exact.size() != actual.size())
+            return actual.size() + " pieces where " + exact.size() + " are right" + sample(actual);
+        if (share == 0) return "";
+        return "a share of " + share + " of the window is covered by one of the two only";
+    }
+
+    private static String sample(List<double[]> actual) {
+        return actual.isEmpty() ? "" : "; the first is " + text(actual.get(0));
+    }
+
+    private static String text(double[] xy) {
+        return Arrays.toString(xy);
+    }
+}

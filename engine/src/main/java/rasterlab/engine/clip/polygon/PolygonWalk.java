@@ -1,0 +1,31 @@
+package rasterlab.engine.clip.polygon;
+
+import rasterlab.contract.PolygonSink;
+
+/**
+ * A polygon on its way through a window.
+ *
+ * <p>Drain it with {@code while (walk.advance())}, then {@link #send} what is left.
+ */
+public interface PolygonWalk {
+    /** Makes the next step; false when there is none, and then again each time. */
+    boolean advance();
+
+    /** What the last step did, in a few words. */
+    String at();
+
+    /** x and y of each corner of the polygon that the last step made or went on with. */
+    double[] polygon();
+
+    /** How often it was asked on which side of a window's side a corner lies, so far. */
+    long sideTests();
+
+    /** Divisions of doubles made so far. */
+    long divisions();
+
+    /** Crossings computed without rounding so far. */
+    long unroundedCrossings();
+
+    /** Sends the pieces, once {@link #advance} has returned false. */
+    void send(PolygonSink out);
+}

@@ -1,0 +1,53 @@
+package rasterlab.engine.clip.segment;
+
+/**
+ * The points with xmin ≤ x ≤ xmax and ymin ≤ y ≤ ymax; it may have no width or no height or
+ * neither.
+ */
+public record ClipWindow(double xmin, double ymin, double xmax, double ymax) {
+    /** A 1024th of the largest coordinate, below which doubles are too sparse to be compared. */
+    private static final double SPARSE = 1.0 / 1024;
+
+    public ClipWindow {
+        requireOrdered(xmin, ymin, xmax, ymax);
+    }
+
+    /**
+     * @throws IllegalArgumentException if a side is not finite or lies beyond its opposite
+     */
+    static void requireOrdered(double xmin, double ymin, double xmax, double ymax) {
+        requireOrdered("xmin", xmin, "xmax", xmax);
+        requireOrdered("ymin", ymin, "ymax", ymax);
+    }
+
+    private static void requireOrdered(String lowName, double low, String highName, double high) {
+        if (!Double.isFinite(low) || !Double.isFinite(high))
+            throw new IllegalArgumentException(
+                    lowName + " and " + highName + " must be finite, got " + low + " and " + high);
+        if (low > high)
+            throw new IllegalArgumentException(
+                    lowName + " must be at most " + highName + ", got " + low + " > " + high);
+    }
+
+    /** The sides as an array: xmin, ymin, xmax, ymax. */
+    public double[] sides() {
+        return new double[] {xmin, ymin, xmax, ymax};
+    }
+
+    /**
+     * What errors are measured in: the larger extent, or a 1024th of the largest coordinate where
+     * that is more, so that 10⁻¹² of it is never less than four steps between doubles.
+     */
+    double unit() {
+        double far = 0;
+        for (double side : sides()) far = Math.max(far, Math.abs(side));
+        double width = xmax / 2 - xmin / 2;
+        double height = ymax / 2 - ymin / 2;
+        return Math.max(2 * Math.min(Math.max(width, height), Double.MAX_VALUE / 2), far * SPARSE);
+    }
+
+    @Override
+    public String toString() {
+        return "[" + xmin + ", " + xmax + "] × [" + ymin + ", " + ymax + "]";
+    }
+}

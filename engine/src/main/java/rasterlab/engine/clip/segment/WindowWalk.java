@@ -1,0 +1,156 @@
+package rasterlab.engine.clip.segment;
+
+import rasterlab.contract.SegmentSink;
+
+/**
+ * What the walks of all methods share: window, segment, and whether doubles are good enough.
+ *
+ * <p>With u = 2⁻⁵³, a difference of two doubles and a quotient each err by a share u at most, so a
+ * t computed as (side − x0)/(x1 − x0) errs by a share of 3·u, and p0 + t·(p1 − p0) by 5·u·|p1 − p0|
+ * and its own rounding. With |x1 − x0|, |y1 − y0| ≤ 512·size, size being the window's width and
+ * height together, that is 5.7·10⁻¹³ of the larger one. Beyond, and where size is so small or large
+ * that products might underflow or overflow, and for everything not finite, a walk is {@link
+ * #unsure} from the start.
+ */
+abstract class WindowWalk implements SegmentWalk {
+    static final int TOP = 1;
+    static final int BOTTOM = 2;
+    static final int RIGHT = 4;
+    static final int LEFT = 8;
+
+    private static final double LONGEST = 512;
+    private static final double SMALLEST = 0x1p-300;
+    private static final double LARGEST = 0x1p300;
+
+    final double xmin;
+    final double ymin;
+    final double xmax;
+    final double ymax;
+    final double x0;
+    final double y0;
+    final double x1;
+    final double y1;
+    final double dx;
+    final double dy;
+    final double size;
+    int divisions;
+    private boolean unsure;
+
+    WindowWalk(
+            double xmin,
+            double ymin,
+            double xmax,
+            double ymax,
+            double x0,
+            double y0,
+            double x1,
+            double y1) {
+        this.xmin = xmin;
+        this.ymin = ymin;
+        this.xmax = xmax;
+        this.ymax = ymax;
+        this.x0 = x0;
+        this.y0 = y0;
+        this.x1 = x1;
+        this.y1 = y1;
+        dx = x1 - x0;
+        dy = y1 - y0;
+        size = (xmax - xmin) + (ymax - ymin);
+        // Written so that NaN makes it false.
+        boolean sure =
+                Math.abs(dx) <= LONGEST * size
+                        && Math.abs(dy) <= LONGEST * size
+                        && size >= SMALLEST
+                        && size <= LARGEST
+                        && xmin <= xmax
+                        && ymin <= ymax;
+        unsure = !sure;
+    }
+
+    /** Leaves the decision to unrounded arithmetic. */
+    final void handOver() {
+        unsure = true;
+    }
+
+    /**
+     * Which sides a point lies beyond: the signs of four differences, bit by bit. A difference of
+     * doubles has the right sign always, and that of equals is +0.
+     */
+    final int code(double x, double y) {
+        return columnCode(x) | rowCode(y);
+    }
+
+    final int columnCode(double x) {
+        return sign(xmax - x) * RIGHT | sign(x - xmin) * LEFT;
+    }
+
+    final int rowCode(double y) {
+        return sign(ymax - y) * TOP | sign(y - ymin) * BOTTOM;
+    }
+
+    private static int sign(double difference) {
+        return (int) (Double.doubleToRawLongBits(difference) >>> 63);
+    }
+
+    /**
+     * Whether the rounding of a computed coordinate may hide on which side of one of two lines it
+     * is; more than the bound above.
+     */
+    final boolean near(double computed, double low, double high) {
+        double most = 0x1p-40 * size + 0x1p-51 * (Math.abs(low) + Math.abs(high));
+        return Math.abs(computed - low) <= most | Math.abs(computed - high) <= most;
+    }
+
+    /**
+     * The second number where the sign bit is set, else the first: a choice without a branch.
+     *
+     * @param sign below 0 or not
+     */
+    static double picked(double first, double second, long sign) {
+        long one = Double.doubleToRawLongBits(first);
+        long other = Double.doubleToRawLongBits(second);
+        return Double.longBitsToDouble(one ^ (one ^ other) & sign >> 63);
+    }
+
+    /** The coordinate where it is in lo..hi, else the nearer of the two. */
+    static double clamped(double coordinate, double lo, double hi) {
+        return Math.max(lo, Math.min(hi, coordinate));
+    }
+
+    /**
+     * Sends the part from t = {@code enter} to {@code leave}, moved into the window; an end stays
+     * as it is where its t is 0 or 1.
+     */
+    final void sendPart(double enter, double leave, SegmentSink out) {
+        double back = 1 - leave;
+        out.segment(
+                clamped(x0 + enter * dx, xmin, xmax),
+                clamped(y0 + enter * dy, ymin, ymax),
+                clamped(x1 - back * dx, xmin, xmax),
+                clamped(y1 - back * dy, ymin, ymax));
+    }
+
+    @Override
+    public final boolean unsure() {
+        return unsure;
+    }
+
+    @Override
+    public final int divisions() {
+        return divisions;
+    }
+
+    @Override
+    public final void send(SegmentSink out) {
+        if (unsure) sendUnrounded(out);
+        else if (kept()) piece(out);
+    }
+
+    /** Computes all again without rounding, and checks the numbers. */
+    void sendUnrounded(SegmentSink out) {
+        UnroundedClip.clip(xmin, ymin, xmax, ymax, x0, y0, x1, y1, out);
+    }
+
+    /** Whether something is left, where the walk is sure. */
+    abstract boolean kept();
+}

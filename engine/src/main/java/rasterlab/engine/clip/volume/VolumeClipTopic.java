@@ -1,0 +1,197 @@
+package rasterlab.engine.clip.volume;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import rasterlab.contract.SpaceSegmentSink;
+import rasterlab.contract.VolumeClipper;
+import rasterlab.engine.clip.ClippedEnds;
+import rasterlab.engine.clip.EndComparison;
+import rasterlab.engine.clip.EndSum;
+import rasterlab.engine.clip.PartCapture;
+import rasterlab.engine.clip.exact.ExactClip;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Method.About;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+
+/**
+ * Clipping segments by the normalised view volume.
+ *
+ * <p>Right means: no segment misjudged, and every new end within 10⁻¹² of the exact one, the
+ * volume's depth being 1; ends are fractions, which no double is equal to. Usable means: none
+ * misjudged, ends within a thousandth.
+ */
+public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVolume, ClippedEnds> {
+    static final double RIGHT = 1e-12;
+    private static final double USABLE = 1e-3;
+    public static final int MOST_STEPS = 1_000;
+
+    @Override
+    public String name() {
+        return "clip-volume";
+    }
+
+    @Override
+    public List<Method<VolumeClipper>> methods() {
+        return List.of(cohenSutherland(), divideFirstTextbook(), homogeneous());
+    }
+
+    private static Method<VolumeClipper> cohenSutherland() {
+        return new Method<>(
+                "cohen-sutherland-6",
+                new About(
+                        "bits y > z, y < −z, x > z, x < −z, z > 1, z < zmin; t = d0/(d0 − d1) at"
+                                + " each plane whose bit one end has",
+                        "what is left of the planes so far is enter ≤ t ≤ leave",
+                        "twelve signs, and a division for each plane between the ends",
+                        "none known; intervals about as short as rounding are handed over to"
+                                + " unrounded arithmetic",
+                        "the course's textbook, chapter on the view volume; W. M. Newman and"
+                                + " R. F. Sproull, Principles of Interactive Computer Graphics,"
+                                + " 1973"),
+                new CohenSutherland6());
+    }
+
+    private static Method<VolumeClipper> divideFirstTextbook() {
+        return new Method<>(
+                "divide-first-textbook",
+                new About(
+                        "X = x/z, Y = y/z, Z = (z − zmin)/((1 − zmin)·z); −1 ≤ X ≤ 1, −1 ≤ Y ≤ 1,"
+                                + " 0 ≤ Z ≤ 1; back by z = zmin/(1 − (1 − zmin)·Z)",
+                        "none: the segment between the divided ends is the segment's picture only"
+                                + " where both ends are in front of the eye",
+                        "six divisions for both ends, one for each side between them, two to take"
+                                + " what is left back",
+                        "an end behind the eye gives what does not lie between the ends; an end at"
+                                + " the eye gives infinities or NaN",
+                        "the order that J. F. Blinn and M. E. Newell, Clipping using homogeneous"
+                                + " coordinates, SIGGRAPH 1978, warn of"),
+                new DivideFirstTextbook());
+    }
+
+    private static Method<VolumeClipper> homogeneous() {
+        return new Method<>(
+                "homogeneous",
+                new About(
+                        "[x y z 1]·M_p = [X Y Z W]; −W ≤ X ≤ W, −W ≤ Y ≤ W, 0 ≤ Z ≤ W; t ="
+                                + " b0/(b0 − b1) at each border",
+                        "what is left of the borders so far is enter ≤ t ≤ leave, with no division"
+                                + " by W",
+                        "two divisions for M_p, and one for each border between the ends",
+                        "none known; where W − Z loses too many digits, as with a small zmin, the"
+                                + " segment is handed over to unrounded arithmetic",
+                        "J. F. Blinn and M. E. Newell, Clipping using homogeneous coordinates,"
+                                + " SIGGRAPH 1978; the matrix is the course textbook's"),
+                new HomogeneousClip());
+    }
+
+    @Override
+    public List<Hazard<SegmentsInVolume>> hazards() {
+        return VolumeClipHazards.all();
+    }
+
+    @Override
+    public List<Workload<SegmentsInVolume>> workloads() {
+        return VolumeClipWorkloads.all();
+    }
+
+    /**
+     * {@inheritDoc}
+     *
+     * @throws LimitReached also when a stepped method makes more than {@value #MOST_STEPS} steps
+     *     for one segment
+     */
+    @Override
+    public ClippedEnds record(VolumeClipper method, SegmentsInVolume input, int limit) {
+        var capture = new PartCapture(limit);
+        for (double[] s : input.segments()) {
+            if (method instanceof SteppedVolumeClipper stepped)
+                drained(walk(stepped, input.zmin(), s), capture).send(capture);
+            else clip(method, input.zmin(), s, capture);
+            capture.next();
+        }
+        return capture.captured();
+    }
+
+    private static VolumeWalk drained(VolumeWalk walk, PartCapture capture) {
+        for (int steps = 0; walk.advance(); steps++)
+            if (steps == MOST_STEPS) throw new LimitReached(MOST_STEPS, capture.captured());
+        return walk;
+    }
+
+    static void clip(VolumeClipper method, double zmin, double[] s, SpaceSegmentSink out) {
+        method.clip(zmin, s[0], s[1], s[2], s[3], s[4], s[5], out);
+    }
+
+    /** The walk of one segment, given as x0, y0, z0, x1, y1, z1. */
+    public static VolumeWalk walk(SteppedVolumeClipper method, double zmin, double[] s) {
+        return method.walk(zmin, s[0], s[1], s[2], s[3], s[4], s[5]);
+    }
+
+    @Override
+    public long spend(VolumeClipper method, SegmentsInVolume input) {
+        var sum = new EndSum();
+        for (double[] s : input.segments()) clip(method, input.zmin(), s, sum);
+        sum.requireComputed();
+        return input.segments().size();
+    }
+
+    @Override
+    public ClippedEnds exact(SegmentsInVolume input, int limit) {
+        return new ClippedEnds(
+                input.segments().stream()
+                        .limit(limit)
+                        .map(ends -> ExactClip.volume(input.zmin(), ends))
+                        .toList(),
+                0);
+    }
+
+    @Override
+    public Deviation compare(SegmentsInVolume input, ClippedEnds exact, ClippedEnds actual) {
+        return EndComparison.compare(exact, actual, 1);
+    }
+
+    @Override
+    public boolean correct(Deviation deviation) {
+        return judged(deviation) && deviation.worst() <= RIGHT;
+    }
+
+    @Override
+    public boolean usable(Deviation deviation) {
+        return judged(deviation) && deviation.worst() <= USABLE;
+    }
+
+    private static boolean judged(Deviation deviation) {
+        return deviation.missing() == 0 && deviation.extra() == 0;
+    }
+
+    @Override
+    public Map<String, Long> operations(VolumeClipper method, SegmentsInVolume input) {
+        var counts = new TreeMap<String, Long>();
+        if (!(method instanceof SteppedVolumeClipper stepped)) return counts;
+        for (double[] s : input.segments()) {
+            VolumeWalk walk = walk(stepped, input.zmin(), s);
+            long steps = 0;
+            while (walk.advance()) steps++;
+            walk.send(new PartCapture(1));
+            counts.merge("steps", steps, Long::sum);
+            counts.merge("divisions", (long) walk.divisions(), Long::sum);
+            counts.merge("handed over", walk.unsure() ? 1L : 0L, Long::sum);
+        }
+        return counts;
+    }
+
+    @Override
+    public String item() {
+        return "segment";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "volume depths";
+    }
+}
