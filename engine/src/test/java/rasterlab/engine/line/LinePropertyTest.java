@@ -11,6 +11,7 @@ import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.raster.PixelWindow;
@@ -162,6 +163,28 @@ class LinePropertyTest {
             sum += level[2];
         }
         assertEquals(255 * (s.steps() + 1), sum);
+    }
+
+    /** On a tie both pixels are half covered, and rounding errors must not prefer the neighbour. */
+    @Test
+    void theNearestPixelHasAtLeastHalfTheLight() {
+        for (int n = 0; n <= 64; n++)
+            for (int b = -n; b <= n; b++) {
+                var nearest = new HashSet<List<Integer>>();
+                new BresenhamLine().draw(0, 0, n, b, (x, y) -> nearest.add(List.of(x, y)));
+                String line = "(0, 0)→(" + n + ", " + b + ")";
+                new WuLine()
+                        .shade(
+                                0,
+                                0,
+                                n,
+                                b,
+                                (x, y, c) ->
+                                        assertEquals(
+                                                nearest.contains(List.of(x, y)),
+                                                c >= 128,
+                                                line + " at " + x + ", " + y + ": " + c));
+            }
     }
 
     @Property
