@@ -17,7 +17,7 @@ import rasterlab.contract.EllipseRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.raster.PixelRecording;
 
-class CurvePropertyTest {
+class ArcPropertyTest {
     private static final List<CircleRasterizer> CIRCLES =
             List.of(new BresenhamCircle(), new MidpointCircle());
     private static final List<EllipseRasterizer> ELLIPSES =
