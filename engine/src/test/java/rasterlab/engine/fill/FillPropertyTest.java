@@ -89,6 +89,21 @@ class FillPropertyTest {
             assertTrue(depths.get(i) > 0 && depths.get(i) <= depths.get(i - 1) + 1, depths + "");
     }
 
+    /** The second call of two from one run must not seem to wait for the first. */
+    @Test
+    void aCallThatHasEndedWaitsNoMore() {
+        var waits = new ArrayList<Integer>();
+        new RecursiveTextbookFill()
+                .trace(
+                        new TextPicture(List.of(".#.", "...")),
+                        1,
+                        1,
+                        '*',
+                        4,
+                        (y, from, to, waiting) -> waits.add(waiting));
+        assertEquals(List.of(0, 1, 1), waits);
+    }
+
     private static Set<List<Integer>> pixels(PixelRecording recording) {
         var pixels = new HashSet<List<Integer>>();
         for (int i = 0; i < recording.size(); i++)
