@@ -1,5 +1,7 @@
 package rasterlab.engine.circle;
 
+import java.util.Map;
+
 /**
  * A curve on its way through one octant or quadrant, one pixel per step, counted from the centre.
  *
@@ -18,4 +20,7 @@ public interface ArcWalk {
 
     /** The number by which the method chooses the next pixel. */
     double decision();
+
+    /** What was computed so far, by name, for a method of that work. */
+    Map<String, Long> operations(ArcWork work);
 }

@@ -1,6 +1,7 @@
 package rasterlab.engine.circle;
 
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.Work;
 
 /**
  * A circle by the choice among three pixels: to the side, diagonally, down.
@@ -11,6 +12,9 @@ import rasterlab.contract.Pixels;
  * nearer when |F(H)| &lt; |F(D)|, that is F(H) + F(D) = 2·Δ + 2·v − 1 &lt; 0; where D is outside,
  * between D and the pixel below V, and V is nearer when F(D) + F(V) = 2·Δ − 2·u − 1 &gt; 0. For a
  * whole radius the nearer by squares is also the nearer by distance.
+ *
+ * <p>A step aside adds 2·u + 1 of the new u to Δ, a step down takes 2·v − 1 of the new v off; both
+ * numbers are kept and change by 2, so nothing is multiplied.
  *
  * <p>|2·Δ| + 2·r + 1 &lt; 2³⁶ for int radii, so a long never overflows.
  *
@@ -35,30 +39,48 @@ public final class BresenhamCircle implements SteppedCircle {
         return "Δ = (u + 1)² + (v − 1)² − r²; Δ < 0: side or diagonal, Δ > 0: diagonal or down";
     }
 
-    private static final class Walk implements ArcWalk {
+    @Override
+    public ArcWork work() {
+        return new ArcWork(
+                new Work(2, 0, 0, 0, 2), 0, new Work(2, 0, 0, 0, 0), new Work(2, 0, 0, 0, 0));
+    }
+
+    private static final class Walk extends CountedArc {
         private int u;
         private int v;
         private long delta;
+        private long besideStep;
+        private long belowStep;
         private boolean begun;
 
         Walk(int radius) {
             v = radius;
             delta = 2 - 2L * radius;
+            besideStep = 1;
+            belowStep = 2L * radius - 1;
         }
 
         @Override
         public boolean advance() {
-            if (!begun) return begun = true;
-            if (v == 0) return false;
-            boolean aside = delta < 0 || 2 * delta - 2L * u - 1 <= 0;
-            boolean down = delta >= 0 || 2 * delta + 2L * v - 1 >= 0;
-            if (aside) {
-                u++;
-                delta += 2L * u + 1;
+            if (!begun) {
+                begun = true;
+                return true;
             }
-            if (down) {
+            if (v == 0) return false;
+            choices++;
+            boolean inside = delta < 0;
+            long twice = delta + delta;
+            if (inside || twice - besideStep <= 0) {
+                asides++;
+                u++;
+                besideStep += 2;
+                delta += besideStep;
+            }
+            if (!inside || twice + belowStep >= 0) {
+                downs++;
                 v--;
-                delta -= 2L * v - 1;
+                belowStep -= 2;
+                delta -= belowStep;
             }
             return true;
         }

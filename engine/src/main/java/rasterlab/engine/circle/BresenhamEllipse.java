@@ -1,6 +1,7 @@
 package rasterlab.engine.circle;
 
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.Work;
 
 /**
  * An ellipse by the choice among three pixels: to the side, diagonally, down.
@@ -11,6 +12,10 @@ import rasterlab.contract.Pixels;
  * or F(u + ½, v − 1) ≥ 0. Both cannot be, since F grows with u and v; where neither is, it is the
  * diagonal one. Comparing |F| of the pixels themselves, as for a circle, would err: for an ellipse
  * the nearer by F is not always the nearer by distance.
+ *
+ * <p>What F changes by is kept: from (u, v) to (u + ½, v) it is b²·(4·u + 1), to (u + 1, v) it is
+ * 4·b²·(2·u + 1), and a step aside adds 4·b² and 8·b² to them; the like down. So nothing is
+ * multiplied on the way.
  *
  * <p>Near the curve |F| &lt; 16·(a²·b + a·b²) ≤ 2⁶² for half-axes up to {@value
  * MidpointEllipse#LARGEST}, so a long never overflows.
@@ -36,21 +41,37 @@ public final class BresenhamEllipse implements SteppedEllipse {
         return "F(u, v) = 4·(b²·u² + a²·v² − a²·b²): below 0 inside, above 0 outside";
     }
 
-    private static final class Walk implements ArcWalk {
-        private final long aa;
-        private final long bb;
+    @Override
+    public ArcWork work() {
+        return new ArcWork(
+                new Work(4, 0, 0, 0, 4), 0, new Work(4, 0, 0, 0, 0), new Work(4, 0, 0, 0, 0));
+    }
+
+    private static final class Walk extends CountedArc {
         private final int a;
+        private final long halfAsideMore;
+        private final long halfDownMore;
         private int u = -1;
         private int v;
         private long f;
+        private long halfAside;
+        private long halfDown;
+        private long aside;
+        private long down;
 
         Walk(int a, int b) {
             MidpointEllipse.check("x", a);
             MidpointEllipse.check("y", b);
             this.a = a;
-            aa = (long) a * a;
-            bb = (long) b * b;
             v = b;
+            long aa = (long) a * a;
+            long bb = (long) b * b;
+            halfAside = bb;
+            halfAsideMore = 4 * bb;
+            aside = 4 * bb;
+            halfDown = -aa * (4L * v - 1);
+            halfDownMore = 4 * aa;
+            down = -4 * aa * (2L * v - 1);
         }
 
         @Override
@@ -63,21 +84,29 @@ public final class BresenhamEllipse implements SteppedEllipse {
         }
 
         private void choose() {
-            long halfAside = bb * (4L * u + 1);
-            long halfDown = -aa * (4L * v - 1);
-            long aside = 4 * bb * (2L * u + 1);
-            long down = -4 * aa * (2L * v - 1);
-            if (f + halfAside < 0 || f + aside + halfDown < 0) {
-                u++;
-                f += aside;
-            } else if (f + halfDown >= 0 || f + halfAside + down >= 0) {
-                v--;
-                f += down;
-            } else {
-                u++;
-                v--;
-                f += aside + down;
-            }
+            choices++;
+            long atHalfAside = f + halfAside;
+            long atHalfDown = f + halfDown;
+            boolean onlyAside = atHalfAside < 0 | atHalfDown + aside < 0;
+            boolean onlyDown = atHalfDown >= 0 | atHalfAside + down >= 0;
+            if (!onlyDown || onlyAside) stepAside();
+            if (!onlyAside) stepDown();
+        }
+
+        private void stepAside() {
+            asides++;
+            u++;
+            f += aside;
+            aside += halfAsideMore + halfAsideMore;
+            halfAside += halfAsideMore;
+        }
+
+        private void stepDown() {
+            downs++;
+            v--;
+            f += down;
+            down += halfDownMore + halfDownMore;
+            halfDown += halfDownMore;
         }
 
         @Override

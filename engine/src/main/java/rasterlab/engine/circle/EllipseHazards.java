@@ -1,17 +1,25 @@
 package rasterlab.engine.circle;
 
 import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
+import static rasterlab.engine.study.Verdict.Kind.ENDLESS;
 import static rasterlab.engine.study.Verdict.Kind.EXACT;
 import static rasterlab.engine.study.Verdict.Kind.REFUSED;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
 /** Ellipses on which methods fail, with what each method is known to make of them. */
 final class EllipseHazards {
+    private static final String PARAMETRIC = "parametric";
+    private static final String TEXTBOOK = "bresenham-textbook";
+
     private EllipseHazards() {}
 
     static List<Hazard<Ellipse>> all() {
@@ -26,37 +34,27 @@ final class EllipseHazards {
                         "point",
                         "Without extent it is one pixel.",
                         new Ellipse(5, 3, 0, 0),
-                        EXACT,
-                        EXACT,
-                        EXACT),
+                        Map.of()),
                 hazard(
                         "flat-line",
                         "A half-axis of 0 leaves a straight line.",
                         new Ellipse(5, 3, 9, 0),
-                        EXACT,
-                        EXACT,
-                        EXACT),
+                        Map.of(TEXTBOOK, WRONG)),
                 hazard(
                         "upright-line",
                         "The same along a column.",
                         new Ellipse(5, 3, 0, 9),
-                        EXACT,
-                        EXACT,
-                        EXACT),
+                        Map.of()),
                 hazard(
                         "very-flat",
                         "The curve reaches row 0 before its end: the tip is lost easily.",
                         new Ellipse(0, 0, 100, 1),
-                        EXACT,
-                        EXACT,
-                        EXACT),
+                        Map.of(TEXTBOOK, WRONG)),
                 hazard(
                         "very-tall",
                         "The same along columns.",
                         new Ellipse(0, 0, 1, 100),
-                        EXACT,
-                        EXACT,
-                        EXACT));
+                        Map.of()));
     }
 
     private static List<Hazard<Ellipse>> whereColumnsGiveWay() {
@@ -65,23 +63,22 @@ final class EllipseHazards {
                         "corner",
                         "Where columns give way to rows a pixel is lost easily.",
                         new Ellipse(0, 0, 10, 18),
-                        DEGRADED,
-                        EXACT,
-                        EXACT),
+                        Map.of(PARAMETRIC, DEGRADED)),
                 hazard(
                         "corner-through-a-pixel",
                         "The curve goes through a pixel centre there.",
                         new Ellipse(0, 0, 3, 2),
-                        DEGRADED,
-                        EXACT,
-                        EXACT),
+                        Map.of(PARAMETRIC, DEGRADED)),
+                hazard(
+                        "products-beyond-int",
+                        "F does not fit into an int.",
+                        new Ellipse(0, 0, 1500, 1000),
+                        Map.of(PARAMETRIC, DEGRADED, TEXTBOOK, WRONG)),
                 hazard(
                         "products-beyond-long",
                         "a²·b² does not fit into a long.",
                         new Ellipse(0, 0, 60_000, 60_001),
-                        DEGRADED,
-                        EXACT,
-                        EXACT));
+                        Map.of(PARAMETRIC, DEGRADED, TEXTBOOK, ENDLESS)));
     }
 
     private static List<Hazard<Ellipse>> refused() {
@@ -90,36 +87,37 @@ final class EllipseHazards {
                         "beyond-the-edge",
                         "The ellipse would leave the range of int.",
                         new Ellipse(0, Integer.MIN_VALUE + 4, 9, 5),
-                        REFUSED,
-                        REFUSED,
-                        REFUSED),
+                        refusedByAll()),
                 hazard(
                         "too-large",
                         "Half-axes whose decisions would not fit into a long.",
                         new Ellipse(0, 0, 1 << 20, 7),
-                        REFUSED,
-                        REFUSED,
-                        REFUSED),
+                        Map.of(
+                                PARAMETRIC,
+                                REFUSED,
+                                TEXTBOOK,
+                                WRONG,
+                                "bresenham",
+                                REFUSED,
+                                "midpoint",
+                                REFUSED)),
                 hazard(
                         "negative-radius",
                         "There is no such ellipse.",
                         new Ellipse(0, 0, 4, -1),
-                        REFUSED,
-                        REFUSED,
-                        REFUSED));
+                        refusedByAll()));
     }
 
+    /** Methods that are not named are exact. */
     private static Hazard<Ellipse> hazard(
-            String name,
-            String description,
-            Ellipse input,
-            Verdict.Kind parametric,
-            Verdict.Kind bresenham,
-            Verdict.Kind midpoint) {
-        return new Hazard<>(
-                name,
-                description,
-                input,
-                Map.of("parametric", parametric, "bresenham", bresenham, "midpoint", midpoint));
+            String name, String description, Ellipse input, Map<String, Verdict.Kind> failing) {
+        var recorded = new HashMap<String, Verdict.Kind>();
+        for (var method : EllipseMethods.all()) recorded.put(method.name(), EXACT);
+        recorded.putAll(failing);
+        return new Hazard<>(name, description, input, recorded);
+    }
+
+    private static Map<String, Verdict.Kind> refusedByAll() {
+        return EllipseMethods.all().stream().collect(Collectors.toMap(Method::name, m -> REFUSED));
     }
 }

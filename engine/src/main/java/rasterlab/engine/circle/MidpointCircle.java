@@ -1,6 +1,7 @@
 package rasterlab.engine.circle;
 
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.Work;
 
 /**
  * A circle by the side on which the middle between two candidates lies.
@@ -9,7 +10,8 @@ import rasterlab.contract.Pixels;
  * (u + 1, v − 1), and the middle between them is M = (u + 1, v − ½). F(u, v) = u² + v² − r² is
  * negative inside: where F(M) &lt; 0 the circle passes above M. F(M) = (u + 1)² + v² − v + ¼ − r²
  * is never 0, and the ¼ never changes its sign, so d = F(M) − ¼ decides: d &lt; 0 keeps the row. A
- * step along adds 2·u + 1 (the new u), a step down takes 2·(v − 1) off.
+ * step along adds 2·u + 1 (the new u), a step down takes 2·v (the new v) off; both numbers are kept
+ * and change by 2, so nothing is multiplied.
  *
  * <p>|d| ≤ 2·r + 1 &lt; 2³² for int radii, so a long never overflows.
  *
@@ -34,27 +36,44 @@ public final class MidpointCircle implements SteppedCircle {
         return "d = (u + 1)² + v² − v − r²; v stays when d < 0, else v ← v − 1";
     }
 
-    private static final class Walk implements ArcWalk {
+    @Override
+    public ArcWork work() {
+        return new ArcWork(
+                new Work(0, 0, 0, 0, 1), 0, new Work(2, 0, 0, 0, 0), new Work(2, 0, 0, 0, 0));
+    }
+
+    private static final class Walk extends CountedArc {
         private int u = -1;
         private int v;
         private long d;
+        private long besideStep = -1;
+        private long belowStep;
 
         Walk(int radius) {
             v = radius;
             d = -radius;
+            belowStep = 2L * radius;
         }
 
         @Override
         public boolean advance() {
             if (u >= v) return false;
-            if (d >= 0 && u >= 0) {
-                d -= 2L * (v - 1);
-                v--;
-            }
+            if (u >= 0) choose();
             u++;
             if (u > v) return false;
-            d += 2L * u + 1;
+            asides++;
+            besideStep += 2;
+            d += besideStep;
             return true;
+        }
+
+        private void choose() {
+            choices++;
+            if (d < 0) return;
+            downs++;
+            v--;
+            belowStep -= 2;
+            d -= belowStep;
         }
 
         @Override

@@ -1,6 +1,7 @@
 package rasterlab.engine.circle;
 
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.Work;
 
 /**
  * An ellipse by the side on which the middle between two candidates lies.
@@ -12,6 +13,10 @@ import rasterlab.contract.Pixels;
  * the next one is inside, F(u + ½, v) &lt; 0. Where the two meet, a pixel may be nearest in its
  * column and in its row; it is lit once. Beyond, each column's pixel is that of its row, and the
  * reverse.
+ *
+ * <p>F at the next middle comes from F at this one by adding or taking off a number that is kept
+ * and itself grows by 8·a² or 8·b², so nothing is multiplied on the way. Whether a row's pixel was
+ * lit with its column is asked of the rows of the last three columns.
  *
  * <p>Near the curve |F| &lt; 16·(a²·b + a·b²) ≤ 2⁶² for half-axes up to {@value #LARGEST}, so a
  * long never overflows.
@@ -54,25 +59,42 @@ public final class MidpointEllipse implements SteppedEllipse {
                             + radius);
     }
 
-    private static final class Walk implements ArcWalk {
+    @Override
+    public ArcWork work() {
+        return new ArcWork(
+                new Work(0, 0, 0, 0, 1), 0, new Work(2, 0, 0, 0, 0), new Work(2, 0, 0, 0, 0));
+    }
+
+    private static final class Walk extends CountedArc {
         private final long aa;
         private final long bb;
+        private final long asideMore;
+        private final long downMore;
         private final int lastColumn;
         private final int firstRow;
         private boolean alongRows;
         private int u = -1;
         private int v;
         private long d;
+        private long aside;
+        private long down;
+
+        /** Rows of the last three columns, the last one first. */
+        private final int[] lastRows = new int[3];
 
         Walk(int a, int b) {
             check("x", a);
             check("y", b);
             aa = (long) a * a;
             bb = (long) b * b;
+            asideMore = 8 * bb;
+            downMore = 8 * aa;
             lastColumn = LastColumn.of(a, b);
             firstRow = LastColumn.of(b, a);
             v = b;
-            d = atMiddle(-2, 2 * v - 1);
+            d = at(-2, 2 * v - 1);
+            aside = -12 * bb;
+            down = downMore * v;
         }
 
         @Override
@@ -83,43 +105,61 @@ public final class MidpointEllipse implements SteppedEllipse {
             }
             do {
                 if (v == 0 && alongRows) return false;
-                nextRow();
-            } while (u <= lastColumn && isNearestInColumn());
+                if (alongRows) nextRow();
+                else firstRow();
+                moveOn();
+            } while (u <= lastColumn && v == lastRows[lastColumn - u]);
             return true;
         }
 
         private void nextColumn() {
+            asides++;
             u++;
-            d += 4 * bb * (2L * u - 1);
-            while (d >= 0 && v > 0) {
+            aside += asideMore;
+            d += aside;
+            while (v > 0 && isOutside()) {
+                downs++;
                 v--;
-                d -= 8 * aa * v;
+                down -= downMore;
+                d -= down;
             }
+            lastRows[2] = lastRows[1];
+            lastRows[1] = lastRows[0];
+            lastRows[0] = v;
+        }
+
+        private void firstRow() {
+            alongRows = true;
+            v = firstRow;
+            u = Math.max(0, lastColumn - 2);
+            d = at(2 * u + 1, 2 * v);
+            aside = asideMore * u;
+            down = 4 * aa * (2L * v + 1);
         }
 
         private void nextRow() {
-            if (alongRows) {
-                v--;
-                d -= 4 * aa * (2L * v + 1);
-            } else {
-                alongRows = true;
-                v = firstRow;
-                u = Math.max(0, lastColumn - 2);
-                d = atMiddle(2 * u + 1, 2 * v);
-            }
-            while (d < 0) {
+            downs++;
+            v--;
+            down -= downMore;
+            d -= down;
+        }
+
+        private void moveOn() {
+            while (!isOutside()) {
+                asides++;
                 u++;
-                d += 8 * bb * u;
+                aside += asideMore;
+                d += aside;
             }
         }
 
-        private boolean isNearestInColumn() {
-            boolean sinks = v > 0 && atMiddle(2 * u, 2 * v - 1) >= 0;
-            return !sinks && atMiddle(2 * u, 2 * v + 1) >= 0;
+        private boolean isOutside() {
+            choices++;
+            return d >= 0;
         }
 
         /** F at twice the coordinates; its terms may overflow, their sum does not. */
-        private long atMiddle(long twiceU, long twiceV) {
+        private long at(long twiceU, long twiceV) {
             return bb * twiceU * twiceU + aa * twiceV * twiceV - 4 * aa * bb;
         }
 

@@ -1,7 +1,7 @@
 package rasterlab.engine.circle;
 
-import rasterlab.contract.EllipseRasterizer;
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.Work;
 
 /**
  * An ellipse by its angle: u = a·sin t, v = b·cos t, rounded, t from 0 to π/2 in steps of 1/max(a,
@@ -13,24 +13,76 @@ import rasterlab.contract.Pixels;
  *
  * <p>Source: the ellipse's parametric equation.
  */
-public final class ParametricEllipse implements EllipseRasterizer {
+public final class ParametricEllipse implements SteppedEllipse {
     @Override
     public void draw(int centreX, int centreY, int radiusX, int radiusY, Pixels out) {
-        MidpointEllipse.check("x", radiusX);
-        MidpointEllipse.check("y", radiusY);
         var mirror = Mirror.about(centreX, centreY, radiusX, radiusY, out);
-        int longer = Math.max(radiusX, radiusY);
-        long steps = (long) Math.ceil(Math.PI / 2 * longer);
-        int lastU = -1;
-        int lastV = -1;
-        for (long i = 0; i <= steps; i++) {
-            double t = longer == 0 ? 0 : Math.min((double) i / longer, Math.PI / 2);
-            int u = (int) Math.rint(radiusX * Math.sin(t));
-            int v = (int) Math.rint(radiusY * Math.cos(t));
-            if (u == lastU && v == lastV) continue;
-            mirror.four(u, v);
-            lastU = u;
-            lastV = v;
+        var walk = new Walk(radiusX, radiusY);
+        while (walk.advance()) mirror.four(walk.u, walk.v);
+    }
+
+    @Override
+    public ArcWalk walk(int radiusX, int radiusY) {
+        return new Walk(radiusX, radiusY);
+    }
+
+    @Override
+    public String decisionFormula() {
+        return "t, the angle from the upper end of the axis; the next one is t + 1/max(a, b)";
+    }
+
+    @Override
+    public ArcWork work() {
+        return new ArcWork(new Work(0, 2, 1, 2, 0), 2, Work.NONE, Work.NONE);
+    }
+
+    private static final class Walk extends CountedArc {
+        private final int radiusX;
+        private final int radiusY;
+        private final int longer;
+        private final long steps;
+        private long i;
+        private double t;
+        private int u = -1;
+        private int v = -1;
+
+        Walk(int radiusX, int radiusY) {
+            MidpointEllipse.check("x", radiusX);
+            MidpointEllipse.check("y", radiusY);
+            this.radiusX = radiusX;
+            this.radiusY = radiusY;
+            longer = Math.max(radiusX, radiusY);
+            steps = (long) Math.ceil(Math.PI / 2 * longer);
+        }
+
+        @Override
+        public boolean advance() {
+            int lastU = u;
+            int lastV = v;
+            do {
+                if (i > steps) return false;
+                choices++;
+                t = longer == 0 ? 0 : Math.min((double) i / longer, Math.PI / 2);
+                u = (int) Math.rint(radiusX * Math.sin(t));
+                v = (int) Math.rint(radiusY * Math.cos(t));
+                i++;
+            } while (u == lastU && v == lastV);
+            return true;
+        }
+
+        @Override
+        public int u() {
+            return u;
+        }
+
+        @Override
+        public int v() {
+            return v;
+        }
+
+        @Override
+        public double decision() {
+            return t;
         }
     }
 }

@@ -9,4 +9,7 @@ public interface SteppedCircle extends CircleRasterizer {
 
     /** What {@link ArcWalk#decision} is, as a formula, and what it decides. */
     String decisionFormula();
+
+    /** What the walk computes. */
+    ArcWork work();
 }

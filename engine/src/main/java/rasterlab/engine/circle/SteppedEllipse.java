@@ -13,4 +13,7 @@ public interface SteppedEllipse extends EllipseRasterizer {
 
     /** What {@link ArcWalk#decision} is, as a formula, and what it decides. */
     String decisionFormula();
+
+    /** What the walk computes. */
+    ArcWork work();
 }

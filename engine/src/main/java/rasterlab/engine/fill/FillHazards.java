@@ -7,14 +7,18 @@ import static rasterlab.engine.study.Verdict.Kind.REFUSED;
 import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
 /** Pictures on which methods fail, with what each method is known to make of them. */
 final class FillHazards {
     private static final int MAZE = 901;
+    private static final String TEXTBOOK = "recursive-textbook";
 
     private FillHazards() {}
 
@@ -24,50 +28,48 @@ final class FillHazards {
                         "hole",
                         "The region surrounds a hole, which stays.",
                         task(2, 1, 4, "........ ........ ..####.. ..#..#.. ..####.. ........"),
-                        EXACT),
+                        Map.of()),
                 hazard(
                         "large-region",
                         "A corridor of 400,000 pixels that turns again and again.",
                         new FillTask(maze(), MAZE - 2, MAZE - 2, '*', 4),
-                        CRASHED),
+                        Map.of(TEXTBOOK, CRASHED)),
                 hazard(
                         "same-colour",
                         "The new colour is the old one: nothing is to be done, around a hole.",
                         new FillTask(List.of("........", "..###...", "........"), 0, 0, '.', 4),
-                        ENDLESS),
+                        Map.of(TEXTBOOK, ENDLESS)),
                 hazard(
                         "diagonal-gap-4",
                         "The outline has a diagonal gap, closed to four neighbours.",
                         task(1, 1, 4, "####.. #..#.. #...#. ##..#. .####. ......"),
-                        EXACT),
+                        Map.of()),
                 hazard(
                         "diagonal-gap-8",
                         "The same gap, open to eight neighbours: the fill leaks.",
                         task(1, 1, 8, "####.. #..#.. #...#. ##..#. .####. ......"),
-                        WRONG),
+                        Map.of(TEXTBOOK, WRONG)),
                 hazard(
                         "corridor-behind",
                         "A corridor one pixel wide goes on behind the seed.",
                         task(1, 1, 4, "#.# #.# #.# #.# #.#"),
-                        WRONG),
+                        Map.of(TEXTBOOK, WRONG)),
                 hazard(
                         "last-column-behind",
                         "The region goes on behind the seed only under its run's last column.",
                         task(0, 0, 4, ".... ###. ...."),
-                        WRONG),
-                hazard("one-pixel", "The whole picture is the seed.", task(0, 0, 8, "."), EXACT),
+                        Map.of(TEXTBOOK, WRONG)),
+                hazard("one-pixel", "The whole picture is the seed.", task(0, 0, 8, "."), Map.of()),
                 hazard(
                         "seed-outside",
                         "There is no pixel to fill from.",
                         task(3, 0, 4, "..."),
-                        REFUSED,
-                        REFUSED),
+                        refusedByAll()),
                 hazard(
                         "connectivity-6",
                         "Pixels have no six neighbours.",
                         task(0, 0, 6, "..."),
-                        REFUSED,
-                        REFUSED));
+                        refusedByAll()));
     }
 
     private static FillTask task(int x, int y, int connectivity, String picture) {
@@ -90,21 +92,16 @@ final class FillHazards {
         return x % 2 == 1 || joined && x > 0 && x < MAZE - 1;
     }
 
+    /** Methods that are not named are exact. */
     private static Hazard<FillTask> hazard(
-            String name, String description, FillTask input, Verdict.Kind textbook) {
-        return hazard(name, description, input, textbook, EXACT);
+            String name, String description, FillTask input, Map<String, Verdict.Kind> failing) {
+        var recorded = new HashMap<String, Verdict.Kind>();
+        for (var method : FillMethods.all()) recorded.put(method.name(), EXACT);
+        recorded.putAll(failing);
+        return new Hazard<>(name, description, input, recorded);
     }
 
-    private static Hazard<FillTask> hazard(
-            String name,
-            String description,
-            FillTask input,
-            Verdict.Kind textbook,
-            Verdict.Kind others) {
-        return new Hazard<>(
-                name,
-                description,
-                input,
-                Map.of("recursive-textbook", textbook, "stack", others, "span", others));
+    private static Map<String, Verdict.Kind> refusedByAll() {
+        return FillMethods.all().stream().collect(Collectors.toMap(Method::name, m -> REFUSED));
     }
 }

@@ -2,6 +2,7 @@ package rasterlab.engine.line;
 
 import rasterlab.contract.Pixels;
 import rasterlab.engine.raster.PixelWindow;
+import rasterlab.engine.raster.Work;
 
 /**
  * A straight line in integers only, right for every pair of int ends.
@@ -39,6 +40,16 @@ public final class BresenhamLine implements WindowedLine {
     @Override
     public String decisionFormula() {
         return "d = 2·(i + 1)·b − (2·j + 1)·n − t; step across when d ≥ 0";
+    }
+
+    @Override
+    public Decides decides() {
+        return Decides.NEXT_PIXEL;
+    }
+
+    @Override
+    public LineWork work() {
+        return new LineWork(new Work(8, 0, 0, 0, 4), new Work(1, 0, 0, 0, 1), Work.NONE);
     }
 
     static final class Walk implements LineWalk {

@@ -1,17 +1,17 @@
 package rasterlab.engine.line;
 
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.Work;
 
 /**
- * The course text's full version with its faults, kept to be looked at beside {@link
- * BresenhamLine}.
+ * The full version as printed, with its faults, kept to be looked at beside {@link BresenhamLine}.
  *
  * <p>Its counting loop begins one to the right of (or below) the first end even when it counts
  * down, so a line to the left or upward makes two steps too many and a single point becomes two. It
  * stays on the near side of a tie, so the two directions differ. It computes in int: differences
  * and their doubles overflow from 2³⁰ on, and a loop up to the largest int never ends.
  *
- * <p>Source: the course's lecture text on raster algorithms, full Bresenham listing.
+ * <p>Source: V. V. Ponomarev, Computer graphics (Mashinnaya grafika), Ozyorsk, 2006, fig. 65.
  */
 public final class BresenhamTextbookLine implements SteppedLine {
     @Override
@@ -28,6 +28,16 @@ public final class BresenhamTextbookLine implements SteppedLine {
     @Override
     public String decisionFormula() {
         return "d = 2·(i + 1)·b − (2·j + 1)·n in 32 bits; step across when d > 0";
+    }
+
+    @Override
+    public Decides decides() {
+        return Decides.NEXT_PIXEL;
+    }
+
+    @Override
+    public LineWork work() {
+        return new LineWork(new Work(5, 0, 0, 0, 3), new Work(1, 0, 0, 0, 1), Work.NONE);
     }
 
     private static final class Walk implements LineWalk {

@@ -1,6 +1,7 @@
 package rasterlab.engine.line;
 
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.Work;
 
 /**
  * The digital differential analyser: one floating-point addition per pixel, and still exact.
@@ -34,8 +35,19 @@ public final class DdaLine implements SteppedLine {
         return "f ← f + k; step across and take 1 off when f ≥ ½; begins at ∓1/(4·n)";
     }
 
+    @Override
+    public Decides decides() {
+        return Decides.NEXT_PIXEL;
+    }
+
+    @Override
+    public LineWork work() {
+        return new LineWork(
+                new Work(3, 0, 2, 0, 4), new Work(1, 0, 0, 0, 1), new Work(1, 0, 0, 0, 0));
+    }
+
     /**
-     * What f is at the first end: it keeps ties on the side of the smaller coordinate.
+     * What f is at the first end instead of 0, so that a tie goes to the smaller coordinate.
      *
      * @param direction of the coordinate across, −1 where it falls
      * @param n steps along the longer axis

@@ -21,7 +21,7 @@ public final class ExactLine {
         n = width.max(height);
     }
 
-    /** Number of pixels, n + 1: from 1 to 2³². */
+    /** Number of pixels of the whole segment, n + 1: from 1 to 2³². */
     public long size() {
         return n.longValueExact() + 1;
     }
@@ -36,11 +36,11 @@ public final class ExactLine {
         return coordinate(segment.y0(), segment.y1(), k);
     }
 
-    /** The first {@code limit} pixels, or all if there are fewer. */
+    /** The first {@code limit} pixels of those in the window, or all if there are fewer. */
     public PixelRecording record(int limit) {
         var recording = new PixelRecording(limit);
-        long end = Math.min(limit, size());
-        for (long k = 0; k < end; k++) recording.plot(x(k), y(k));
+        for (long k = 0; k < size() && recording.size() < limit; k++)
+            if (segment.window().contains(x(k), y(k))) recording.plot(x(k), y(k));
         return recording;
     }
 

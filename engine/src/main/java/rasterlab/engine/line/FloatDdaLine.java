@@ -1,6 +1,7 @@
 package rasterlab.engine.line;
 
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.Work;
 
 /**
  * The digital differential analyser as it is usually written: both coordinates in floats.
@@ -11,8 +12,8 @@ import rasterlab.contract.Pixels;
  * pixels); from 2²⁴ on not every pixel has a float and the line stands still. {@link DdaLine} shows
  * what it takes to be exact.
  *
- * <p>Source: the course's lecture texts on raster algorithms; J. D. Foley et al., Computer
- * Graphics: Principles and Practice, 2nd ed., 1990, section 3.2.1.
+ * <p>Sources: A. V. Kazantsev, Foundations of computer graphics for programmers, Kazan, 2005, ch.
+ * 4; J. D. Foley et al., Computer Graphics: Principles and Practice, 2nd ed., 1990, section 3.2.1.
  */
 public final class FloatDdaLine implements SteppedLine {
     @Override
@@ -29,6 +30,16 @@ public final class FloatDdaLine implements SteppedLine {
     @Override
     public String decisionFormula() {
         return "the coordinate across before it is rounded";
+    }
+
+    @Override
+    public Decides decides() {
+        return Decides.THIS_PIXEL;
+    }
+
+    @Override
+    public LineWork work() {
+        return new LineWork(new Work(4, 0, 2, 0, 1), new Work(2, 0, 0, 2, 0), Work.NONE);
     }
 
     private static final class Walk implements LineWalk {

@@ -10,15 +10,23 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
 /** Segments on which methods fail, with what each method is known to make of them. */
 final class LineHazards {
+    private static final String NAIVE = "naive-textbook";
+    private static final String FLOAT = "dda-float";
+    private static final String FIRST = "bresenham-first-textbook";
+    private static final String PASCAL = "bresenham-pascal-textbook";
+    private static final String FULL = "bresenham-textbook";
+    private static final String CLIP = "clip-first-textbook";
+
     private LineHazards() {}
 
     static List<Hazard<Segment>> all() {
-        return Stream.concat(directions().stream(), distances().stream()).toList();
+        return Stream.of(directions(), windows(), distances()).flatMap(List::stream).toList();
     }
 
     private static List<Hazard<Segment>> directions() {
@@ -27,42 +35,65 @@ final class LineHazards {
                         "first-octant",
                         "The slope and direction that the first versions are made for.",
                         new Segment(0, 0, 11, 4),
-                        recorded(EXACT, EXACT, EXACT, EXACT, EXACT, EXACT, EXACT, EXACT)),
+                        Map.of()),
                 hazard(
                         "ties",
                         "The line passes midway between two pixels in every second column.",
                         new Segment(0, 0, 16, 8),
-                        recorded(DEGRADED, EXACT, EXACT, EXACT, EXACT, EXACT, EXACT, EXACT)),
+                        Map.of(NAIVE, DEGRADED, PASCAL, DEGRADED)),
                 hazard(
                         "swapped-ends",
                         "A line full of ties drawn from its far end must light the same pixels.",
                         new Segment(0, 16, 8, 0).reversed(),
-                        recorded(WRONG, EXACT, EXACT, EXACT, DEGRADED, EXACT, EXACT, EXACT)),
+                        Map.of(NAIVE, WRONG, FIRST, WRONG, PASCAL, WRONG, FULL, DEGRADED)),
                 hazard(
                         "steep",
                         "Above 45° there are more rows than columns.",
                         new Segment(0, 0, 3, 13),
-                        recorded(WRONG, EXACT, EXACT, EXACT, EXACT, EXACT, EXACT, EXACT)),
+                        Map.of(NAIVE, WRONG, FIRST, WRONG, PASCAL, WRONG)),
+                hazard(
+                        "upward",
+                        "To the right, and the rows have to be counted down.",
+                        new Segment(0, 4, 11, 0),
+                        Map.of(FIRST, WRONG, PASCAL, WRONG)),
                 hazard(
                         "leftward",
                         "The second end lies to the left of the first.",
                         new Segment(12, 10, 0, 0),
-                        recorded(WRONG, EXACT, DEGRADED, EXACT, WRONG, EXACT, EXACT, EXACT)),
+                        Map.of(
+                                NAIVE, WRONG, FLOAT, DEGRADED, FIRST, WRONG, PASCAL, DEGRADED, FULL,
+                                WRONG)),
                 hazard(
                         "steep-upward",
                         "Steep, and the rows have to be counted down.",
                         new Segment(0, 13, 3, 0),
-                        recorded(WRONG, EXACT, EXACT, EXACT, DEGRADED, EXACT, EXACT, EXACT)),
+                        Map.of(NAIVE, WRONG, FIRST, WRONG, PASCAL, WRONG, FULL, DEGRADED)),
                 hazard(
                         "vertical",
                         "There is no slope: the columns do not differ.",
                         new Segment(4, 1, 4, 9),
-                        recorded(WRONG, EXACT, EXACT, EXACT, EXACT, EXACT, EXACT, EXACT)),
+                        Map.of(NAIVE, WRONG, FIRST, WRONG, PASCAL, WRONG)),
                 hazard(
                         "single-point",
                         "Both ends are the same pixel.",
                         new Segment(5, 3, 5, 3),
-                        recorded(WRONG, EXACT, EXACT, EXACT, DEGRADED, EXACT, EXACT, EXACT)));
+                        Map.of(NAIVE, WRONG, FULL, DEGRADED)));
+    }
+
+    /** The pixels shown must be those that the whole line lights there. */
+    private static List<Hazard<Segment>> windows() {
+        return List.of(
+                hazard(
+                        "window",
+                        "The line enters and leaves a window; between rounded ends it would turn.",
+                        new Segment(-20, -3, 41, 14).in(new PixelWindow(0, 0, 20, 20)),
+                        Map.of(CLIP, DEGRADED)),
+                hazard(
+                        "window-grazed",
+                        "The exact line passes above the window, by less than half a pixel: its"
+                                + " pixels lie inside.",
+                        new Segment(0, 0, 61, 1).in(new PixelWindow(20, 1, 40, 9)),
+                        Map.of(CLIP, WRONG)));
     }
 
     private static List<Hazard<Segment>> distances() {
@@ -71,37 +102,37 @@ final class LineHazards {
                         "long",
                         "Small errors have twenty thousand steps to add up.",
                         new Segment(0, 0, 19_999, 12_345),
-                        recorded(EXACT, EXACT, DEGRADED, EXACT, EXACT, EXACT, EXACT, EXACT)),
+                        Map.of(FLOAT, DEGRADED)),
                 hazard(
                         "far-away",
                         "Coordinates beyond 2²⁴, where not every pixel has a float.",
                         new Segment(20_000_001, 30_000_003, 20_000_041, 30_000_020),
-                        recorded(DEGRADED, EXACT, WRONG, EXACT, EXACT, EXACT, EXACT, EXACT)),
+                        Map.of(NAIVE, DEGRADED, FLOAT, WRONG, PASCAL, DEGRADED)),
                 hazard(
                         "beyond-2-30",
                         "Ends beyond ±2³⁰: differences and their doubles overflow an int.",
                         new Segment(-1_200_000_000, -1_100_000_000, 1_200_000_000, 1_090_000_000),
-                        recorded(WRONG, REFUSED, WRONG, REFUSED, WRONG, EXACT, EXACT, REFUSED)),
+                        beyondInt()),
                 hazard(
                         "last-column",
                         "The line ends in the last column an int can name, which no counter can"
                                 + " pass.",
                         new Segment(Integer.MAX_VALUE - 7, 5, Integer.MAX_VALUE, 8),
-                        recorded(ENDLESS, EXACT, WRONG, EXACT, ENDLESS, EXACT, EXACT, EXACT)));
+                        Map.of(NAIVE, ENDLESS, FLOAT, WRONG, FIRST, ENDLESS, FULL, ENDLESS)));
     }
 
+    private static Map<String, Verdict.Kind> beyondInt() {
+        return Map.of(
+                NAIVE, WRONG, "naive", REFUSED, FLOAT, WRONG, "dda", REFUSED, FIRST, WRONG, PASCAL,
+                WRONG, FULL, WRONG, "wu", REFUSED);
+    }
+
+    /** Methods that are not named are exact. */
     private static Hazard<Segment> hazard(
-            String name, String description, Segment segment, Map<String, Verdict.Kind> recorded) {
-        return new Hazard<>(name, description, segment, recorded);
-    }
-
-    /**
-     * @param kinds one for each method, in {@link LineMethods#all}'s order
-     */
-    private static Map<String, Verdict.Kind> recorded(Verdict.Kind... kinds) {
+            String name, String description, Segment segment, Map<String, Verdict.Kind> failing) {
         var recorded = new HashMap<String, Verdict.Kind>();
-        var methods = LineMethods.all();
-        for (int i = 0; i < methods.size(); i++) recorded.put(methods.get(i).name(), kinds[i]);
-        return recorded;
+        for (var method : LineMethods.all()) recorded.put(method.name(), EXACT);
+        recorded.putAll(failing);
+        return new Hazard<>(name, description, segment, recorded);
     }
 }

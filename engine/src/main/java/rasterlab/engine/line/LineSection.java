@@ -22,6 +22,7 @@ import rasterlab.engine.raster.PixelWindow;
  * @param across j(first)
  * @param remainder 2·first·b + n − t − 2·n·across: what j(first) leaves over, from 0 to 2·n − 1,
  *     and −1 for a single point
+ * @param tie t, 1 where a tie goes to the pixel nearer to the start, else 0
  */
 record LineSection(
         boolean steep,
@@ -32,7 +33,8 @@ record LineSection(
         long first,
         long count,
         long across,
-        long remainder) {
+        long remainder,
+        int tie) {
 
     /** The whole line. */
     static LineSection whole(int x0, int y0, int x1, int y1) {
@@ -63,9 +65,9 @@ record LineSection(
         return sign > 0 ? (long) max - start : (long) start - min;
     }
 
-    /** 1 where a tie goes to the pixel nearer to the start, else 0. */
-    int tie() {
-        return (steep ? signX : signY) > 0 ? 1 : 0;
+    /** No pixel at all. */
+    static LineSection none() {
+        return new Line(0, 0, 0, 0).from(0, 0);
     }
 
     int x(int x0) {
@@ -110,10 +112,10 @@ record LineSection(
         }
 
         LineSection from(long first, long count) {
-            long across = n == 0 ? 0 : floorOfQuotient(2 * b, first, n - tie, 2 * n);
+            long across = first == 0 ? 0 : floorOfQuotient(2 * b, first, n - tie, 2 * n);
             // The products may overflow, their difference does not.
             long remainder = 2 * b * first + n - tie - 2 * n * across;
-            return new LineSection(steep, signX, signY, n, b, first, count, across, remainder);
+            return new LineSection(steep, signX, signY, n, b, first, count, across, remainder, tie);
         }
     }
 

@@ -1,9 +1,13 @@
 package rasterlab.engine.line;
 
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.contract.Pixels;
 import rasterlab.engine.raster.CountingPixels;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
@@ -44,8 +48,33 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
     @Override
     public PixelRecording record(LineRasterizer method, Segment segment, int limit) {
         var recording = new PixelRecording(limit);
-        method.draw(segment.x0(), segment.y0(), segment.x1(), segment.y1(), recording);
+        draw(method, segment, recording);
         return recording;
+    }
+
+    /** Sends the pixels of the segment that lie in its window. */
+    private static void draw(LineRasterizer method, Segment s, Pixels out) {
+        if (s.isWhole()) {
+            method.draw(s.x0(), s.y0(), s.x1(), s.y1(), out);
+        } else if (method instanceof SteppedLine stepped) {
+            LineWalk walk = walk(stepped, s);
+            while (walk.advance()) out.plot(walk.x(), walk.y());
+        } else {
+            Pixels seen = (x, y) -> plotSeen(x, y, s.window(), out);
+            method.draw(s.x0(), s.y0(), s.x1(), s.y1(), seen);
+        }
+    }
+
+    private static void plotSeen(int x, int y, PixelWindow window, Pixels out) {
+        if (window.contains(x, y)) out.plot(x, y);
+    }
+
+    /** A walk over the pixels of the segment that lie in its window. */
+    public static LineWalk walk(SteppedLine method, Segment s) {
+        if (s.isWhole()) return method.walk(s.x0(), s.y0(), s.x1(), s.y1());
+        if (method instanceof WindowedLine windowed)
+            return windowed.walk(s.x0(), s.y0(), s.x1(), s.y1(), s.window());
+        return new SeenWalk(method.walk(s.x0(), s.y0(), s.x1(), s.y1()), s.window());
     }
 
     /**
@@ -57,7 +86,7 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
     public long spend(LineRasterizer method, Segment segment) {
         var counting = new CountingPixels(mostBeforeEndless(segment.steps() + 1));
         if (method instanceof CoverageLine shaded) return shade(shaded, segment, counting);
-        method.draw(segment.x0(), segment.y0(), segment.x1(), segment.y1(), counting);
+        draw(method, segment, counting);
         return counting.count();
     }
 
@@ -65,6 +94,16 @@ public final class LineTopic implements Topic<LineRasterizer, Segment, PixelReco
     private static long shade(CoverageLine method, Segment s, CountingPixels counting) {
         method.shade(s.x0(), s.y0(), s.x1(), s.y1(), (x, y, coverage) -> counting.plot(x, y));
         return s.steps() + 1;
+    }
+
+    /** {@inheritDoc} Beside the arithmetic, the light and the length it falls on. */
+    @Override
+    public Map<String, Long> operations(LineRasterizer method, Segment segment) {
+        if (!(method instanceof SteppedLine stepped)) return Map.of();
+        var counts = new TreeMap<String, Long>();
+        LineCount.of(stepped, segment).addTo(counts);
+        LineBrightness.of(method, segment).addTo(counts);
+        return counts;
     }
 
     @Override

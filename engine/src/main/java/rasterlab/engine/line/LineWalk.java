@@ -18,8 +18,8 @@ public interface LineWalk {
     int y();
 
     /**
-     * The number the method looks at to choose the next pixel, or chose this one by; see {@link
-     * SteppedLine#decisionFormula}.
+     * The number by which the method chooses a pixel: {@link SteppedLine#decides} says which one,
+     * {@link SteppedLine#decisionFormula} how.
      */
     double decision();
 }

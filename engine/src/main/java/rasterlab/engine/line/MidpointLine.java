@@ -2,6 +2,7 @@ package rasterlab.engine.line;
 
 import rasterlab.contract.Pixels;
 import rasterlab.engine.raster.PixelWindow;
+import rasterlab.engine.raster.Work;
 
 /**
  * A straight line by the side on which the middle between two candidates lies.
@@ -40,13 +41,24 @@ public final class MidpointLine implements WindowedLine {
                 + " coordinate across falls";
     }
 
+    @Override
+    public Decides decides() {
+        return Decides.NEXT_PIXEL;
+    }
+
+    @Override
+    public LineWork work() {
+        return new LineWork(
+                new Work(7, 0, 0, 0, 4), new Work(1, 0, 0, 0, 1), new Work(1, 0, 0, 0, 0));
+    }
+
     private static final class Walk implements LineWalk {
         private final boolean steep;
         private final int signX;
         private final int signY;
         private final long along;
         private final long across;
-        private final boolean middleStepsAcross;
+        private final int leastAcross;
         private int x;
         private int y;
         private long atMiddle;
@@ -58,7 +70,7 @@ public final class MidpointLine implements WindowedLine {
             signY = section.signY();
             along = 2 * section.b();
             across = 2 * section.n();
-            middleStepsAcross = section.tie() == 0;
+            leastAcross = section.tie();
             x = section.x(x0) - (steep ? 0 : signX);
             y = section.y(y0) - (steep ? signY : 0);
             atMiddle = section.remainder() + section.tie() - across;
@@ -69,7 +81,7 @@ public final class MidpointLine implements WindowedLine {
         public boolean advance() {
             if (left == 0) return false;
             left--;
-            boolean stepsAcross = atMiddle > 0 || atMiddle == 0 && middleStepsAcross;
+            boolean stepsAcross = atMiddle >= leastAcross;
             atMiddle += along;
             if (stepsAcross) atMiddle -= across;
             if (stepsAcross || !steep) x += signX;

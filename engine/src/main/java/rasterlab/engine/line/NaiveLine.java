@@ -1,6 +1,7 @@
 package rasterlab.engine.line;
 
 import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.Work;
 
 /**
  * The equation of the line, evaluated and rounded at every step along its longer axis.
@@ -30,6 +31,16 @@ public final class NaiveLine implements SteppedLine {
     @Override
     public String decisionFormula() {
         return "s + k·i, the coordinate across before rounding; a half goes to the smaller";
+    }
+
+    @Override
+    public Decides decides() {
+        return Decides.THIS_PIXEL;
+    }
+
+    @Override
+    public LineWork work() {
+        return new LineWork(new Work(3, 0, 2, 0, 2), new Work(2, 1, 0, 1, 0), Work.NONE);
     }
 
     private static final class Walk implements LineWalk {

@@ -7,11 +7,13 @@ import rasterlab.engine.raster.Raster;
 /**
  * Wu's anti-aliased line blended directly into a picture; what lies outside is left out.
  *
- * <p>The position across is kept in fixed point with {@value #FRACTION} binary places, as Wu does:
- * its whole part names the first of the two pixels the line passes between, its first eight places
- * are the coverage of the second in 256ths, the rest to 256 that of the first. After m &lt; 2¹³
- * steps, the most a picture shows, the position is low by less than 2⁻¹⁸ pixels, so a coverage is
- * right to one 256th, however long the line is outside.
+ * <p>The position across is kept in fixed point with {@value #FRACTION} binary places, as Wu does,
+ * half a level ahead: then its whole part names the first of the two pixels the line passes
+ * between, and its first eight places are the coverage of the second in 256ths, rounded; the rest
+ * to 256 is that of the first. Start and step are rounded to the nearest, so after m &lt; 2¹³
+ * steps, the most a picture shows, the position errs by less than 2⁻¹⁹ pixels, however long the
+ * line is outside: a coverage is right to a little more than half a 256th, and the ends, which lie
+ * on whole pixels, are covered wholly.
  *
  * <p>Source: X. Wu, An efficient antialiasing technique, Computer Graphics (SIGGRAPH) 25(4), 1991,
  * pp. 143–152.
@@ -19,6 +21,7 @@ import rasterlab.engine.raster.Raster;
 public final class ShadedRasterLine {
     private static final int FRACTION = 32;
     private static final int LEVEL = FRACTION - 8;
+    private static final long HALF_LEVEL = 1L << LEVEL - 1;
 
     private ShadedRasterLine() {}
 
@@ -41,22 +44,25 @@ public final class ShadedRasterLine {
         else drawPartly(section, x, y, argb, out);
     }
 
-    /** The exact position of the first pixel across, less the whole pixels it is rounded to. */
-    private static long offset(LineSection section) {
-        if (section.n() == 0) return 0;
+    /**
+     * The exact position of the first pixel across, less the whole pixels it is rounded to, and
+     * half a level.
+     */
+    private static long start(LineSection section) {
+        if (section.n() == 0) return HALF_LEVEL;
         double twice = 2.0 * section.n();
-        return Math.round(
-                (section.remainder() - section.n() + section.tie()) / twice * (1L << FRACTION));
+        long offset = section.remainder() - section.n() + section.tie();
+        return HALF_LEVEL + Math.round(offset / twice * (1L << FRACTION));
     }
 
     private static long step(LineSection section) {
         if (section.n() == 0) return 0;
-        return (long) ((double) section.b() / section.n() * (1L << FRACTION));
+        return Math.round((double) section.b() / section.n() * (1L << FRACTION));
     }
 
     private static void drawInside(
             LineSection section, int cell, int along, int across, int argb, int[] cells) {
-        long position = offset(section);
+        long position = start(section);
         long step = step(section);
         for (int left = (int) section.count(); left > 0; left--) {
             int first = cell + (int) (position >> FRACTION) * across;
@@ -72,7 +78,7 @@ public final class ShadedRasterLine {
     }
 
     private static void drawPartly(LineSection section, int x, int y, int argb, Raster out) {
-        long position = offset(section);
+        long position = start(section);
         long step = step(section);
         boolean steep = section.steep();
         int across = steep ? section.signX() : section.signY();

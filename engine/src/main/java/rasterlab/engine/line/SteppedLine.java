@@ -4,6 +4,14 @@ import rasterlab.contract.LineRasterizer;
 
 /** A method whose steps can be looked at: drawing and stepping drain the same walk. */
 public interface SteppedLine extends LineRasterizer {
+    /** Which pixel a decision value is about. */
+    enum Decides {
+        /** The pixel it is shown with: it was chosen by this value. */
+        THIS_PIXEL,
+        /** The pixel after the one it is shown with. */
+        NEXT_PIXEL
+    }
+
     /**
      * A walk over the pixels that {@code draw} sends, in the same order.
      *
@@ -13,4 +21,10 @@ public interface SteppedLine extends LineRasterizer {
 
     /** What {@link LineWalk#decision} is, as a formula, and when it makes the line step aside. */
     String decisionFormula();
+
+    /** Which pixel {@link LineWalk#decision} chooses. */
+    Decides decides();
+
+    /** What the walk computes. */
+    LineWork work();
 }

@@ -24,12 +24,14 @@ public final class Blend {
                 : overAlpha(above, below, coverage);
     }
 
-    /** Two opaque colours: below + (above − below)·coverage/256, two channels at a time. */
+    /**
+     * Two opaque colours: below + (above − below)·coverage/256, rounded, two channels at a time.
+     */
     private static int mix(int above, int below, int coverage) {
         int rest = WHOLE - coverage;
-        int redBlue = (above & 0xFF00FF) * coverage + (below & 0xFF00FF) * rest >>> 8 & 0xFF00FF;
-        int green = (above & 0xFF00) * coverage + (below & 0xFF00) * rest >>> 8 & 0xFF00;
-        return 0xFF000000 | redBlue | green;
+        int redBlue = (above & 0xFF00FF) * coverage + (below & 0xFF00FF) * rest + 0x800080;
+        int green = (above & 0xFF00) * coverage + (below & 0xFF00) * rest + 0x8000;
+        return 0xFF000000 | redBlue >>> 8 & 0xFF00FF | green >>> 8 & 0xFF00;
     }
 
     /** alpha = αₐ + α_b·(1 − αₐ); colour = (αₐ·a + α_b·(1 − αₐ)·b)/alpha, αₐ being covered. */

@@ -1,16 +1,22 @@
 package rasterlab.engine.raster;
 
+import java.util.Arrays;
+import java.util.stream.IntStream;
+
 /**
  * Finds how far the nearest pixel of a recording is, in whole pixels: max(|Δx|, |Δy|) (Chebyshev).
  *
- * <p>A binary tree of bounding boxes over runs of writes: lines and outlines are written in order
- * of place, so the boxes are small and a question looks into few of them. Any order gives the same
- * answer, only slower.
+ * <p>A binary tree of bounding boxes over runs of pixels in Z-order, that is sorted by the bits of
+ * x and y in turn, so that the boxes are small in whatever order the pixels were written and a
+ * question looks into few of them.
+ *
+ * <p>Source: G. M. Morton, A computer oriented geodetic data base, IBM, 1966.
  */
 public final class NearestPixel {
     private static final int RUN = 8;
 
-    private final PixelRecording pixels;
+    private final int[] xs;
+    private final int[] ys;
     private final int leaves;
     private final int[] minX;
     private final int[] minY;
@@ -23,7 +29,14 @@ public final class NearestPixel {
     public NearestPixel(PixelRecording pixels) {
         if (pixels.size() == 0)
             throw new IllegalArgumentException("needs at least 1 pixel, got an empty recording");
-        this.pixels = pixels;
+        long[] sorted =
+                IntStream.range(0, pixels.size())
+                        .mapToLong(i -> zOrder(pixels.x(i), pixels.y(i)))
+                        .sorted()
+                        .toArray();
+        xs = Arrays.stream(sorted).mapToInt(NearestPixel::everySecondBit).toArray();
+        ys = Arrays.stream(sorted).mapToInt(z -> everySecondBit(z >>> 1)).toArray();
+        for (int i = 0; i < xs.length; i++) xs[i] ^= Integer.MIN_VALUE;
         int runs = (pixels.size() - 1) / RUN + 1;
         leaves = Math.max(1, Integer.highestOneBit(2 * runs - 1));
         minX = new int[2 * leaves];
@@ -38,6 +51,30 @@ public final class NearestPixel {
         return nearest(1, x, y, Long.MAX_VALUE);
     }
 
+    /** The bits of y and x in turn, x's sign bit flipped: sorts as one number. */
+    private static long zOrder(int x, int y) {
+        return spread(y) << 1 | spread(x ^ Integer.MIN_VALUE);
+    }
+
+    /** Each of the 32 bits two places from the next. */
+    private static long spread(int value) {
+        long bits = value & 0xFFFF_FFFFL;
+        bits = (bits | bits << 16) & 0x0000_FFFF_0000_FFFFL;
+        bits = (bits | bits << 8) & 0x00FF_00FF_00FF_00FFL;
+        bits = (bits | bits << 4) & 0x0F0F_0F0F_0F0F_0F0FL;
+        bits = (bits | bits << 2) & 0x3333_3333_3333_3333L;
+        return (bits | bits << 1) & 0x5555_5555_5555_5555L;
+    }
+
+    private static int everySecondBit(long spread) {
+        long bits = spread & 0x5555_5555_5555_5555L;
+        bits = (bits | bits >>> 1) & 0x3333_3333_3333_3333L;
+        bits = (bits | bits >>> 2) & 0x0F0F_0F0F_0F0F_0F0FL;
+        bits = (bits | bits >>> 4) & 0x00FF_00FF_00FF_00FFL;
+        bits = (bits | bits >>> 8) & 0x0000_FFFF_0000_FFFFL;
+        return (int) (bits | bits >>> 16);
+    }
+
     private void bound(int node) {
         minX[node] = minY[node] = Integer.MAX_VALUE;
         maxX[node] = maxY[node] = Integer.MIN_VALUE;
@@ -46,8 +83,7 @@ public final class NearestPixel {
             int right = 2 * node + 1;
             include(node, minX[right], minY[right], maxX[right], maxY[right]);
         } else {
-            for (int i = start(node); i < end(node); i++)
-                include(node, pixels.x(i), pixels.y(i), pixels.x(i), pixels.y(i));
+            for (int i = start(node); i < end(node); i++) include(node, xs[i], ys[i], xs[i], ys[i]);
         }
     }
 
@@ -59,18 +95,18 @@ public final class NearestPixel {
     }
 
     private int start(int leaf) {
-        return Math.min((leaf - leaves) * RUN, pixels.size());
+        return Math.min((leaf - leaves) * RUN, xs.length);
     }
 
     private int end(int leaf) {
-        return Math.min((leaf - leaves + 1) * RUN, pixels.size());
+        return Math.min((leaf - leaves + 1) * RUN, xs.length);
     }
 
     private long nearest(int node, int x, int y, long best) {
         if (toBox(node, x, y) >= best) return best;
         if (node >= leaves) {
             for (int i = start(node); i < end(node); i++)
-                best = Math.min(best, chebyshev((long) x - pixels.x(i), (long) y - pixels.y(i)));
+                best = Math.min(best, chebyshev((long) x - xs[i], (long) y - ys[i]));
             return best;
         }
         int near = 2 * node;

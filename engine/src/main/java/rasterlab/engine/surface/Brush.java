@@ -1,5 +1,7 @@
 package rasterlab.engine.surface;
 
+import java.util.Arrays;
+
 /**
  * What colour a filled pixel gets. It depends on the pixel's place in the picture, not in the
  * figure, so neighbouring figures of one brush fit together.
@@ -44,7 +46,7 @@ public interface Brush {
     /**
      * A small picture, repeated from (0, 0) on in all directions.
      *
-     * @param tile its colours row by row, all rows of one length, at least one pixel
+     * @param tile its colours row by row, all rows of one length, at least one pixel; copied
      */
     static Brush pattern(int[][] tile) {
         if (tile.length == 0 || tile[0].length == 0)
@@ -54,7 +56,8 @@ public interface Brush {
                 throw new IllegalArgumentException(
                         "row %d of the pattern must have %d pixels, got %d"
                                 .formatted(y, tile[0].length, tile[y].length));
-        return (x, y) -> tile[Math.floorMod(y, tile.length)][Math.floorMod(x, tile[0].length)];
+        int[][] own = Arrays.stream(tile).map(int[]::clone).toArray(int[][]::new);
+        return (x, y) -> own[Math.floorMod(y, own.length)][Math.floorMod(x, own[0].length)];
     }
 
     /** This brush, and where it leaves pixels as they are, the other. */

@@ -7,7 +7,8 @@ import java.util.function.BiConsumer;
  *
  * <p>Each piece of the line is a rectangle of the pen's width along it; where two pieces meet, a
  * round join fills the gap at the outside of the bend. A pattern of dashes is measured along the
- * line and goes on around corners.
+ * line and goes on around corners. Two equal points one after the other are a piece without length:
+ * within a stroke a round pen draws a dot there, another pen nothing. A single point is no line.
  *
  * @param width in pixels, above 0
  * @param round whether ends and joins are round; otherwise ends are cut off square at the points
@@ -22,7 +23,10 @@ public record Pen(double width, boolean round, double... dashes) {
     /** The longest line, in pixels, that is drawn in dashes. */
     public static final double LONGEST = 1e6;
 
-    private static final int CORNERS_OF_CIRCLE = 32;
+    /** How far a round end's polygon is from the circle at most, in pixels. */
+    private static final double ROUNDNESS = 0.25;
+
+    private static final int FEWEST_CORNERS = 8;
 
     public Pen {
         if (!(width > 0 && width <= LONGEST))
@@ -39,6 +43,12 @@ public record Pen(double width, boolean round, double... dashes) {
         dashes = dashes.clone();
     }
 
+    /** A copy. */
+    @Override
+    public double[] dashes() {
+        return dashes.clone();
+    }
+
     /** Sends the polygons, x and y of the corners, that together cover the line. */
     void outline(double[] x, double[] y, BiConsumer<double[], double[]> polygons) {
         requireShort(x, y);
@@ -53,6 +63,7 @@ public record Pen(double width, boolean round, double... dashes) {
                 dash = (dash + 1) % dashes.length;
                 left = dashes[dash];
             }
+            if (dash % 2 == 0 && length == 0 && round) circle(x[i], y[i], polygons);
             if (dash % 2 == 0 && length > from) piece(x, y, i, from / length, 1, polygons);
             left -= length - from;
         }
@@ -99,13 +110,20 @@ public record Pen(double width, boolean round, double... dashes) {
     }
 
     private void circle(double x, double y, BiConsumer<double[], double[]> polygons) {
-        var cornerX = new double[CORNERS_OF_CIRCLE];
-        var cornerY = new double[CORNERS_OF_CIRCLE];
-        for (int i = 0; i < CORNERS_OF_CIRCLE; i++) {
-            double angle = 2 * Math.PI * i / CORNERS_OF_CIRCLE;
+        int corners = corners(width / 2);
+        var cornerX = new double[corners];
+        var cornerY = new double[corners];
+        for (int i = 0; i < corners; i++) {
+            double angle = 2 * Math.PI * i / corners;
             cornerX[i] = x + width / 2 * Math.cos(angle);
             cornerY[i] = y + width / 2 * Math.sin(angle);
         }
         polygons.accept(cornerX, cornerY);
+    }
+
+    /** The middle of a side between corners 2·π/n apart is r·(1 − cos(π/n)) inside the circle. */
+    static int corners(double radius) {
+        double halfAngle = Math.acos(Math.max(0, 1 - ROUNDNESS / radius));
+        return Math.max(FEWEST_CORNERS, (int) Math.ceil(Math.PI / halfAngle));
     }
 }

@@ -3,6 +3,7 @@ package rasterlab.engine.fill;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
@@ -63,6 +64,44 @@ class FillPropertyTest {
                     assertTrue(runs.add(List.of(x, walk.y())), x + ", " + walk.y());
             assertEquals(pixels(TOPIC.exact(task, 10_000)), runs);
         }
+    }
+
+    /** Every call fills one run, and the first waits for none. */
+    @Property(tries = 500)
+    void theRunsOfTheRecursiveFillAreThePixelsItWrites(@ForAll("tasks") FillTask task) {
+        if (task.with() == '.' || task.with() == '#') return;
+        var runs = new HashSet<List<Integer>>();
+        var depths = new ArrayList<Integer>();
+        new RecursiveTextbookFill()
+                .trace(
+                        new TextPicture(task.rows()),
+                        task.x(),
+                        task.y(),
+                        task.with(),
+                        task.connectivity(),
+                        (y, from, to, waiting) -> {
+                            for (int x = from; x < to; x++) runs.add(List.of(x, y));
+                            depths.add(waiting);
+                        });
+        assertEquals(pixels(TOPIC.record(new RecursiveTextbookFill(), task, 10_000)), runs);
+        assertEquals(0, depths.get(0));
+        for (int i = 1; i < depths.size(); i++)
+            assertTrue(depths.get(i) > 0 && depths.get(i) <= depths.get(i - 1) + 1, depths + "");
+    }
+
+    /** The second call of two from one run must not seem to wait for the first. */
+    @Test
+    void aCallThatHasEndedWaitsNoMore() {
+        var waits = new ArrayList<Integer>();
+        new RecursiveTextbookFill()
+                .trace(
+                        new TextPicture(List.of(".#.", "...")),
+                        1,
+                        1,
+                        '*',
+                        4,
+                        (y, from, to, waiting) -> waits.add(waiting));
+        assertEquals(List.of(0, 1, 1), waits);
     }
 
     private static Set<List<Integer>> pixels(PixelRecording recording) {

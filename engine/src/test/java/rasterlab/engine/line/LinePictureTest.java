@@ -61,6 +61,8 @@ class LinePictureTest {
     static Stream<Arguments> mistakesOfTheTextbooks() {
         var naive = "naive-textbook";
         var bresenham = "bresenham-textbook";
+        var first = "bresenham-first-textbook";
+        var pascal = "bresenham-pascal-textbook";
         return Stream.of(
                 argumentSet("gaps when steep", naive, "#. #. .# .#", new Segment(0, 0, 1, 3)),
                 argumentSet("nothing leftward", naive, "..## ##..", new Segment(3, 0, 0, 1)),
@@ -68,6 +70,10 @@ class LinePictureTest {
                 argumentSet("larger row on ties", naive, "##. ..#", new Segment(0, 0, 2, 1)),
                 argumentSet("wrong start leftward", bresenham, "####", new Segment(3, 0, 0, 0)),
                 argumentSet("wrong start upward", bresenham, "# # #", new Segment(0, 2, 0, 0)),
+                argumentSet("gaps in the first", first, "#. #. .# .#", new Segment(0, 0, 1, 3)),
+                argumentSet("first knows no left", first, "..## ##..", new Segment(3, 0, 0, 1)),
+                argumentSet("row only grows", pascal, "...# .##. #...", new Segment(0, 2, 3, 0)),
+                argumentSet("vertical is a point", pascal, "# # #", new Segment(0, 0, 0, 2)),
                 argumentSet("point doubled", bresenham, "#", new Segment(0, 0, 0, 0)),
                 argumentSet("near row on ties", bresenham, ".## #..", new Segment(0, 1, 2, 0)));
     }

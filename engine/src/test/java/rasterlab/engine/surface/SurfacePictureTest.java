@@ -1,7 +1,9 @@
 package rasterlab.engine.surface;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.stream.Stream;
@@ -9,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.FillRule;
 import rasterlab.engine.raster.Raster;
 
@@ -90,6 +93,43 @@ class SurfacePictureTest {
                         new Pen(4.2, true),
                         new double[] {2, 4},
                         new double[] {3, 3}));
+    }
+
+    @Test
+    void aRoundPenMakesADotOfTwoEqualPoints() {
+        assertEquals(".... .##. .##. ....", dot(new Pen(2.1, true)));
+        assertEquals(".... .##. .##. ....", dot(new Pen(2.1, true, 3, 2)));
+        assertEquals(".... .... .... ....", dot(new Pen(2.1, false)));
+    }
+
+    private static String dot(Pen pen) {
+        var raster = new Raster(4, 4);
+        double[] place = {1.5, 1.5};
+        new Surface(raster).draw(place, place, pen, INK);
+        return text(raster);
+    }
+
+    /** With 32 corners the sides of the widest pens would be pixels and pixels off. */
+    @ParameterizedTest(name = "a pen of radius {0} is angular")
+    @ValueSource(doubles = {0.1, 0.25, 1, 20, 52, 53, 1000, 500_000})
+    void aRoundEndIsWithinAQuarterPixelOfTheCircle(double radius) {
+        int corners = Pen.corners(radius);
+        assertTrue(radius * (1 - Math.cos(Math.PI / corners)) <= 0.25 + 1e-9, corners + " corners");
+        assertTrue(corners < 4_000, corners + " corners");
+    }
+
+    @Test
+    void whatWasHandedOverOrOutCannotBeChangedLater() {
+        double[] dashes = {3, 2};
+        var pen = new Pen(1, false, dashes);
+        dashes[0] = 0;
+        pen.dashes()[1] = 0;
+        assertArrayEquals(new double[] {3, 2}, pen.dashes());
+        int[][] tile = {{'#'}};
+        Brush brush = Brush.pattern(tile);
+        tile[0][0] = '*';
+        tile[0] = new int[0];
+        assertEquals('#', brush.colour(5, 5));
     }
 
     @Test

@@ -1,5 +1,6 @@
 package rasterlab.tests.bench;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -28,11 +29,15 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         description = {
             "Times our methods and what a user would pick instead, in one run, and prints",
-            "both with the ratio and the goal. A goal that is missed is no error."
+            "both with the ratio, its range over the rounds and the goal. A goal that is missed is no",
+            "error."
         })
 public final class Bench implements Callable<Integer> {
     private static final Map<String, Supplier<List<Goal>>> GROUPS =
             new TreeMap<>(Map.of("raster", RasterGoals::all));
+
+    /** Times that every benchmark gets a process of its own, all benchmarks once in each round. */
+    private static final int ROUNDS = 3;
 
     @Spec private CommandSpec spec;
 
@@ -61,9 +66,11 @@ public final class Bench implements Callable<Integer> {
     @Override
     public Integer call() throws RunnerException {
         List<Goal> goals = goals();
-        var results = new Runner(options(goals).build()).run();
+        var rounds = new ArrayList<Map<Timing.Key, Timing>>();
+        for (int round = 0; round < (quick ? 1 : ROUNDS); round++)
+            rounds.add(timings(new Runner(options(goals).build()).run()));
         System.out.println();
-        new GoalTable(goals, timings(results)).print(System.out);
+        new GoalTable(goals, rounds).print(System.out);
         return 0;
     }
 
@@ -90,10 +97,10 @@ public final class Bench implements Callable<Integer> {
                 new OptionsBuilder()
                         .forks(1)
                         .shouldFailOnError(true)
-                        .warmupIterations(quick ? 2 : 5)
-                        .warmupTime(TimeValue.milliseconds(quick ? 200 : 500))
-                        .measurementIterations(quick ? 3 : 10)
-                        .measurementTime(TimeValue.milliseconds(quick ? 200 : 500));
+                        .warmupIterations(quick ? 2 : 4)
+                        .warmupTime(TimeValue.milliseconds(200))
+                        .measurementIterations(quick ? 3 : 6)
+                        .measurementTime(TimeValue.milliseconds(quick ? 200 : 250));
         var names = new LinkedHashSet<String>();
         for (Goal goal : goals)
             for (String method : List.of(goal.ours(), goal.peer()))

@@ -18,7 +18,11 @@ import org.openjdk.jmh.annotations.State;
 import rasterlab.engine.line.RasterLine;
 import rasterlab.engine.raster.Raster;
 
-/** Segments across the edges of a picture of 512×512 pixels: each has one end outside or both. */
+/**
+ * Segments across the edges of a picture of 512×512 pixels: each has one end outside or both.
+ *
+ * <p>Both light the same pixels, as in {@link LineBenchmark}.
+ */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -36,6 +40,7 @@ public class ClippedLineBenchmark {
 
     private final int[] ends = new int[4 * SEGMENTS];
     private Raster raster;
+    private Raster peerRaster;
     private Graphics2D graphics;
 
     private static Goal goal(String work, String pixels, double ratio) {
@@ -51,23 +56,46 @@ public class ClippedLineBenchmark {
     @Setup
     public void prepare() {
         var random = new Random(1965);
-        for (int i = 0; i < SEGMENTS; i++) {
+        int i = 0;
+        while (i < SEGMENTS) {
             int side = random.nextInt(4);
             int at = random.nextInt(SIZE);
             int x = side == 0 ? 0 : side == 1 ? SIZE - 1 : at;
             int y = side == 2 ? 0 : side == 3 ? SIZE - 1 : at;
             double angle = random.nextDouble() * 2 * Math.PI;
             double longer = Math.max(Math.abs(Math.cos(angle)), Math.abs(Math.sin(angle)));
-            int dx = (int) Math.round(pixels / 2.0 * Math.cos(angle) / longer);
-            int dy = (int) Math.round(pixels / 2.0 * Math.sin(angle) / longer);
-            ends[4 * i] = x - dx;
-            ends[4 * i + 1] = y - dy;
-            ends[4 * i + 2] = x + dx;
-            ends[4 * i + 3] = y + dy;
+            int dx = (int) Math.round((pixels - 1) * Math.cos(angle) / longer);
+            int dy = (int) Math.round((pixels - 1) * Math.sin(angle) / longer);
+            int x0 = x - dx / 2;
+            int y0 = y - dy / 2;
+            if (isInside(x0, y0) && isInside(x0 + dx, y0 + dy)) continue;
+            ends[4 * i] = x0;
+            ends[4 * i + 1] = y0;
+            ends[4 * i + 2] = x0 + dx;
+            ends[4 * i + 3] = y0 + dy;
+            i++;
         }
         raster = new Raster(SIZE, SIZE);
-        graphics = new Raster(SIZE, SIZE).image().createGraphics();
+        peerRaster = new Raster(SIZE, SIZE);
+        graphics = peerRaster.image().createGraphics();
         graphics.setColor(Color.WHITE);
+    }
+
+    private static boolean isInside(int x, int y) {
+        return x >= 0 && y >= 0 && x < SIZE && y < SIZE;
+    }
+
+    /** How many pixels only one of the two lights, segment by segment. */
+    long different() {
+        return SegmentDifference.count(ends, raster, peerRaster, graphics);
+    }
+
+    /** Segments with both ends in the picture. */
+    int inside() {
+        int inside = 0;
+        for (int i = 0; i < ends.length; i += 4)
+            if (isInside(ends[i], ends[i + 1]) && isInside(ends[i + 2], ends[i + 3])) inside++;
+        return inside;
     }
 
     @Benchmark

@@ -30,7 +30,7 @@ public class CurveBenchmark {
                     goal("adaptive", 60, 1.6),
                     goal("adaptive", 500, 1.6),
                     goal("uniform", 60, 5),
-                    goal("uniform", 500, 5));
+                    goal("uniform", 500, 12));
 
     private static final double FLATNESS = 0.25;
     private static final int CURVES = 256;

@@ -1,45 +1,66 @@
 package rasterlab.tests.bench;
 
 import java.io.PrintStream;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 
-/** The goals of one group beside what was measured. */
-record GoalTable(List<Goal> goals, Map<Timing.Key, Timing> timings) {
+/**
+ * The goals of one group beside what was measured.
+ *
+ * @param rounds the timings of each round, in which ours and the peer ran one after the other
+ */
+record GoalTable(List<Goal> goals, List<Map<Timing.Key, Timing>> rounds) {
     GoalTable {
         goals = List.copyOf(goals);
-        timings = Map.copyOf(timings);
+        rounds = List.copyOf(rounds);
     }
 
     /**
-     * Writes one line for each goal: times with their quartiles, the ratio, and whether it is met.
+     * Writes one line for each goal: times of the middle round with their quartiles, the median of
+     * the rounds' ratios with their range, and whether it is met.
      */
     void print(PrintStream out) {
-        out.println("work | ours, ns | peer, ns | ratio | goal | met");
+        out.println("work | ours, ns | peer, ns | ratio (range) | goal | met");
         out.println("--- | --- | --- | --- | --- | ---");
         for (Goal goal : goals) out.println(line(goal));
     }
 
-    private String line(Goal goal) {
-        Timing ours = timing(goal, goal.ours());
-        Timing peer = timing(goal, goal.peer());
-        double ratio = peer.median() / ours.median();
-        return String.format(
-                Locale.ROOT,
-                "%s | %s %s | %s %s | %.2f | %.2f | %s",
-                goal.work(),
-                goal.ours(),
-                quartiles(ours),
-                goal.peer(),
-                quartiles(peer),
-                ratio,
-                goal.ratio(),
-                ratio >= goal.ratio() ? "yes" : "no");
+    private record Pair(Timing ours, Timing peer) {
+        double ratio() {
+            return peer.median() / ours.median();
+        }
     }
 
-    private Timing timing(Goal goal, String method) {
-        Timing timing = timings.get(Timing.Key.of(goal.benchmark(), method, goal.parameters()));
+    private String line(Goal goal) {
+        List<Pair> pairs =
+                rounds.stream()
+                        .map(
+                                round ->
+                                        new Pair(
+                                                timing(round, goal, goal.ours()),
+                                                timing(round, goal, goal.peer())))
+                        .sorted(Comparator.comparingDouble(Pair::ratio))
+                        .toList();
+        Pair middle = pairs.get(pairs.size() / 2);
+        return String.format(
+                Locale.ROOT,
+                "%s | %s %s | %s %s | %.2f (%.2f–%.2f) | %.2f | %s",
+                goal.work(),
+                goal.ours(),
+                quartiles(middle.ours()),
+                goal.peer(),
+                quartiles(middle.peer()),
+                middle.ratio(),
+                pairs.get(0).ratio(),
+                pairs.get(pairs.size() - 1).ratio(),
+                goal.ratio(),
+                middle.ratio() >= goal.ratio() ? "yes" : "no");
+    }
+
+    private static Timing timing(Map<Timing.Key, Timing> round, Goal goal, String method) {
+        Timing timing = round.get(Timing.Key.of(goal.benchmark(), method, goal.parameters()));
         if (timing == null)
             throw new IllegalStateException(
                     "no measurement of "

@@ -20,7 +20,12 @@ import rasterlab.engine.line.RasterLine;
 import rasterlab.engine.line.ShadedRasterLine;
 import rasterlab.engine.raster.Raster;
 
-/** Segments of one length in all directions into a picture of 1280×1280 pixels. */
+/**
+ * Segments of one length in all directions, wholly inside a picture of 1280×1280 pixels.
+ *
+ * <p>Both light the same pixels: the number of steps is odd, so no exact line passes midway between
+ * two pixels, where ours takes the smaller coordinate and the peer goes by a rule of its own.
+ */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.NANOSECONDS)
@@ -47,6 +52,7 @@ public class LineBenchmark {
 
     private final int[] ends = new int[4 * SEGMENTS];
     private Raster raster;
+    private Raster peerRaster;
     private Graphics2D graphics;
     private Graphics2D shadingGraphics;
 
@@ -65,19 +71,24 @@ public class LineBenchmark {
         var random = new Random(1965);
         for (int i = 0; i < SEGMENTS; i++) {
             double angle = random.nextDouble() * 2 * Math.PI;
-            double half = (pixels - 1) / 2.0;
             double longer = Math.max(Math.abs(Math.cos(angle)), Math.abs(Math.sin(angle)));
-            int dx = (int) Math.round(half * Math.cos(angle) / longer);
-            int dy = (int) Math.round(half * Math.sin(angle) / longer);
-            ends[4 * i] = SIZE / 2 - dx;
-            ends[4 * i + 1] = SIZE / 2 - dy;
-            ends[4 * i + 2] = SIZE / 2 + dx;
-            ends[4 * i + 3] = SIZE / 2 + dy;
+            int dx = (int) Math.round((pixels - 1) * Math.cos(angle) / longer);
+            int dy = (int) Math.round((pixels - 1) * Math.sin(angle) / longer);
+            ends[4 * i] = Math.max(0, -dx) + random.nextInt(SIZE - Math.abs(dx));
+            ends[4 * i + 1] = Math.max(0, -dy) + random.nextInt(SIZE - Math.abs(dy));
+            ends[4 * i + 2] = ends[4 * i] + dx;
+            ends[4 * i + 3] = ends[4 * i + 1] + dy;
         }
-        raster = new Raster(SIZE, SIZE);
-        raster.clear(0xFF000000);
-        graphics = graphics(RenderingHints.VALUE_ANTIALIAS_OFF);
-        shadingGraphics = graphics(RenderingHints.VALUE_ANTIALIAS_ON);
+        raster = picture();
+        peerRaster = picture();
+        graphics = graphics(peerRaster, RenderingHints.VALUE_ANTIALIAS_OFF);
+        shadingGraphics = graphics(picture(), RenderingHints.VALUE_ANTIALIAS_ON);
+    }
+
+    private static Raster picture() {
+        var picture = new Raster(SIZE, SIZE);
+        picture.clear(0xFF000000);
+        return picture;
     }
 
     @Benchmark
@@ -88,9 +99,7 @@ public class LineBenchmark {
         return raster;
     }
 
-    private static Graphics2D graphics(Object antialiasing) {
-        var picture = new Raster(SIZE, SIZE);
-        picture.clear(0xFF000000);
+    private static Graphics2D graphics(Raster picture, Object antialiasing) {
         Graphics2D graphics = picture.image().createGraphics();
         graphics.setColor(Color.WHITE);
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, antialiasing);
@@ -119,5 +128,10 @@ public class LineBenchmark {
         for (int i = 0; i < ends.length; i += 4)
             graphics.drawLine(ends[i], ends[i + 1], ends[i + 2], ends[i + 3]);
         return graphics;
+    }
+
+    /** How many pixels only one of the two lights, segment by segment. */
+    long different() {
+        return SegmentDifference.count(ends, raster, peerRaster, graphics);
     }
 }

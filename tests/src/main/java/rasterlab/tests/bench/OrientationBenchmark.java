@@ -41,7 +41,7 @@ public class OrientationBenchmark {
                 "rasterlab",
                 "jts",
                 Map.of("points", points),
-                0.9);
+                1);
     }
 
     @Setup

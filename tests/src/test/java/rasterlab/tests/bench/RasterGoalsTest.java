@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -39,14 +38,18 @@ class RasterGoalsTest {
     }
 
     @Test
-    void theRatioIsThePeersTimeByOurs() {
+    void theRatioIsThePeersTimeByOursInTheMiddleRound() {
         Goal goal = RasterGoals.all().get(0);
-        var timings = new HashMap<Timing.Key, Timing>();
-        timings.put(key(goal, goal.ours()), new Timing(10, 9, 11));
-        timings.put(key(goal, goal.peer()), new Timing(45, 44, 46));
         var bytes = new ByteArrayOutputStream();
-        new GoalTable(List.of(goal), timings).print(new PrintStream(bytes, true));
-        assertTrue(bytes.toString().contains(" | 4.50 | "), bytes.toString());
+        var rounds = List.of(round(goal, 10, 45), round(goal, 10, 30), round(goal, 20, 100));
+        new GoalTable(List.of(goal), rounds).print(new PrintStream(bytes, true));
+        assertTrue(bytes.toString().contains(" | 4.50 (3.00–5.00) | "), bytes.toString());
+    }
+
+    private static Map<Timing.Key, Timing> round(Goal goal, double ours, double peer) {
+        return Map.of(
+                key(goal, goal.ours()), new Timing(ours, ours - 1, ours + 1),
+                key(goal, goal.peer()), new Timing(peer, peer - 1, peer + 1));
     }
 
     @Test

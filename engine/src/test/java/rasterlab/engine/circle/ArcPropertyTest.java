@@ -2,22 +2,24 @@ package rasterlab.engine.circle;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.CircleRasterizer;
 import rasterlab.contract.EllipseRasterizer;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.raster.PixelRecording;
 
-class CurvePropertyTest {
+class ArcPropertyTest {
     private static final List<CircleRasterizer> CIRCLES =
             List.of(new BresenhamCircle(), new MidpointCircle());
     private static final List<EllipseRasterizer> ELLIPSES =
@@ -115,19 +117,34 @@ class CurvePropertyTest {
         }
     }
 
-    /** The first million steps of the largest circle against its definition. */
+    /** A whole octant each; with {@code -Drasterlab.full=true} those of the largest radii. */
     @ParameterizedTest
-    @ValueSource(ints = {Integer.MAX_VALUE, Integer.MAX_VALUE - 1, 1_234_567_891})
-    void theLargestCirclesBeginRight(int r) {
-        var walk = new MidpointCircle().walk(r);
-        for (int u = 0; u < 1_000_000; u++) {
-            assertTrue(walk.advance());
-            assertEquals(u, walk.u());
-            long v = walk.v();
+    @MethodSource("largeRadii")
+    void everyColumnOfALargeCirclesOctantHasItsNearestPixel(int r) {
+        assertOctant(new MidpointCircle().walk(r), r);
+        assertOctant(new BresenhamCircle().walk(r), r);
+    }
+
+    static IntStream largeRadii() {
+        return Boolean.getBoolean("rasterlab.full")
+                ? IntStream.of((1 << 26) - 1, 1 << 26, 1_234_567_891, Integer.MAX_VALUE)
+                : IntStream.of((1 << 21) - 1, 1 << 21, 1_234_567);
+    }
+
+    private static void assertOctant(ArcWalk walk, int r) {
+        int u = -1;
+        int v = r;
+        boolean more = walk.advance();
+        while (more && walk.u() <= walk.v()) {
+            if (walk.u() != u + 1) assertEquals(u + 1, walk.u(), "column");
+            u++;
+            v = walk.v();
             // |v − √(r² − u²)| < ½, as v² − v + ¼ < r² − u² < v² + v + ¼ without overflow
-            long rest = (r - v) * (r + v) - (long) u * u;
-            assertTrue(-v < rest && rest <= v, "column " + u + ", row " + v);
+            long rest = ((long) r - v) * ((long) r + v) - (long) u * u;
+            if (rest <= -v || rest > v) fail("column " + u + ", row " + v + ", radius " + r);
+            more = walk.advance();
         }
+        assertTrue(v - u <= 1, "ends in column " + u + ", row " + v);
     }
 
     @Test

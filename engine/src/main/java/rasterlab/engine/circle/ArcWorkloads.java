@@ -7,13 +7,13 @@ import java.util.function.IntFunction;
 import rasterlab.engine.study.Workload;
 
 /** Circles and ellipses to measure: of one size each, the same in every run. */
-final class CurveWorkloads {
+final class ArcWorkloads {
     private static final long SEED = 1977;
     private static final int PIXELS_PER_WORKLOAD = 8_192;
     private static final int FEWEST_CURVES = 4;
     private static final List<Integer> RADII = List.of(4, 16, 64, 256, 1024);
 
-    private CurveWorkloads() {}
+    private ArcWorkloads() {}
 
     static List<Workload<Circle>> circles() {
         var random = new Random(SEED);

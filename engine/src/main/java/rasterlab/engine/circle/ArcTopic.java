@@ -1,0 +1,100 @@
+package rasterlab.engine.circle;
+
+import java.util.Map;
+import java.util.Optional;
+import rasterlab.contract.Pixels;
+import rasterlab.engine.raster.CountingPixels;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.SetComparison;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Topic;
+
+/**
+ * What circles and ellipses have in common as topics.
+ *
+ * <p>A curve that is not exact is degraded where no exact pixel is farther than one pixel from a
+ * drawn one and no drawn pixel farther than one pixel from an exact one; otherwise it is wrong.
+ *
+ * @param <C> the contract that methods implement
+ * @param <I> one input
+ */
+abstract class ArcTopic<C, I> implements Topic<C, I, PixelRecording> {
+    private static final int MOST_ITEMS = 1_000_000;
+    private static final int SLACK = 1_000;
+
+    abstract void draw(C method, I input, Pixels out);
+
+    /** The walk of a method that has steps, and its work. */
+    abstract Optional<WalkAndWork> walk(C method, I input);
+
+    /** The input as an ellipse. */
+    abstract Ellipse ellipse(I input);
+
+    /** A walk not begun yet. */
+    record WalkAndWork(ArcWalk walk, ArcWork work) {
+        Map<String, Long> operations() {
+            boolean more = walk.advance();
+            while (more) more = walk.advance();
+            return walk.operations(work);
+        }
+    }
+
+    @Override
+    public PixelRecording record(C method, I input, int limit) {
+        var recording = new PixelRecording(limit);
+        draw(method, input, recording);
+        return recording;
+    }
+
+    @Override
+    public long spend(C method, I input) {
+        Ellipse e = ellipse(input);
+        var counting = new CountingPixels(8L * ((long) e.radiusX() + e.radiusY()) + SLACK);
+        draw(method, input, counting);
+        return counting.count();
+    }
+
+    @Override
+    public PixelRecording exact(I input, int limit) {
+        Ellipse e = ellipse(input);
+        var recording = new PixelRecording(limit);
+        new ExactEllipse(e.radiusX(), e.radiusY())
+                .draw(e.centreX(), e.centreY(), (x, y) -> keep(recording, limit, x, y));
+        return recording;
+    }
+
+    private static void keep(PixelRecording recording, int limit, int x, int y) {
+        if (recording.size() < limit) recording.plot(x, y);
+    }
+
+    @Override
+    public Deviation compare(I input, PixelRecording exact, PixelRecording actual) {
+        return SetComparison.compare(exact, actual);
+    }
+
+    @Override
+    public boolean usable(Deviation deviation) {
+        return deviation.worst() <= SetComparison.USABLE_PIXELS;
+    }
+
+    @Override
+    public Map<String, Long> operations(C method, I input) {
+        return walk(method, input).map(WalkAndWork::operations).orElse(Map.of());
+    }
+
+    /** Methods draw in different orders, so no answer is cut. */
+    @Override
+    public int mostItems() {
+        return MOST_ITEMS;
+    }
+
+    @Override
+    public String item() {
+        return "pixel";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "pixels";
+    }
+}

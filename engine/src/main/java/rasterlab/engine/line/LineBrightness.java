@@ -1,0 +1,45 @@
+package rasterlab.engine.line;
+
+import java.util.Map;
+import rasterlab.contract.LineRasterizer;
+
+/**
+ * How much light a line gets for its length: the requirement of even brightness, measured.
+ *
+ * <p>A line of n + 1 full pixels at the angle α to its longer axis has the length (n + 1)/cos α, so
+ * its brightness falls from 1 at 0° to 0.707 at 45°.
+ *
+ * @param light levels of all pixels, {@value CoverageLine#FULL} for a full one
+ * @param length in the same unit: {@value CoverageLine#FULL} for a pixel
+ * @param degrees between the line and its longer axis, 0 to 45
+ */
+record LineBrightness(long light, long length, double degrees) {
+    private static final int BAND = 15;
+
+    static LineBrightness of(LineRasterizer method, Segment s) {
+        long[] light = {0};
+        if (method instanceof CoverageLine shaded)
+            shaded.shade(s.x0(), s.y0(), s.x1(), s.y1(), (x, y, coverage) -> light[0] += coverage);
+        else method.draw(s.x0(), s.y0(), s.x1(), s.y1(), (x, y) -> light[0] += CoverageLine.FULL);
+        long n = s.steps();
+        double dx = (double) s.x1() - s.x0();
+        double dy = (double) s.y1() - s.y0();
+        double stretch = n == 0 ? 1 : Math.hypot(dx, dy) / n;
+        return new LineBrightness(
+                light[0],
+                Math.round(CoverageLine.FULL * (n + 1) * stretch),
+                Math.toDegrees(Math.acos(1 / stretch)));
+    }
+
+    /** Light for a pixel of length; 1 for a row of full pixels. */
+    double perPixel() {
+        return (double) light / length;
+    }
+
+    void addTo(Map<String, Long> counts) {
+        int from = Math.min((int) (degrees / BAND), 2) * BAND;
+        String band = " at " + from + "–" + (from + BAND) + "°";
+        counts.merge("levels of light" + band, light, Long::sum);
+        counts.merge("levels of length" + band, length, Long::sum);
+    }
+}

@@ -1,0 +1,88 @@
+package rasterlab.engine.circle;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.util.ArrayList;
+import java.util.Map;
+import java.util.regex.Pattern;
+import java.util.spi.ToolProvider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** That the counted arithmetic is what the walks are made of. */
+class ArcWorkTest {
+    @ParameterizedTest(name = "{0} multiplies on its way although it counts no multiplication")
+    @ValueSource(
+            strings = {"BresenhamCircle", "MidpointCircle", "BresenhamEllipse", "MidpointEllipse"})
+    void aCompiledWalkMultipliesOnlyAtItsStart(String type) {
+        String walk = compiledWalk(type);
+        for (String method :
+                new String[] {
+                    "advance", "choose", "stepAside", "stepDown", "nextColumn", "nextRow"
+                }) assertEquals(0, multiplications(walk, method), type + "." + method);
+    }
+
+    @Test
+    void aTextbookWalkMultiplies() {
+        assertTrue(multiplications(compiledWalk("BresenhamTextbookEllipse"), "choose") > 0);
+    }
+
+    /** A quadrant of radius 4 goes 4 columns aside and 4 rows down. */
+    @Test
+    void choicesAndStepsAreCountedAsTheyHappen() {
+        var topic = new CircleTopic();
+        var bresenham = topic.method("bresenham").implementation();
+        var pixels = new ArrayList<Integer>();
+        ArcWalk walk = new BresenhamCircle().walk(4);
+        while (walk.advance()) pixels.add(10 * walk.u() + walk.v());
+        int choices = pixels.size() - 1;
+        Map<String, Long> counts = topic.operations(bresenham, new Circle(9, 9, 4));
+        assertEquals(2L * choices + 2 * 4 + 2 * 4, counts.get("additions"));
+        assertEquals(2L * choices, counts.get("comparisons"));
+        assertEquals(0, counts.get("multiplications"));
+    }
+
+    @Test
+    void aParametricStepCostsTwoSines() {
+        var topic = new EllipseTopic();
+        var method = topic.method("parametric").implementation();
+        Map<String, Long> counts = topic.operations(method, new Ellipse(0, 0, 100, 7));
+        assertEquals(2 * 159, counts.get("sines and roots"));
+        assertEquals(2 * 159, counts.get("multiplications"));
+    }
+
+    private static long multiplications(String walk, String method) {
+        var body =
+                Pattern.compile("\\b" + method + "\\(\\);\\n    Code:(.*?)\\n\\n", Pattern.DOTALL)
+                        .matcher(walk);
+        return body.find()
+                ? Pattern.compile(" [ilfd](mul|div|rem)\\b")
+                        .matcher(body.group(1))
+                        .results()
+                        .count()
+                : 0;
+    }
+
+    private static String compiledWalk(String type) {
+        var out = new StringWriter();
+        String place = ArcWalk.class.getProtectionDomain().getCodeSource().getLocation().getPath();
+        var writer = new PrintWriter(out, true);
+        int code =
+                ToolProvider.findFirst("javap")
+                        .orElseThrow()
+                        .run(
+                                writer,
+                                writer,
+                                "-p",
+                                "-c",
+                                "-cp",
+                                place,
+                                "rasterlab.engine.circle." + type + "$Walk");
+        assertEquals(0, code, out.toString());
+        return out.toString();
+    }
+}
