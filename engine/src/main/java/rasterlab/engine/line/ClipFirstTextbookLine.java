@@ -2,7 +2,7 @@ package rasterlab.engine.line;
 
 import rasterlab.contract.Pixels;
 import rasterlab.contract.SegmentClipper;
-import rasterlab.engine.clip.LiangBarsky;
+import rasterlab.engine.clip.segment.LiangBarsky;
 import rasterlab.engine.raster.PixelWindow;
 
 /**

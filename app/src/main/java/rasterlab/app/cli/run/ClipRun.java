@@ -10,7 +10,7 @@ import java.util.stream.IntStream;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.outcome.Complaint;
-import rasterlab.engine.clip.ClipWindow;
+import rasterlab.engine.clip.segment.ClipWindow;
 import rasterlab.engine.study.LimitReached;
 
 /** What the clipping topics' inputs and answers share. */

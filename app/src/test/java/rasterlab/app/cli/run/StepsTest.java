@@ -17,11 +17,11 @@ import rasterlab.app.outcome.ExitCode;
 import rasterlab.contract.Curve;
 import rasterlab.contract.CurvePoints;
 import rasterlab.contract.SplineEnds;
-import rasterlab.engine.clip.ClipWalk;
+import rasterlab.engine.clip.segment.SegmentWalk;
 import rasterlab.engine.clip.ClippedEnds;
-import rasterlab.engine.clip.SteppedSegmentClipper;
-import rasterlab.engine.clip.SteppedVolumeClipper;
-import rasterlab.engine.clip.VolumeWalk;
+import rasterlab.engine.clip.segment.SteppedSegmentClipper;
+import rasterlab.engine.clip.volume.SteppedVolumeClipper;
+import rasterlab.engine.clip.volume.VolumeWalk;
 import rasterlab.engine.polygon.inside.EdgeWalk;
 import rasterlab.engine.polygon.inside.SteppedPolygonTest;
 import rasterlab.engine.spline.CurveWalk;
@@ -127,7 +127,7 @@ class StepsTest {
 
     private static final class BrokenClipper implements SteppedSegmentClipper {
         @Override
-        public ClipWalk walk(
+        public SegmentWalk walk(
                 double xmin,
                 double ymin,
                 double xmax,

@@ -1,4 +1,4 @@
-package rasterlab.engine.clip;
+package rasterlab.engine.clip.volume;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 
