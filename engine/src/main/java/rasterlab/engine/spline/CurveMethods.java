@@ -110,7 +110,7 @@ final class CurveMethods {
                 new About(
                         "n = ⌈√(d·(d − 1)·|Δ²|/(8·flatness))⌉ equal steps, points by Horner",
                         "h²/8 times the largest second derivative is within the flatness",
-                        "one square root per span, three multiplications per coordinate",
+                        "two square roots per span, three multiplications per coordinate",
                         "none known; too many steps where only a part bends; " + TOO_FINE,
                         "G.-Z. Wang, The subdivision method for finding the intersection between"
                                 + " two Bézier curves or surfaces, Zhejiang University Journal,"
@@ -137,7 +137,8 @@ final class CurveMethods {
                 new About(
                         "halve while h²·max(|B″(u)|, |B″(u + h)|)/8 is above the flatness",
                         "passed and waiting pieces together are the curve, the passed ones flat",
-                        "three multiplications and five additions per coordinate and halving",
+                        "three multiplications and three additions per coordinate and halving for"
+                                + " the middle and B″ there, besides the test",
                         "none known; " + TOO_FINE,
                         "J. Clark, central differencing, 1981; bound as for uniform"),
                 new AdaptiveCurve());

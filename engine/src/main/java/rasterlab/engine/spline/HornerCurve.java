@@ -22,9 +22,9 @@ public final class HornerCurve extends EvaluatedCurve implements SteppedPoint {
         double[] ofX = PowerForm.coefficients(curve, curve.x(), index);
         double[] ofY = PowerForm.coefficients(curve, curve.y(), index);
         return (u, point) -> {
-            double x = 0;
-            double y = 0;
-            for (int i = 0; i < ofX.length; i++) {
+            double x = ofX[0];
+            double y = ofY[0];
+            for (int i = 1; i < ofX.length; i++) {
                 x = x * u + ofX[i];
                 y = y * u + ofY[i];
             }
@@ -43,13 +43,13 @@ public final class HornerCurve extends EvaluatedCurve implements SteppedPoint {
         double[] ofX = PowerForm.coefficients(curve, curve.x(), span);
         double[] ofY = PowerForm.coefficients(curve, curve.y(), span);
         var steps = new ArrayList<PointStep>();
-        double x = 0;
-        double y = 0;
-        for (int i = 0; i < ofX.length; i++) {
+        double x = ofX[0];
+        double y = ofY[0];
+        steps.add(PointStep.of("C[0]", u, x, y));
+        for (int i = 1; i < ofX.length; i++) {
             x = x * u + ofX[i];
             y = y * u + ofY[i];
-            String text = i == 0 ? "C[0]" : "times u, plus C[" + i + "]";
-            steps.add(PointStep.of(text, u, x, y));
+            steps.add(PointStep.of("times u, plus C[" + i + "]", u, x, y));
         }
         return steps;
     }
