@@ -26,6 +26,7 @@ class LabTest {
                 "methods",
                 "run",
                 "study",
+                "chart",
                 "hazards",
                 "render",
                 "check",
