@@ -37,6 +37,16 @@ public final class TriangulateRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"polygon":[[x,y],...]}""",
+                """
+                {"triangles":[[i,j,k],...]}, corner numbers from 0, counter-clockwise with y \
+                up""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, POLYGON);
         Points polygon = Points.of(given.get(POLYGON));
