@@ -1,6 +1,7 @@
 package rasterlab.tests.bench;
 
 import java.awt.geom.Path2D;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -17,8 +18,8 @@ import rasterlab.engine.polygon.triangle.RobustTriangle;
 import rasterlab.engine.polygon.triangle.TriangleBatch;
 
 /**
- * One triangle and many points of its surroundings, about two fifths of them inside, each judged
- * and the answer kept. There are more points than a processor can learn the answers to.
+ * Several triangles and many points of the surroundings of each, about a third of them inside, each
+ * judged and the answer kept. There are more points than a processor can learn the answers to.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
@@ -27,16 +28,17 @@ public class PointInTriangleBenchmark {
     static final List<Goal> GOALS =
             List.of(goal("one by one", "robust", 12), goal("in batches", "batch", 90));
 
-    private static final int POINTS = 1 << 16;
+    private static final int TRIANGLES = 16;
+    private static final int POINTS = 1 << 12;
     private static final double SIZE = 100;
 
-    private final double[] x = new double[POINTS];
-    private final double[] y = new double[POINTS];
-    private final boolean[] inside = new boolean[POINTS];
-    private final double[] depth = new double[POINTS];
+    private final double[][] corners = new double[TRIANGLES][6];
+    private final double[][] x = new double[TRIANGLES][POINTS];
+    private final double[][] y = new double[TRIANGLES][POINTS];
+    private final boolean[][] inside = new boolean[TRIANGLES][POINTS];
     private final RobustTriangle robust = new RobustTriangle();
-    private final TriangleBatch batch = new TriangleBatch(10, 5, 95, 30, 40, 90);
-    private final Path2D path = new Path2D.Double();
+    private final TriangleBatch[] batches = new TriangleBatch[TRIANGLES];
+    private final Path2D[] paths = new Path2D[TRIANGLES];
 
     private static Goal goal(String how, String ours, double ratio) {
         return new Goal(
@@ -48,39 +50,69 @@ public class PointInTriangleBenchmark {
                 ratio);
     }
 
+    /**
+     * Places triangles of some size and their points.
+     *
+     * @throws AssertionError if two ways judge a point differently
+     */
     @Setup
     public void prepare() {
         var random = new Random(2005);
-        for (int i = 0; i < POINTS; i++) {
-            x[i] = SIZE * random.nextDouble();
-            y[i] = SIZE * random.nextDouble();
+        for (int t = 0; t < TRIANGLES; t++) {
+            double middle = SIZE / 2;
+            for (int k = 0; k < 3; k++) {
+                double angle = 2 * Math.PI * (k + 0.5 * random.nextDouble()) / 3;
+                corners[t][2 * k] = middle + middle * StrictMath.cos(angle);
+                corners[t][2 * k + 1] = middle + middle * StrictMath.sin(angle);
+            }
+            for (int i = 0; i < POINTS; i++) {
+                x[t][i] = SIZE * random.nextDouble();
+                y[t][i] = SIZE * random.nextDouble();
+            }
+            double[] c = corners[t];
+            batches[t] = new TriangleBatch(c[0], c[1], c[2], c[3], c[4], c[5]);
+            paths[t] = path(c);
         }
-        path.moveTo(10, 5);
-        path.lineTo(95, 30);
-        path.lineTo(40, 90);
+        String expected = Arrays.deepToString(path2d());
+        if (!Arrays.deepToString(robust()).equals(expected))
+            throw new AssertionError("robust and path2d judge differently");
+        if (!Arrays.deepToString(batch()).equals(expected))
+            throw new AssertionError("batch and path2d judge differently");
+    }
+
+    private static Path2D path(double[] corners) {
+        var path = new Path2D.Double();
+        path.moveTo(corners[0], corners[1]);
+        path.lineTo(corners[2], corners[3]);
+        path.lineTo(corners[4], corners[5]);
         path.closePath();
+        return path;
     }
 
     @Benchmark
-    @OperationsPerInvocation(POINTS)
-    public boolean[] robust() {
-        for (int i = 0; i < POINTS; i++)
-            inside[i] = robust.contains(10, 5, 95, 30, 40, 90, x[i], y[i]);
+    @OperationsPerInvocation(TRIANGLES * POINTS)
+    public boolean[][] robust() {
+        for (int t = 0; t < TRIANGLES; t++) {
+            double[] c = corners[t];
+            for (int i = 0; i < POINTS; i++)
+                inside[t][i] =
+                        robust.contains(c[0], c[1], c[2], c[3], c[4], c[5], x[t][i], y[t][i]);
+        }
         return inside;
     }
 
-    /** The answer is the sign of each number written. */
     @Benchmark
-    @OperationsPerInvocation(POINTS)
-    public double[] batch() {
-        batch.judge(x, y, depth);
-        return depth;
+    @OperationsPerInvocation(TRIANGLES * POINTS)
+    public boolean[][] batch() {
+        for (int t = 0; t < TRIANGLES; t++) batches[t].judge(x[t], y[t], inside[t]);
+        return inside;
     }
 
     @Benchmark
-    @OperationsPerInvocation(POINTS)
-    public boolean[] path2d() {
-        for (int i = 0; i < POINTS; i++) inside[i] = path.contains(x[i], y[i]);
+    @OperationsPerInvocation(TRIANGLES * POINTS)
+    public boolean[][] path2d() {
+        for (int t = 0; t < TRIANGLES; t++)
+            for (int i = 0; i < POINTS; i++) inside[t][i] = paths[t].contains(x[t][i], y[t][i]);
         return inside;
     }
 }

@@ -61,7 +61,7 @@ final class LinePlaneInputs {
                         recorded(WRONG, EXACT, EXACT)),
                 hazard(
                         "tiny",
-                        "Coordinates of 10⁻²⁰⁰, whose products vanish.",
+                        "Points 10⁻²⁰⁰ apart: the plain product of two differences would be 0.",
                         Plane.through(at(1e-200, 0, 0), at(0, 2e-200, 0), at(0, 0, 3e-200)),
                         new Line(O, at(1e-200, 2e-200, 3e-200)),
                         recorded(EXACT, EXACT, EXACT)),

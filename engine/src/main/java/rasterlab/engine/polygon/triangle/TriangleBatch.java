@@ -37,7 +37,9 @@ public final class TriangleBatch {
     private final double bound;
     private final boolean thin;
     private final RobustTriangle robust = new RobustTriangle();
-    private final double[] block = new double[BLOCK];
+    private final double[] blockX = new double[BLOCK];
+    private final double[] blockY = new double[BLOCK];
+    private final double[] depth = new double[BLOCK];
     private final double[] doubts = new double[BLOCK];
 
     /**
@@ -68,22 +70,31 @@ public final class TriangleBatch {
     }
 
     /**
-     * Sets {@code depth[i]} to a number that is at least 0 where point (x[i], y[i]) lies in the
-     * triangle or on its boundary, and below 0 where it does not.
+     * Sets {@code inside[i]} to whether point (x[i], y[i]) lies in the triangle or on its boundary.
      *
-     * @param depth as many as {@code x} and {@code y}
+     * @param inside as many as {@code x} and {@code y}
      * @throws IllegalArgumentException if the counts differ, or a coordinate is NaN or infinite
      */
-    public void judge(double[] x, double[] y, double[] depth) {
-        if (y.length != x.length || depth.length != x.length)
+    public void judge(double[] x, double[] y, boolean[] inside) {
+        if (y.length != x.length || inside.length != x.length)
             throw new IllegalArgumentException(
-                    "x, y and depth must be as many, got "
-                            + (x.length + ", " + y.length + ", " + depth.length));
-        measure(x, y, depth);
-        if (thin || doubtful(depth)) repair(x, y, depth);
+                    "x, y and inside must be as many, got "
+                            + (x.length + ", " + y.length + ", " + inside.length));
+        Arrays.fill(doubts, 0);
+        for (int from = 0; from < x.length; from += BLOCK) {
+            int count = Math.min(BLOCK, x.length - from);
+            measure(x, y, from, count);
+            for (int i = 0; i < count; i++) inside[from + i] = depth[i] >= 0;
+        }
+        if (thin || doubtful()) repair(x, y, inside);
     }
 
-    private void measure(double[] x, double[] y, double[] depth) {
+    /**
+     * Computes the depths of a block of points, and adds up what doubts there are of their signs: t
+     * + |t| is 0 where t = bound − |depth| is negative, and NaN where it is infinite. A short block
+     * is filled up with its first point.
+     */
+    private void measure(double[] x, double[] y, int from, int count) {
         double a0 = orientation * (ay - by);
         double b0 = orientation * (bx - ax);
         double c0 = -(a0 * ax + b0 * ay);
@@ -93,46 +104,44 @@ public final class TriangleBatch {
         double a2 = orientation * (cy - ay);
         double b2 = orientation * (ax - cx);
         double c2 = -(a2 * cx + b2 * cy);
+        // Only loops over whole arrays that start at 0 are run for several points at once.
+        System.arraycopy(x, from, blockX, 0, count);
+        System.arraycopy(y, from, blockY, 0, count);
+        Arrays.fill(blockX, count, BLOCK, x[from]);
+        Arrays.fill(blockY, count, BLOCK, y[from]);
         for (int i = 0; i < depth.length; i++) {
-            double e0 = Math.fma(a0, x[i], Math.fma(b0, y[i], c0));
-            double e1 = Math.fma(a1, x[i], Math.fma(b1, y[i], c1));
-            double e2 = Math.fma(a2, x[i], Math.fma(b2, y[i], c2));
+            double e0 = Math.fma(a0, blockX[i], Math.fma(b0, blockY[i], c0));
+            double e1 = Math.fma(a1, blockX[i], Math.fma(b1, blockY[i], c1));
+            double e2 = Math.fma(a2, blockX[i], Math.fma(b2, blockY[i], c2));
             double lesser = (e0 + e1) - Math.abs(e0 - e1);
             depth[i] = (lesser + e2) - Math.abs(lesser - e2);
-        }
-    }
-
-    /** Whether some |depth| does not exceed the bound, or is no number. */
-    private boolean doubtful(double[] depth) {
-        Arrays.fill(doubts, 0);
-        int from = 0;
-        for (; from + BLOCK <= depth.length; from += BLOCK) {
-            System.arraycopy(depth, from, block, 0, BLOCK);
-            addDoubts(block, doubts, bound);
-        }
-        Arrays.fill(block, Double.MAX_VALUE);
-        System.arraycopy(depth, from, block, 0, depth.length - from);
-        addDoubts(block, doubts, bound);
-        double sum = 0;
-        for (double doubt : doubts) sum += doubt;
-        return sum != 0;
-    }
-
-    /** t + |t| is 0 where t = bound − |depth| is negative, and NaN where it is infinite. */
-    private static void addDoubts(double[] depth, double[] doubts, double bound) {
-        for (int i = 0; i < doubts.length; i++) {
             double t = bound - Math.abs(depth[i]);
             doubts[i] += t + Math.abs(t);
         }
     }
 
+    /** Whether some |depth| did not exceed the bound, or was no number. */
+    private boolean doubtful() {
+        double sum = 0;
+        for (double doubt : doubts) sum += doubt;
+        return sum != 0;
+    }
+
     /** Judges the points whose depth may have the wrong sign one by one: NaN is one of those. */
-    private void repair(double[] x, double[] y, double[] depth) {
-        for (int i = 0; i < x.length; i++) {
-            double size = Math.abs(depth[i]);
-            if (!thin && size > bound && size < Double.POSITIVE_INFINITY) continue;
-            SideWalk.requireFinite(x[i], y[i], 0, 0, 0, 0, 0, 0);
-            depth[i] = robust.contains(ax, ay, bx, by, cx, cy, x[i], y[i]) ? 0 : -Double.MIN_VALUE;
+    private void repair(double[] x, double[] y, boolean[] inside) {
+        for (int from = 0; from < x.length; from += BLOCK) {
+            int count = Math.min(BLOCK, x.length - from);
+            measure(x, y, from, count);
+            for (int i = 0; i < count; i++) {
+                double size = Math.abs(depth[i]);
+                if (!thin && size > bound && size < Double.POSITIVE_INFINITY) continue;
+                inside[from + i] = exactly(x[from + i], y[from + i]);
+            }
         }
+    }
+
+    private boolean exactly(double x, double y) {
+        SideWalk.requireFinite(x, y, 0, 0, 0, 0, 0, 0);
+        return robust.contains(ax, ay, bx, by, cx, cy, x, y);
     }
 }

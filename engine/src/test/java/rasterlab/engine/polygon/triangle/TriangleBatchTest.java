@@ -114,7 +114,9 @@ class TriangleBatchTest {
             var refusal =
                     assertThrows(
                             IllegalArgumentException.class,
-                            () -> batch.judge(new double[] {1, bad}, new double[2], new double[2]));
+                            () ->
+                                    batch.judge(
+                                            new double[] {1, bad}, new double[2], new boolean[2]));
             assertEquals("coordinate 0 must be finite, got " + bad, refusal.getMessage());
         }
     }
@@ -124,7 +126,7 @@ class TriangleBatchTest {
         var batch = new TriangleBatch(0, 0, 8, 0, 0, 8);
         assertThrows(
                 IllegalArgumentException.class,
-                () -> batch.judge(new double[2], new double[2], new double[1]));
+                () -> batch.judge(new double[2], new double[2], new boolean[1]));
     }
 
     private static Points corners(DoubleSupplier coordinate) {
@@ -143,23 +145,23 @@ class TriangleBatchTest {
         return Points.of(values);
     }
 
-    private static double[] judged(Points t, Points points) {
-        var depth = new double[points.size()];
+    private static boolean[] judged(Points t, Points points) {
+        var inside = new boolean[points.size()];
         new TriangleBatch(t.x(0), t.y(0), t.x(1), t.y(1), t.x(2), t.y(2))
-                .judge(points.xs(), points.ys(), depth);
-        return depth;
+                .judge(points.xs(), points.ys(), inside);
+        return inside;
     }
 
     private static void assertExact(Points t, Points points, String where) {
-        double[] depth = judged(t, points);
+        boolean[] judged = judged(t, points);
         var exact = new ExactMembership(t);
         var robust = new RobustTriangle();
-        for (int i = 0; i < depth.length; i++) {
+        for (int i = 0; i < judged.length; i++) {
             double x = points.x(i);
             double y = points.y(i);
             boolean inside = exact.contains(x, y);
             String point = where + ", " + t + " (" + x + ", " + y + ")";
-            assertEquals(inside, depth[i] >= 0, point);
+            assertEquals(inside, judged[i], point);
             assertEquals(
                     inside,
                     robust.contains(t.x(0), t.y(0), t.x(1), t.y(1), t.x(2), t.y(2), x, y),
@@ -168,13 +170,13 @@ class TriangleBatchTest {
     }
 
     private static void assertAsRobust(Points t, Points points, String where) {
-        double[] depth = judged(t, points);
+        boolean[] judged = judged(t, points);
         var robust = new RobustTriangle();
-        for (int i = 0; i < depth.length; i++) {
+        for (int i = 0; i < judged.length; i++) {
             double x = points.x(i);
             double y = points.y(i);
             boolean inside = robust.contains(t.x(0), t.y(0), t.x(1), t.y(1), t.x(2), t.y(2), x, y);
-            assertEquals(inside, depth[i] >= 0, where + ", " + t + " (" + x + ", " + y + ")");
+            assertEquals(inside, judged[i], where + ", " + t + " (" + x + ", " + y + ")");
         }
     }
 }
