@@ -85,8 +85,8 @@ class LinePropertyTest {
     void aMovedLineIsTheSameLineMoved(
             @ForAll("right") String method,
             @ForAll("segments") Segment s,
-            @ForAll short byX,
-            @ForAll short byY) {
+            @ForAll @IntRange(min = -2_000_000_000, max = 2_000_000_000) int byX,
+            @ForAll @IntRange(min = -2_000_000_000, max = 2_000_000_000) int byY) {
         PixelRecording drawn = draw(method, s);
         var moved = new Segment(s.x0() + byX, s.y0() + byY, s.x1() + byX, s.y1() + byY);
         PixelRecording there = draw(method, moved);
