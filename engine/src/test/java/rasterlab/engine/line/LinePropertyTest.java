@@ -255,6 +255,26 @@ class LinePropertyTest {
         }
     }
 
+    /** Its last cell has the index 2²⁶ − 1, which with 38 places behind the point fills a long. */
+    @Test
+    void theLargestPictureGetsBresenhamsPixelsInItsLastCells() {
+        int last = Raster.LARGEST_SIDE - 1;
+        var picture = new Raster(last + 1, last + 1);
+        for (Segment s :
+                List.of(
+                        new Segment(last, last, last - 190, 0),
+                        new Segment(last - 333, 0, last, last),
+                        new Segment(last, last, 0, last - 777),
+                        new Segment(last + 50, last + 9_999, 12, -5))) {
+            RasterLine.draw(s.x0(), s.y0(), s.x1(), s.y1(), -1, picture);
+            var walk =
+                    new BresenhamLine()
+                            .walk(s.x0(), s.y0(), s.x1(), s.y1(), PixelWindow.of(picture));
+            while (walk.advance())
+                assertEquals(-1, picture.argb(walk.x(), walk.y()), s + " at " + walk.y());
+        }
+    }
+
     private static long longerStep(Segment s, int x, int y) {
         long dx = Math.abs((long) s.x1() - s.x0());
         long dy = Math.abs((long) s.y1() - s.y0());
