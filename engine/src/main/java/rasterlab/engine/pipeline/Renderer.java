@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.engine.light.Shadings;
-import rasterlab.engine.line.BresenhamLine;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.PictureFit;
@@ -22,11 +21,11 @@ public final class Renderer {
     public static final String REFERENCE = "raycast";
 
     /** To look names up; pictures are drawn by a renderer's own. */
-    private static final Visibilities KNOWN = newVisibilities();
+    private static final Visibilities KNOWN = new Visibilities();
 
     private static final Shadings SHADINGS = new Shadings();
 
-    private final Visibilities visibilities = newVisibilities();
+    private final Visibilities visibilities = new Visibilities();
 
     /** Names of the visibility methods, in teaching order. */
     public static List<String> visibilities() {
@@ -46,10 +45,6 @@ public final class Renderer {
     /** The visibility methods with what a teacher says about each. */
     public static List<Method<Visibility>> visibilityMethods() {
         return KNOWN.methods();
-    }
-
-    private static Visibilities newVisibilities() {
-        return new Visibilities(new BresenhamLine());
     }
 
     static void checkNames(String visibility, String shading, boolean outline) {

@@ -62,10 +62,10 @@ public record PixelDifference(PixelSet right, PixelSet missing, PixelSet extra) 
     }
 
     /** The smallest box around all three sets; none if there is no pixel at all. */
-    public Optional<PixelBox> box() {
+    public Optional<PixelWindow> box() {
         if (right.isEmpty() && isEmpty()) return Optional.empty();
         return Optional.of(
-                new PixelBox(
+                new PixelWindow(
                         xs().min().orElseThrow(),
                         ys().min().orElseThrow(),
                         xs().max().orElseThrow(),
@@ -85,32 +85,32 @@ public record PixelDifference(PixelSet right, PixelSet missing, PixelSet extra) 
     }
 
     /** The part of the box that {@link #text} shows; none if there is no pixel at all. */
-    public Optional<PixelBox> shown() {
+    public Optional<PixelWindow> shown() {
         return box().map(this::shown);
     }
 
-    private PixelBox shown(PixelBox whole) {
+    private PixelWindow shown(PixelWindow whole) {
         PixelSet wrong = missing.union(extra);
         PixelSet centre = wrong.isEmpty() ? right : wrong;
         return whole.around(centre.x(0), centre.y(0), MOST_COLUMNS, MOST_ROWS);
     }
 
-    private String text(PixelBox whole) {
-        PixelBox shown = shown(whole);
+    private String text(PixelWindow whole) {
+        PixelWindow shown = shown(whole);
         var text = new StringBuilder();
         if (!shown.equals(whole)) text.append(part(shown, whole)).append('\n');
-        for (long y = shown.minY(); y <= shown.maxY(); y++) {
-            if (y > shown.minY()) text.append('\n');
-            for (long x = shown.minX(); x <= shown.maxX(); x++) text.append(mark((int) x, (int) y));
+        for (long y = shown.ymin(); y <= shown.ymax(); y++) {
+            if (y > shown.ymin()) text.append('\n');
+            for (long x = shown.xmin(); x <= shown.xmax(); x++) text.append(mark((int) x, (int) y));
         }
         return text.toString();
     }
 
-    private static String part(PixelBox shown, PixelBox whole) {
+    private static String part(PixelWindow shown, PixelWindow whole) {
         return "columns "
-                + range(shown.minX(), shown.maxX(), whole.minX(), whole.maxX())
+                + range(shown.xmin(), shown.xmax(), whole.xmin(), whole.xmax())
                 + ", rows "
-                + range(shown.minY(), shown.maxY(), whole.minY(), whole.maxY());
+                + range(shown.ymin(), shown.ymax(), whole.ymin(), whole.ymax());
     }
 
     private static String range(int from, int to, int wholeFrom, int wholeTo) {

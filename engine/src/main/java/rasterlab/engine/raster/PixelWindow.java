@@ -1,6 +1,9 @@
 package rasterlab.engine.raster;
 
-/** The pixels [xmin, xmax] × [ymin, ymax], both ends included. x grows right, y grows down. */
+/**
+ * The pixels [xmin, xmax] × [ymin, ymax], both ends included, so at least one. x grows right, y
+ * grows down.
+ */
 public record PixelWindow(int xmin, int ymin, int xmax, int ymax) {
     /** Every pixel there is. */
     public static final PixelWindow EVERYTHING =
@@ -21,5 +24,35 @@ public record PixelWindow(int xmin, int ymin, int xmax, int ymax) {
 
     public boolean contains(int x, int y) {
         return x >= xmin && x <= xmax && y >= ymin && y <= ymax;
+    }
+
+    /** Number of columns, 1 to 2³². */
+    public long width() {
+        return (long) xmax - xmin + 1;
+    }
+
+    /** Number of rows, 1 to 2³². */
+    public long height() {
+        return (long) ymax - ymin + 1;
+    }
+
+    /**
+     * A part of this window of at most {@code columns} × {@code rows} pixels around (x, y), moved
+     * so that it stays inside.
+     */
+    PixelWindow around(int x, int y, int columns, int rows) {
+        long left =
+                Math.min(
+                        Math.max((long) x - columns / 2, xmin),
+                        Math.max(xmin, (long) xmax - columns + 1));
+        long top =
+                Math.min(
+                        Math.max((long) y - rows / 2, ymin),
+                        Math.max(ymin, (long) ymax - rows + 1));
+        return new PixelWindow(
+                (int) left,
+                (int) top,
+                (int) Math.min(xmax, left + columns - 1),
+                (int) Math.min(ymax, top + rows - 1));
     }
 }

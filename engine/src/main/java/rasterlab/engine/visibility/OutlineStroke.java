@@ -1,26 +1,24 @@
 package rasterlab.engine.visibility;
 
-import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.RasterLine;
 import rasterlab.engine.raster.Raster;
 
 /**
- * The edges of a polygon, drawn with a line method between the corners' nearest pixels.
+ * The edges of a polygon, drawn between the corners' nearest pixels by {@link RasterLine}, which
+ * enters the picture without walking there.
  *
- * <p>An edge that leaves the picture by more than a margin is first cut there (Liang and Barsky,
- * 1984), so that the line method never walks over pixels nobody sees; inside the margin the line is
- * the uncut one to within half a pixel.
+ * <p>An edge that goes on beyond the range of int is first cut to a margin within it (Liang and
+ * Barsky, 1984); seen from the picture it stays the uncut one to within half a pixel.
  */
 final class OutlineStroke {
-    private static final double MARGIN = 64;
+    private static final double MARGIN = 1 << 30;
 
-    private final LineRasterizer line;
     private final Raster out;
     private final int argb;
     private double enter;
     private double leave;
 
-    OutlineStroke(LineRasterizer line, Raster out, int argb) {
-        this.line = line;
+    OutlineStroke(Raster out, int argb) {
         this.out = out;
         this.argb = argb;
     }
@@ -30,7 +28,7 @@ final class OutlineStroke {
             edge(polygon.x(p), polygon.y(p), polygon.x(k), polygon.y(k));
     }
 
-    private void edge(double x0, double y0, double x1, double y1) {
+    void edge(double x0, double y0, double x1, double y1) {
         double dx = x1 - x0;
         double dy = y1 - y0;
         enter = 0;
@@ -41,12 +39,13 @@ final class OutlineStroke {
                         && keep(-dy, y0 + MARGIN)
                         && keep(dy, out.height() + MARGIN - y0);
         if (!seen) return;
-        line.draw(
+        RasterLine.draw(
                 (int) Math.rint(x0 + enter * dx),
                 (int) Math.rint(y0 + enter * dy),
                 (int) Math.rint(x0 + leave * dx),
                 (int) Math.rint(y0 + leave * dy),
-                this::plot);
+                argb,
+                out);
     }
 
     /** Cuts the parameters to {@code t · speed ≤ room}; false when nothing remains. */
@@ -56,9 +55,5 @@ final class OutlineStroke {
         if (speed < 0) enter = Math.max(enter, t);
         else leave = Math.min(leave, t);
         return enter <= leave;
-    }
-
-    private void plot(int x, int y) {
-        if (out.contains(x, y)) out.argb()[y * out.width() + x] = argb;
     }
 }

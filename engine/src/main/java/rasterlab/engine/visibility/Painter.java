@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
-import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.raster.Raster;
 
 /**
@@ -14,11 +13,6 @@ import rasterlab.engine.raster.Raster;
  * the mesh. A mean cannot order faces that overlap in depth, which is where this method errs.
  */
 final class Painter implements Visibility {
-    private final LineRasterizer outline;
-
-    Painter(LineRasterizer outline) {
-        this.outline = outline;
-    }
 
     @Override
     public boolean drawsOutlines() {
@@ -31,7 +25,7 @@ final class Painter implements Visibility {
         for (int face : farthestFirst(view)) {
             Cancellation.check(cancelled);
             polygon.load(view, face);
-            FaceBrush.paint(polygon, face, paint, outline, out);
+            FaceBrush.paint(polygon, face, paint, out);
         }
     }
 

@@ -1,7 +1,6 @@
 package rasterlab.engine.visibility;
 
 import java.util.function.BooleanSupplier;
-import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.raster.Raster;
 
 /**
@@ -16,11 +15,6 @@ import rasterlab.engine.raster.Raster;
  * also come from rounded coordinates; here every method gets the same colours.
  */
 final class TextbookPainter implements Visibility {
-    private final LineRasterizer outline;
-
-    TextbookPainter(LineRasterizer outline) {
-        this.outline = outline;
-    }
 
     @Override
     public boolean drawsOutlines() {
@@ -42,7 +36,7 @@ final class TextbookPainter implements Visibility {
             drawn[face] = true;
             polygon.load(view, face, x, y, z);
             polygon.roundToPixels();
-            FaceBrush.paint(polygon, face, paint, outline, out);
+            FaceBrush.paint(polygon, face, paint, out);
         }
     }
 

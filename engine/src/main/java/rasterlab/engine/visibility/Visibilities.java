@@ -1,7 +1,6 @@
 package rasterlab.engine.visibility;
 
 import java.util.List;
-import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Method.About;
@@ -13,14 +12,11 @@ public final class Visibilities {
 
     private final List<Method<Visibility>> methods;
 
-    /**
-     * @param outline draws the edges where an outline is asked for
-     */
-    public Visibilities(LineRasterizer outline) {
+    public Visibilities() {
         methods =
                 List.of(
-                        new Method<>("painter-textbook", textbook(), new TextbookPainter(outline)),
-                        new Method<>("painter", painter(), new Painter(outline)),
+                        new Method<>("painter-textbook", textbook(), new TextbookPainter()),
+                        new Method<>("painter", painter(), new Painter()),
                         new Method<>("zfloat", zfloat(), new FloatZBuffer()),
                         new Method<>("raycast", raycast(), new RayCast()));
     }

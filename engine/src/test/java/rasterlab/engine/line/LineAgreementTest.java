@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.raster.PixelRecording;
-import rasterlab.engine.study.Deviation;
 
 /** The right methods against the exact line and against each other. */
 class LineAgreementTest {
@@ -32,42 +31,6 @@ class LineAgreementTest {
         var random = new Random(SEED);
         for (int i = 0; i < 100_000; i++)
             assertAllExact(randomSegment(random), "seed " + SEED + ", segment number " + i);
-    }
-
-    @Test
-    void bothDirectionsLightTheSamePixels() {
-        var random = new Random(SEED);
-        for (int i = 0; i < 2_000; i++) {
-            Segment segment = randomSegment(random);
-            int limit = (int) Math.min(segment.steps() + 1, 5_000);
-            if (segment.steps() >= limit) continue;
-            for (String method : RIGHT) {
-                PixelRecording there = record(method, segment, limit);
-                PixelRecording back = record(method, segment.reversed(), limit);
-                Deviation deviation = TOPIC.compare(segment, there, back);
-                assertEquals(0, deviation.worst(), () -> method + " " + segment + ", seed " + SEED);
-            }
-        }
-    }
-
-    @Test
-    void translationMovesThePixelsAlong() {
-        var random = new Random(SEED);
-        for (int i = 0; i < 2_000; i++) {
-            Segment at = new Segment(0, 0, random.nextInt(-99, 99), random.nextInt(-99, 99));
-            int byX = random.nextInt(-2_000_000_000, 2_000_000_000);
-            int byY = random.nextInt(-2_000_000_000, 2_000_000_000);
-            Segment moved = new Segment(byX, byY, byX + at.x1(), byY + at.y1());
-            for (String method : RIGHT) {
-                PixelRecording near = record(method, at, 200);
-                PixelRecording far = record(method, moved, 200);
-                for (int p = 0; p < near.size(); p++) {
-                    String where = method + " " + moved + ", write " + p + ", seed " + SEED;
-                    assertEquals(near.x(p) + byX, far.x(p), where);
-                    assertEquals(near.y(p) + byY, far.y(p), where);
-                }
-            }
-        }
     }
 
     @ParameterizedTest(name = "longer by {0} than half, one in {0}")

@@ -85,8 +85,8 @@ class LinePropertyTest {
     void aMovedLineIsTheSameLineMoved(
             @ForAll("right") String method,
             @ForAll("segments") Segment s,
-            @ForAll short byX,
-            @ForAll short byY) {
+            @ForAll @IntRange(min = -2_000_000_000, max = 2_000_000_000) int byX,
+            @ForAll @IntRange(min = -2_000_000_000, max = 2_000_000_000) int byY) {
         PixelRecording drawn = draw(method, s);
         var moved = new Segment(s.x0() + byX, s.y0() + byY, s.x1() + byX, s.y1() + byY);
         PixelRecording there = draw(method, moved);
@@ -252,6 +252,26 @@ class LinePropertyTest {
                             .walk(s.x0(), s.y0(), s.x1(), s.y1(), PixelWindow.of(picture));
             while (walk.advance())
                 assertEquals(-1, picture.argb(walk.x(), walk.y()), s + " at " + walk.x());
+        }
+    }
+
+    /** Its last cell has the index 2²⁶ − 1, which with 38 places behind the point fills a long. */
+    @Test
+    void theLargestPictureGetsBresenhamsPixelsInItsLastCells() {
+        int last = Raster.LARGEST_SIDE - 1;
+        var picture = new Raster(last + 1, last + 1);
+        for (Segment s :
+                List.of(
+                        new Segment(last, last, last - 190, 0),
+                        new Segment(last - 333, 0, last, last),
+                        new Segment(last, last, 0, last - 777),
+                        new Segment(last + 50, last + 9_999, 12, -5))) {
+            RasterLine.draw(s.x0(), s.y0(), s.x1(), s.y1(), -1, picture);
+            var walk =
+                    new BresenhamLine()
+                            .walk(s.x0(), s.y0(), s.x1(), s.y1(), PixelWindow.of(picture));
+            while (walk.advance())
+                assertEquals(-1, picture.argb(walk.x(), walk.y()), s + " at " + walk.y());
         }
     }
 

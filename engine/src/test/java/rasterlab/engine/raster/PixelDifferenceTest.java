@@ -18,7 +18,7 @@ class PixelDifferenceTest {
         var difference =
                 PixelDifference.of(recording(-2, -1, -1, -1, 0, 0), recording(-2, -1, 0, 0, 1, 1));
         assertEquals("#-..\n..#.\n...+", difference.text());
-        assertEquals(Optional.of(new PixelBox(-2, -1, 1, 1)), difference.box());
+        assertEquals(Optional.of(new PixelWindow(-2, -1, 1, 1)), difference.box());
         assertEquals(2, difference.right().size());
         assertEquals(1, difference.missing().size());
         assertEquals(1, difference.extra().size());

@@ -9,7 +9,6 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.engine.line.BresenhamLine;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Mesh;
 
@@ -55,7 +54,7 @@ class PainterTest {
         faces.add(new int[] {4, 5, 6, 7});
         var view = SideView.parallel(new Mesh(xyz, faces.toArray(int[][]::new)), 101, 41);
         var out = new Raster(101, 41);
-        new Visibilities(new BresenhamLine())
+        new Visibilities()
                 .named(method)
                 .implementation()
                 .draw(view, new FacePaint(new int[] {BAND, SQUARE}, new int[0]), out, () -> false);

@@ -11,10 +11,10 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
-import rasterlab.engine.raster.PixelBox;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.raster.PixelSet;
+import rasterlab.engine.raster.PixelWindow;
 
 /** Draws the pixels of a box as a zoomed grid: those lit as squares, wrong ones as their marks. */
 final class GridPicture {
@@ -28,13 +28,13 @@ final class GridPicture {
     private static final Color GRID = new Color(0xD8DCE2);
     private static final Color LIT = new Color(0x2B3A4A);
 
-    private final PixelBox box;
+    private final PixelWindow box;
     private final int cell;
 
     /**
      * @param box at most some hundred pixels wide and high
      */
-    GridPicture(PixelBox box) {
+    GridPicture(PixelWindow box) {
         this.box = box;
         int longest = (int) Math.max(box.width(), box.height());
         cell = Math.max(SMALLEST_CELL, Math.min(LARGEST_CELL, SIDE / longest));
@@ -89,7 +89,7 @@ final class GridPicture {
     private void each(PixelSet pixels, BiConsumer<Integer, Integer> corner) {
         for (int i = 0; i < pixels.size(); i++)
             if (box.contains(pixels.x(i), pixels.y(i)))
-                corner.accept((pixels.x(i) - box.minX()) * cell, (pixels.y(i) - box.minY()) * cell);
+                corner.accept((pixels.x(i) - box.xmin()) * cell, (pixels.y(i) - box.ymin()) * cell);
     }
 
     private static byte[] encoded(BufferedImage image) {
