@@ -46,6 +46,18 @@ final class LinePlaneRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"line":[[x,y,z],[x,y,z]]} with "plane":[[x,y,z],[x,y,z],[x,y,z]] or \
+                "normal":[a,b,c] and "point":[x,y,z]""",
+                """
+                {"mu":m, "point":[x,y,z], "part":"behind", "between" or "beyond", \
+                "angle":degrees, "cosines":[...] of the line, \
+                "projection": its length along the normal}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         if (steps) throw Steps.none(method);
         Given given = StrictJson.object(text, length, LINE, PLANE, NORMAL, POINT);

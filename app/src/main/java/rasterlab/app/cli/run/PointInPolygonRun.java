@@ -97,8 +97,7 @@ public final class PointInPolygonRun implements TopicRun {
                                         points,
                                         points.size(),
                                         (x, y) -> {
-                                            EdgeWalk walk =
-                                                    stepped.walk(polygonX, polygonY, x, y);
+                                            EdgeWalk walk = stepped.walk(polygonX, polygonY, x, y);
                                             steps.add(drained(walk));
                                             return walk.inside();
                                         }));
