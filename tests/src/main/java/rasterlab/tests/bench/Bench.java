@@ -21,6 +21,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import rasterlab.tests.bench.pipeline.PipelineBench;
 
 /** Measures the engine's methods beside their peers and prints the ratios. */
 @Command(
@@ -34,9 +35,12 @@ public final class Bench implements Callable<Integer> {
     private static final Map<String, Supplier<List<Goal>>> GROUPS =
             new TreeMap<>(Map.of("raster", RasterGoals::all));
 
+    /** Measured by a runner of its own, beside OpenGL in the same process. */
+    private static final String PIPELINE = "pipeline";
+
     @Spec private CommandSpec spec;
 
-    @Parameters(paramLabel = "GROUP", description = "raster")
+    @Parameters(paramLabel = "GROUP", description = "raster or pipeline")
     private String group;
 
     @Option(
@@ -60,6 +64,10 @@ public final class Bench implements Callable<Integer> {
 
     @Override
     public Integer call() throws RunnerException {
+        if (group.equals(PIPELINE)) {
+            new PipelineBench(quick, only, System.out).run();
+            return 0;
+        }
         List<Goal> goals = goals();
         var results = new Runner(options(goals).build()).run();
         System.out.println();
@@ -69,7 +77,13 @@ public final class Bench implements Callable<Integer> {
 
     private List<Goal> goals() {
         if (!GROUPS.containsKey(group))
-            throw wrong("unknown group '" + group + "'; allowed are " + GROUPS.keySet());
+            throw wrong(
+                    "unknown group '"
+                            + group
+                            + "'; allowed are "
+                            + GROUPS.keySet()
+                            + " and "
+                            + PIPELINE);
         List<Goal> all = GROUPS.get(group).get();
         List<Goal> goals = all.stream().filter(goal -> goal.work().contains(only)).toList();
         if (goals.isEmpty())

@@ -42,6 +42,11 @@ public final class TrianglePipeline implements AutoCloseable {
             workers[k] = new Worker(new VertexStage(), new Binner(), new BandStage());
     }
 
+    /** Number of threads, the caller's included. */
+    public int threads() {
+        return team.size();
+    }
+
     /**
      * Draws over what the picture holds.
      *
