@@ -19,6 +19,9 @@ public final class DistantLight implements VertexColors, PixelColors {
     /** The largest shininess, as in OpenGL's successors and the course. */
     public static final int SHINIEST = 200;
 
+    /** Far above 1 over any cosine that a float can tell from 0 in a picture. */
+    private static final float LIT = 1e6f;
+
     private static final Set<VertexQuantity> WANTS =
             EnumSet.range(VertexQuantity.X, VertexQuantity.NORMAL_Z);
 
@@ -74,11 +77,13 @@ public final class DistantLight implements VertexColors, PixelColors {
 
     @Override
     public void color(VertexBlock block) {
-        cosines(block.count, block.x, block.y, block.z, block.nx, block.ny, block.nz);
-        power(block.count, block.ny, block.nz);
-        channel(block.count, 0, block.nx, block.nz, block.red);
-        channel(block.count, 1, block.nx, block.nz, block.green);
-        channel(block.count, 2, block.nx, block.nz, block.blue);
+        int n = block.count;
+        halfway(n, block.x, block.y, block.z, block.red);
+        cosines(n, block.x, block.y, block.z, block.nx, block.ny, block.nz, block.red);
+        power(n, block.ny, block.nz);
+        channel(n, 0, block.nx, block.nz, block.red);
+        channel(n, 1, block.nx, block.nz, block.green);
+        channel(n, 2, block.nx, block.nz, block.blue);
     }
 
     @Override
@@ -90,7 +95,8 @@ public final class DistantLight implements VertexColors, PixelColors {
         float[] halfway = batch.values(VertexQuantity.NORMAL_Y);
         float[] highlight = batch.values(VertexQuantity.NORMAL_Z);
         int n = batch.count;
-        cosines(n, x, y, z, diffuse, halfway, highlight);
+        halfway(n, x, y, z, batch.nearness);
+        cosines(n, x, y, z, diffuse, halfway, highlight, batch.nearness);
         power(n, halfway, highlight);
         channel(n, 0, diffuse, highlight, x);
         channel(n, 1, diffuse, highlight, y);
@@ -103,26 +109,43 @@ public final class DistantLight implements VertexColors, PixelColors {
                             | (int) (z[i] * 255 + 0.5f);
     }
 
-    /** Replaces nx by max(0, n·l) and ny by max(0, n·h), or 0 where n·l is 0. */
-    private void cosines(
-            int n, float[] x, float[] y, float[] z, float[] nx, float[] ny, float[] nz) {
-        for (int i = 0; i < n; i++) {
-            float toEye = -1 / length(x[i], y[i], z[i]);
-            float hx = lightX + x[i] * toEye;
-            float hy = lightY + y[i] * toEye;
-            float hz = lightZ + z[i] * toEye;
-            float perNormal = 1 / length(nx[i], ny[i], nz[i]);
-            float perHalf = perNormal / length(hx, hy, hz);
-            float halfway = (nx[i] * hx + ny[i] * hy + nz[i] * hz) * perHalf;
-            float diffuse = (nx[i] * lightX + ny[i] * lightY + nz[i] * lightZ) * perNormal;
-            nx[i] = Math.max(0, diffuse);
-            // Far above 1 for all but a sliver of angles, then cut: a step without a branch.
-            ny[i] = Math.max(0, halfway) * Math.min(1, Math.max(0, diffuse) * 1e6f);
-        }
+    /** Replaces places by the vectors h, not of length 1. */
+    private void halfway(int n, float[] x, float[] y, float[] z, float[] perLength) {
+        invertLengths(n, x, y, z, perLength);
+        halfway(n, x, lightX, perLength);
+        halfway(n, y, lightY, perLength);
+        halfway(n, z, lightZ, perLength);
     }
 
-    private static float length(float x, float y, float z) {
-        return (float) Math.sqrt(x * x + y * y + z * z);
+    private static void halfway(int n, float[] place, float toLight, float[] perLength) {
+        for (int i = 0; i < n; i++) place[i] = toLight - place[i] * perLength[i];
+    }
+
+    private static void invertLengths(int n, float[] x, float[] y, float[] z, float[] out) {
+        for (int i = 0; i < n; i++)
+            out[i] = 1 / (float) Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    }
+
+    /** Replaces nx by max(0, n·l) and ny by max(0, n·h), or 0 where n·l is 0; h is lost. */
+    private void cosines(
+            int n,
+            float[] hx,
+            float[] hy,
+            float[] hz,
+            float[] nx,
+            float[] ny,
+            float[] nz,
+            float[] perLength) {
+        invertLengths(n, hx, hy, hz, perLength);
+        for (int i = 0; i < n; i++)
+            hx[i] = (nx[i] * hx[i] + ny[i] * hy[i] + nz[i] * hz[i]) * perLength[i];
+        invertLengths(n, nx, ny, nz, perLength);
+        for (int i = 0; i < n; i++)
+            nx[i] = (nx[i] * lightX + ny[i] * lightY + nz[i] * lightZ) * perLength[i];
+        for (int i = 0; i < n; i++) nx[i] = Math.max(0, nx[i]);
+        for (int i = 0; i < n; i++) ny[i] = Math.max(0, hx[i] * perLength[i]);
+        // 0 where no light falls, else 1 but for a sliver of angles: a step without a branch.
+        for (int i = 0; i < n; i++) ny[i] *= Math.min(1, nx[i] * LIT);
     }
 
     /** result = cosine to the power of the shininess; the cosines are lost. */

@@ -5,7 +5,10 @@ import java.util.Map;
 import java.util.Set;
 import rasterlab.engine.scene.VertexQuantity;
 
-/** Pixels that wait for their colours; cells [0, count) are used. */
+/**
+ * Pixels that wait for their colours; cells [0, count) are used. Who gets a batch may overwrite its
+ * values.
+ */
 public final class PixelBatch {
     /** The most pixels of a batch. */
     public static final int SIZE = 512;

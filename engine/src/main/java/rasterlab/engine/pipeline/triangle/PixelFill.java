@@ -14,8 +14,10 @@ final class PixelFill {
     private final PixelBatch batch;
     private final float[][] values;
 
-    /** Pixels from the row's first, for those that wait. */
-    private final float[] offset = new float[PixelBatch.SIZE];
+    /** The weights of a triangle's corners b and c at its pixels. */
+    private final float[] weightB = new float[PixelBatch.SIZE];
+
+    private final float[] weightC = new float[PixelBatch.SIZE];
 
     PixelFill(PixelColors colors) {
         this.colors = colors;
@@ -37,56 +39,64 @@ final class PixelFill {
     }
 
     void fill(DepthRaster out, TriangleScan scan, ScreenVertices v) {
+        int first = batch.count;
         for (int row = 0; row < scan.rows; row++)
             for (int done = 0; done < scan.count[row]; ) {
-                if (batch.count == PixelBatch.SIZE) flush(out);
+                if (batch.count == PixelBatch.SIZE) {
+                    interpolate(scan, v, first);
+                    flush(out);
+                    first = 0;
+                }
                 int n = Math.min(scan.count[row] - done, PixelBatch.SIZE - batch.count);
                 collect(out, scan, v, row, done, n);
                 done += n;
             }
+        interpolate(scan, v, first);
     }
 
-    /** The n pixels of a row from its pixel {@code first} on. */
+    /** What is nearest of the n pixels of a row from its pixel {@code first} on. */
     private void collect(
             DepthRaster out, TriangleScan scan, ScreenVertices v, int row, int first, int n) {
+        float[] depth = out.depth();
+        float za = v.depth[scan.a];
+        float zb = v.depth[scan.b] - za;
+        float zc = v.depth[scan.c] - za;
         float toB = scan.stepB * scan.inverseArea;
         float toC = scan.stepC * scan.inverseArea;
         float rowB = scan.edgeB[row] * scan.inverseArea;
         float rowC = scan.edgeC[row] * scan.inverseArea;
-        int from = (scan.top + row) * out.width() + scan.left[row] + first;
-        float za = v.depth[scan.a];
-        float zb = v.depth[scan.b] - za;
-        float zc = v.depth[scan.c] - za;
-        int old = batch.count;
-        test(out.depth(), from, first, n, za + rowB * zb + rowC * zc, toB * zb + toC * zc);
-        if (batch.count == old) return;
-        float qa = v.nearness[scan.a];
-        float qb = v.nearness[scan.b];
-        float qc = v.nearness[scan.c];
-        float stepQ = toB * (qb - qa) + toC * (qc - qa);
-        between(batch.nearness, old, qa + rowB * (qb - qa) + rowC * (qc - qa), stepQ);
-        for (int k = 0; k < values.length; k++) {
-            float a = v.attributes[k][scan.a] * qa;
-            float b = v.attributes[k][scan.b] * qb - a;
-            float c = v.attributes[k][scan.c] * qc - a;
-            between(values[k], old, a + rowB * b + rowC * c, toB * b + toC * c);
-        }
-    }
-
-    private void test(float[] depth, int from, int first, int n, float z, float step) {
+        float z = za + rowB * zb + rowC * zc;
+        float step = toB * zb + toC * zc;
+        int from = (scan.top + row) * out.width() + scan.left[row];
         int kept = batch.count;
-        for (int k = 0; k < n; k++) {
-            float here = z + (first + k) * step;
+        for (int k = first; k < first + n; k++) {
+            float here = z + k * step;
             if (!(here < depth[from + k])) continue;
             depth[from + k] = here;
             batch.cell[kept] = from + k;
-            offset[kept++] = first + k;
+            weightB[kept] = rowB + k * toB;
+            weightC[kept++] = rowC + k * toC;
         }
         batch.count = kept;
     }
 
-    private void between(float[] out, int from, float base, float step) {
-        for (int i = from; i < batch.count; i++) out[i] = base + offset[i] * step;
+    /** Values divided by w are linear on the picture: for the batch's pixels from {@code first}. */
+    private void interpolate(TriangleScan scan, ScreenVertices v, int first) {
+        if (batch.count == first) return;
+        float qa = v.nearness[scan.a];
+        float qb = v.nearness[scan.b];
+        float qc = v.nearness[scan.c];
+        between(batch.nearness, first, qa, qb - qa, qc - qa);
+        for (int k = 0; k < values.length; k++) {
+            float a = v.attributes[k][scan.a] * qa;
+            float b = v.attributes[k][scan.b] * qb - a;
+            float c = v.attributes[k][scan.c] * qc - a;
+            between(values[k], first, a, b, c);
+        }
+    }
+
+    private void between(float[] out, int first, float a, float b, float c) {
+        for (int i = first; i < batch.count; i++) out[i] = a + weightB[i] * b + weightC[i] * c;
     }
 
     /** Divides, colours and writes what waits. */

@@ -15,9 +15,6 @@ final class TriangleScan {
     /** Rows of a band. */
     static final int ROWS = 32;
 
-    /** Boxes up to this many pixels wide are searched from the left. */
-    private static final int NARROW = 8;
-
     /** The corners' numbers, so turned that the area is positive. */
     int a;
 
@@ -86,7 +83,10 @@ final class TriangleScan {
         rowA = cross(cx - bx, cy - by, px - bx, py - by) + ownA;
         rowB = cross(ax - cx, ay - cy, px - cx, py - cy) + ownB;
         rowC = cross(bx - ax, by - ay, px - ax, py - ay) + ownC;
-        scan((long) (cx - bx) << 8, (long) (ax - cx) << 8, (long) (bx - ax) << 8);
+        scan(
+                (long) (cx - bx) << Subpixels.BITS,
+                (long) (ax - cx) << Subpixels.BITS,
+                (long) (bx - ax) << Subpixels.BITS);
     }
 
     private static long cross(int ax, int ay, int bx, int by) {
@@ -98,81 +98,45 @@ final class TriangleScan {
         return dy < 0 || dy == 0 && dx > 0 ? 0 : -1;
     }
 
+    /**
+     * A row has the pixels that no edge excludes. An edge's function is 0 at {@code k = −e/step}
+     * pixels from the box's left; half a unit is added to e, a whole number, so that k is never
+     * whole: it is at least 2⁻³⁴ from a whole number and, within a picture, right to 2⁻³⁹, so the
+     * quotient by way of a reciprocal is rounded to the right side. Where e grows to the right the
+     * pixels begin at k, where it falls they end there; a level edge has step 0 and k = ±∞.
+     */
     private void scan(long downA, long downB, long downC) {
-        if (boxRight - boxLeft <= NARROW) scanNarrow(downA, downB, downC);
-        else scanWide(downA, downB, downC);
-    }
-
-    private void scanNarrow(long downA, long downB, long downC) {
-        long lineA = rowA;
-        long lineB = rowB;
-        long lineC = rowC;
-        for (int row = 0; row < rows; row++) {
-            long eA = lineA;
-            long eB = lineB;
-            long eC = lineC;
-            int x = boxLeft;
-            while (x < boxRight && (eA | eB | eC) < 0) {
-                eA += stepA;
-                eB += stepB;
-                eC += stepC;
-                x++;
-            }
-            left[row] = x;
-            edgeB[row] = eB - ownB;
-            edgeC[row] = eC - ownC;
-            int end = x;
-            while (end < boxRight && (eA | eB | eC) >= 0) {
-                eA += stepA;
-                eB += stepB;
-                eC += stepC;
-                end++;
-            }
-            count[row] = end - x;
-            lineA += downA;
-            lineB += downB;
-            lineC += downC;
-        }
-    }
-
-    private void scanWide(long downA, long downB, long downC) {
-        double perA = 1.0 / stepA;
-        double perB = 1.0 / stepB;
-        double perC = 1.0 / stepC;
+        double perA = -1.0 / stepA;
+        double perB = -1.0 / stepB;
+        double perC = -1.0 / stepC;
+        // All ones where the pixels begin at the edge, 0 where they end there.
+        int beginA = ~(int) (stepA >> 63);
+        int beginB = ~(int) (stepB >> 63);
+        int beginC = ~(int) (stepC >> 63);
         int width = boxRight - boxLeft;
         for (int row = 0; row < rows; row++) {
             long eA = rowA + row * downA;
             long eB = rowB + row * downB;
             long eC = rowC + row * downC;
-            int from = Math.max(first(eA, stepA, perA), first(eB, stepB, perB));
-            from = Math.max(0, Math.max(from, first(eC, stepC, perC)));
-            int to = Math.min(end(eA, stepA, perA, width), end(eB, stepB, perB, width));
-            to = Math.min(to, end(eC, stepC, perC, width));
+            int kA = (int) Math.ceil((eA + 0.5) * perA);
+            int kB = (int) Math.ceil((eB + 0.5) * perB);
+            int kC = (int) Math.ceil((eC + 0.5) * perC);
+            int from = Math.max(Math.max(0, kA & beginA), Math.max(kB & beginB, kC & beginC));
+            int to =
+                    Math.min(
+                            Math.min(width, end(kA, beginA)),
+                            Math.min(end(kB, beginB), end(kC, beginC)));
+            // k may be anything up to ±2³¹ where the row or the triangle is out of the box.
+            from = Math.min(from, width);
             left[row] = boxLeft + from;
-            count[row] = Math.max(0, to - from);
+            count[row] = Math.max(from, to) - from;
             edgeB[row] = eB - ownB + from * stepB;
             edgeC[row] = eC - ownC + from * stepC;
         }
     }
 
-    /**
-     * The first k ≥ 0 with e + k·step ≥ 0 on an edge that is entered; the quotient in doubles is
-     * off by less than one, and the whole numbers set it right.
-     */
-    private static int first(long e, long step, double perStep) {
-        if (step <= 0 || e >= 0) return 0;
-        int k = (int) Math.min(Math.ceil(-e * perStep), Integer.MAX_VALUE / 2);
-        if (e + k * step < 0) return k + 1;
-        return e + (k - 1) * step >= 0 ? k - 1 : k;
-    }
-
-    /** The first k in [0, width] with e + k·step &lt; 0 on an edge that is left. */
-    private static int end(long e, long step, double perStep, int width) {
-        if (e < 0 && step <= 0) return 0;
-        if (step >= 0) return width;
-        if (e + (width - 1) * step >= 0) return width;
-        int k = (int) (-e * perStep) + 1;
-        if (e + k * step >= 0) return k + 1;
-        return e + (k - 1) * step < 0 ? k - 1 : k;
+    /** k at an edge where pixels end, else the largest number. */
+    private static int end(int k, int begin) {
+        return k & ~begin | Integer.MAX_VALUE & begin;
     }
 }

@@ -1,6 +1,9 @@
 package rasterlab.engine.pipeline.triangle;
 
-/** A few hundred vertices in eye space, one array for each quantity; cells [0, count) are used. */
+/**
+ * A few hundred vertices in eye space, one array for each quantity; cells [0, count) are used. Who
+ * gets a block may overwrite all of it.
+ */
 public final class VertexBlock {
     /** The most vertices of a block: all arrays together stay in the first-level cache. */
     public static final int SIZE = 256;
