@@ -82,15 +82,13 @@ final class SmoothFill {
             int red = (int) (ra + weightB * rb + weightC * rc);
             int green = (int) (ga + weightB * gb + weightC * gc);
             int blue = (int) (ba + weightB * bb + weightC * bc);
-            int i = (scan.top + row) * width + scan.left[row];
-            float k = 0;
-            for (int end = i + n; i < end; i++) {
-                float here = z + k * stepZ;
+            int from = (scan.top + row) * width + scan.left[row];
+            for (int i = from; i < from + n; i++) {
+                float here = z + (i - from) * stepZ;
                 if (here < depth[i]) {
                     depth[i] = here;
                     argb[i] = argb(red, green, blue);
                 }
-                k += 1;
                 red += stepRed;
                 green += stepGreen;
                 blue += stepBlue;
