@@ -5,7 +5,13 @@ plugins {
 dependencies {
     implementation(project(":engine"))
     implementation(libs.picocli)
+    implementation(libs.joml)
     implementation(libs.jts.core)
+    implementation(libs.lwjgl)
+    implementation(libs.lwjgl.egl)
+    implementation(libs.lwjgl.opengl)
+    runtimeOnly(variantOf(libs.lwjgl) { classifier("natives-linux") })
+    runtimeOnly(variantOf(libs.lwjgl.opengl) { classifier("natives-linux") })
     implementation(libs.jmh.core)
     annotationProcessor(libs.jmh.generator.annprocess)
     testImplementation(project(":exercises"))

@@ -22,6 +22,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import rasterlab.tests.bench.pipeline.PipelineBench;
 
 /** Measures the engine's methods beside their peers and prints the ratios. */
 @Command(
@@ -39,9 +40,12 @@ public final class Bench implements Callable<Integer> {
     /** Times that every benchmark gets a process of its own, all benchmarks once in each round. */
     private static final int ROUNDS = 3;
 
+    /** Measured by a runner of its own, beside OpenGL in the same process. */
+    private static final String PIPELINE = "pipeline";
+
     @Spec private CommandSpec spec;
 
-    @Parameters(paramLabel = "GROUP", description = "raster")
+    @Parameters(paramLabel = "GROUP", description = "raster or pipeline")
     private String group;
 
     @Option(
@@ -65,6 +69,10 @@ public final class Bench implements Callable<Integer> {
 
     @Override
     public Integer call() throws RunnerException {
+        if (group.equals(PIPELINE)) {
+            new PipelineBench(quick, only, System.out).run();
+            return 0;
+        }
         List<Goal> goals = goals();
         var rounds = new ArrayList<Map<Timing.Key, Timing>>();
         for (int round = 0; round < (quick ? 1 : ROUNDS); round++)
@@ -76,7 +84,13 @@ public final class Bench implements Callable<Integer> {
 
     private List<Goal> goals() {
         if (!GROUPS.containsKey(group))
-            throw wrong("unknown group '" + group + "'; allowed are " + GROUPS.keySet());
+            throw wrong(
+                    "unknown group '"
+                            + group
+                            + "'; allowed are "
+                            + GROUPS.keySet()
+                            + " and "
+                            + PIPELINE);
         List<Goal> all = GROUPS.get(group).get();
         List<Goal> goals = all.stream().filter(goal -> goal.work().contains(only)).toList();
         if (goals.isEmpty())

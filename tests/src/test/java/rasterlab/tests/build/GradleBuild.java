@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import rasterlab.tests.Repository;
 
@@ -24,6 +23,9 @@ final class GradleBuild {
     private static final Pattern DEPENDENCY =
             Pattern.compile(
                     "\"?(\\w+)\"?\\((?:project\\(\":([a-z]+)\"\\)|(?:rootProject\\.)?libs\\.([\\w.]+))\\)");
+    private static final Pattern NATIVE =
+            Pattern.compile(
+                    "(\\w+)\\(variantOf\\(libs\\.([\\w.]+)\\) \\{ classifier\\(\"([\\w-]+)\"\\) }\\)");
     private static final Map<String, String> SCOPES =
             Map.of(
                     "annotationProcessor", "provided",
@@ -86,26 +88,33 @@ final class GradleBuild {
 
     private void addDependency(String line, Map<String, BuildDescription.Dependency> dependencies) {
         if (line.isBlank() || line.strip().startsWith("//")) return;
+        var variant = NATIVE.matcher(line.strip());
+        if (variant.matches()) {
+            var scope = SCOPES.get(variant.group(1));
+            addLibrary(variant.group(2), ":" + variant.group(3), scope, dependencies);
+            return;
+        }
         var match = DEPENDENCY.matcher(line.strip());
         if (!match.matches() || !SCOPES.containsKey(match.group(1)))
             throw new AssertionError("cannot read the dependency line '" + line.strip() + "'");
         var scope = SCOPES.get(match.group(1));
         if (match.group(2) != null)
             dependencies.put(match.group(2), new BuildDescription.Dependency(project, scope));
-        else addLibrary(match, scope, dependencies);
+        else addLibrary(match.group(3), "", scope, dependencies);
     }
 
     private void addLibrary(
-            MatchResult match,
+            String name,
+            String classifier,
             String scope,
             Map<String, BuildDescription.Dependency> dependencies) {
-        var alias = match.group(3).replace('.', '-');
+        var alias = name.replace('.', '-');
         var library = catalogue.path("libraries").path(alias);
         if (library.isMissingNode())
             throw new AssertionError("libs.versions.toml has no library '" + alias + "'");
         var version = library.at("/version/ref").asText();
         dependencies.put(
-                library.path("module").asText(),
+                library.path("module").asText() + classifier,
                 new BuildDescription.Dependency(
                         catalogue.path("versions").path(version).asText(), scope));
     }

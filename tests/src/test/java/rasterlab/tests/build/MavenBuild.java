@@ -76,7 +76,9 @@ final class MavenBuild {
     private static String key(Element dependency) {
         var group = text(dependency, "groupId");
         var artifact = text(dependency, "artifactId");
-        return group.equals("rasterlab") ? artifact : group + ":" + artifact;
+        var classifier = text(dependency, "classifier");
+        if (group.equals("rasterlab")) return artifact;
+        return group + ":" + artifact + (classifier.isEmpty() ? "" : ":" + classifier);
     }
 
     private static Element parse(Path file) throws Exception {

@@ -1,0 +1,165 @@
+package rasterlab.engine.pipeline.triangle;
+
+import java.util.EnumSet;
+import java.util.Set;
+import rasterlab.engine.scene.VertexQuantity;
+
+/**
+ * One light from very far away on one material, for vertices and for pixels, by the same loops.
+ *
+ * <p>{@code I = base·(ambient + (1 − ambient)·max(0, n·l)) + specular·max(0, n·h)^shininess}, n
+ * brought to length 1, l to the light, {@code h} halfway between l and the direction to the eye; a
+ * face turned from the light has no highlight. Sums above 1 are cut. The loops go over whole arrays
+ * and have no branch, so that the compiler turns them into vector instructions; the power is made
+ * of squares.
+ *
+ * <p>Source: J. F. Blinn, Models of light reflection for computer synthesized pictures, 1977.
+ */
+public final class DistantLight implements VertexColors, PixelColors {
+    /** The largest shininess, as in OpenGL's successors and the course. */
+    public static final int SHINIEST = 200;
+
+    /** Far above 1 over any cosine that a float can tell from 0 in a picture. */
+    private static final float LIT = 1e6f;
+
+    private static final Set<VertexQuantity> WANTS =
+            EnumSet.range(VertexQuantity.X, VertexQuantity.NORMAL_Z);
+
+    private final float lightX;
+    private final float lightY;
+    private final float lightZ;
+    private final float[] base = new float[3];
+    private final float ambient;
+    private final float specular;
+    private final int shininess;
+
+    /**
+     * @param toLight direction to the light in eye space, of any length above 0
+     * @param baseRgb the material's colour 0xRRGGBB
+     * @param ambient 0 to 1
+     * @param specular of the white highlight, 0 to 1
+     * @param shininess 1 to {@value #SHINIEST}
+     */
+    public DistantLight(
+            double[] toLight, int baseRgb, double ambient, double specular, int shininess) {
+        double length = Math.sqrt(square(toLight[0]) + square(toLight[1]) + square(toLight[2]));
+        if (!(length > 0 && length < Double.POSITIVE_INFINITY))
+            throw new IllegalArgumentException(
+                    "direction to the light must be finite and not zero, got (%s, %s, %s)"
+                            .formatted(toLight[0], toLight[1], toLight[2]));
+        requireShare("ambient", ambient);
+        requireShare("specular", specular);
+        if (shininess < 1 || shininess > SHINIEST)
+            throw new IllegalArgumentException(
+                    "shininess must be from 1 to %d, got %d".formatted(SHINIEST, shininess));
+        lightX = (float) (toLight[0] / length);
+        lightY = (float) (toLight[1] / length);
+        lightZ = (float) (toLight[2] / length);
+        for (int c = 0; c < 3; c++) base[c] = (baseRgb >> 16 - 8 * c & 255) / 255f;
+        this.ambient = (float) ambient;
+        this.specular = (float) specular;
+        this.shininess = shininess;
+    }
+
+    private static double square(double v) {
+        return v * v;
+    }
+
+    private static void requireShare(String name, double share) {
+        if (!(share >= 0 && share <= 1))
+            throw new IllegalArgumentException(name + " must be from 0 to 1, got " + share);
+    }
+
+    @Override
+    public Set<VertexQuantity> wants() {
+        return WANTS;
+    }
+
+    @Override
+    public void color(VertexBlock block) {
+        int n = block.count;
+        halfway(n, block.x, block.y, block.z, block.red);
+        cosines(n, block.x, block.y, block.z, block.nx, block.ny, block.nz, block.red);
+        power(n, block.ny, block.nz);
+        channel(n, 0, block.nx, block.nz, block.red);
+        channel(n, 1, block.nx, block.nz, block.green);
+        channel(n, 2, block.nx, block.nz, block.blue);
+    }
+
+    @Override
+    public void color(PixelBatch batch) {
+        float[] x = batch.values(VertexQuantity.X);
+        float[] y = batch.values(VertexQuantity.Y);
+        float[] z = batch.values(VertexQuantity.Z);
+        float[] diffuse = batch.values(VertexQuantity.NORMAL_X);
+        float[] halfway = batch.values(VertexQuantity.NORMAL_Y);
+        float[] highlight = batch.values(VertexQuantity.NORMAL_Z);
+        int n = batch.count;
+        halfway(n, x, y, z, batch.nearness);
+        cosines(n, x, y, z, diffuse, halfway, highlight, batch.nearness);
+        power(n, halfway, highlight);
+        channel(n, 0, diffuse, highlight, x);
+        channel(n, 1, diffuse, highlight, y);
+        channel(n, 2, diffuse, highlight, z);
+        for (int i = 0; i < n; i++)
+            batch.argb[i] =
+                    0xFF000000
+                            | (int) (x[i] * 255 + 0.5f) << 16
+                            | (int) (y[i] * 255 + 0.5f) << 8
+                            | (int) (z[i] * 255 + 0.5f);
+    }
+
+    /** Replaces places by the vectors h, not of length 1. */
+    private void halfway(int n, float[] x, float[] y, float[] z, float[] perLength) {
+        invertLengths(n, x, y, z, perLength);
+        halfway(n, x, lightX, perLength);
+        halfway(n, y, lightY, perLength);
+        halfway(n, z, lightZ, perLength);
+    }
+
+    private static void halfway(int n, float[] place, float toLight, float[] perLength) {
+        for (int i = 0; i < n; i++) place[i] = toLight - place[i] * perLength[i];
+    }
+
+    private static void invertLengths(int n, float[] x, float[] y, float[] z, float[] out) {
+        for (int i = 0; i < n; i++)
+            out[i] = 1 / (float) Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    }
+
+    /** Replaces nx by max(0, n·l) and ny by max(0, n·h), or 0 where n·l is 0; h is lost. */
+    private void cosines(
+            int n,
+            float[] hx,
+            float[] hy,
+            float[] hz,
+            float[] nx,
+            float[] ny,
+            float[] nz,
+            float[] perLength) {
+        invertLengths(n, hx, hy, hz, perLength);
+        for (int i = 0; i < n; i++)
+            hx[i] = (nx[i] * hx[i] + ny[i] * hy[i] + nz[i] * hz[i]) * perLength[i];
+        invertLengths(n, nx, ny, nz, perLength);
+        for (int i = 0; i < n; i++)
+            nx[i] = (nx[i] * lightX + ny[i] * lightY + nz[i] * lightZ) * perLength[i];
+        for (int i = 0; i < n; i++) nx[i] = Math.max(0, nx[i]);
+        for (int i = 0; i < n; i++) ny[i] = Math.max(0, hx[i] * perLength[i]);
+        // 0 where no light falls, else 1 but for a sliver of angles: a step without a branch.
+        for (int i = 0; i < n; i++) ny[i] *= Math.min(1, nx[i] * LIT);
+    }
+
+    /** result = cosine to the power of the shininess; the cosines are lost. */
+    private void power(int n, float[] cosine, float[] result) {
+        for (int i = 0; i < n; i++) result[i] = specular;
+        for (int left = shininess; left > 0; left >>= 1) {
+            if ((left & 1) != 0) for (int i = 0; i < n; i++) result[i] *= cosine[i];
+            for (int i = 0; i < n; i++) cosine[i] *= cosine[i];
+        }
+    }
+
+    private void channel(int n, int c, float[] diffuse, float[] highlight, float[] out) {
+        float steady = base[c] * ambient;
+        float lit = base[c] * (1 - ambient);
+        for (int i = 0; i < n; i++) out[i] = Math.min(1, steady + lit * diffuse[i] + highlight[i]);
+    }
+}

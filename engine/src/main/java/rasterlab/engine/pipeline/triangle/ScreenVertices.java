@@ -1,0 +1,41 @@
+package rasterlab.engine.pipeline.triangle;
+
+import java.util.Arrays;
+
+/** Vertices on the picture, one array for each quantity; grows and never shrinks. */
+final class ScreenVertices {
+    /** Steps of 1/256 pixel; see {@link Subpixels}. */
+    int[] x = new int[0];
+
+    int[] y = new int[0];
+
+    /** 0 at the near plane, 1 at the far plane; linear on the picture. */
+    float[] depth = new float[0];
+
+    /** 1/w; linear on the picture. */
+    float[] nearness = new float[0];
+
+    /** See {@link ClipCode}. */
+    short[] code = new short[0];
+
+    /** What the surface wants of a vertex: red, green, blue in levels 0 to 255, or others. */
+    float[][] attributes = new float[0][];
+
+    /** Makes room; what was there stays. */
+    void ensure(int vertices, int attributeCount) {
+        if (attributes.length < attributeCount) {
+            int had = attributes.length;
+            attributes = Arrays.copyOf(attributes, attributeCount);
+            for (int k = had; k < attributeCount; k++) attributes[k] = new float[x.length];
+        }
+        if (x.length >= vertices) return;
+        int room = Math.max(vertices, x.length + (x.length >> 1));
+        x = Arrays.copyOf(x, room);
+        y = Arrays.copyOf(y, room);
+        depth = Arrays.copyOf(depth, room);
+        nearness = Arrays.copyOf(nearness, room);
+        code = Arrays.copyOf(code, room);
+        for (int k = 0; k < attributes.length; k++)
+            attributes[k] = Arrays.copyOf(attributes[k], room);
+    }
+}

@@ -1,0 +1,124 @@
+package rasterlab.engine.pipeline.triangle;
+
+import java.util.Arrays;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import rasterlab.engine.scene.TriangleMesh;
+
+/**
+ * Draws triangle meshes by depth, on several threads, the same picture bit for bit on any number.
+ *
+ * <p>One frame at a time: vertices by blocks, triangles by chunks, pixels by bands of 32 rows; each
+ * stage begins when the one before has ended. A chunk is sorted into bands by one thread and a band
+ * drawn by one thread in the mesh's order, so no result depends on which thread was first. After
+ * the first frame nothing is allocated until a larger mesh or picture comes.
+ */
+public final class TrianglePipeline implements AutoCloseable {
+    private final WorkerTeam team;
+    private final Worker[] workers;
+    private final Frame frame = new Frame();
+    private final WorkerTeam.Task vertexTask = this::vertices;
+    private final WorkerTeam.Task binTask = this::bin;
+    private final WorkerTeam.Task bandTask = this::band;
+    private TriangleChunk[] chunks = new TriangleChunk[0];
+    private int chunkCount;
+    private BooleanSupplier cancelled;
+
+    /** What each thread has for itself. */
+    private record Worker(VertexStage vertices, Binner binner, BandStage bands) {}
+
+    /** On all cores. */
+    public TrianglePipeline() {
+        this(Math.min(WorkerTeam.MOST, Runtime.getRuntime().availableProcessors()));
+    }
+
+    /**
+     * @param threads 1 to 256, the caller's included
+     */
+    public TrianglePipeline(int threads) {
+        team = new WorkerTeam(threads);
+        workers = new Worker[threads];
+        for (int k = 0; k < threads; k++)
+            workers[k] = new Worker(new VertexStage(), new Binner(), new BandStage());
+    }
+
+    /** Number of threads, the caller's included. */
+    public int threads() {
+        return team.size();
+    }
+
+    /**
+     * Draws over what the picture holds.
+     *
+     * @param cancelled asked by all threads, often; a picture then is half drawn
+     * @throws CancellationException soon after {@code cancelled} says true
+     * @throws IllegalArgumentException where the surface wants what the mesh has not
+     */
+    public void draw(
+            TriangleMesh mesh,
+            TriangleView view,
+            Surface surface,
+            DepthRaster out,
+            BooleanSupplier cancelled) {
+        run(false, 0, mesh, view, surface, out, cancelled);
+    }
+
+    /** The same on a picture that is given one colour 0xAARRGGBB at the far plane first. */
+    public void drawOn(
+            int background,
+            TriangleMesh mesh,
+            TriangleView view,
+            Surface surface,
+            DepthRaster out,
+            BooleanSupplier cancelled) {
+        run(true, background, mesh, view, surface, out, cancelled);
+    }
+
+    private synchronized void run(
+            boolean clears,
+            int background,
+            TriangleMesh mesh,
+            TriangleView view,
+            Surface surface,
+            DepthRaster out,
+            BooleanSupplier cancelled) {
+        this.cancelled = cancelled;
+        frame.clears = clears;
+        frame.background = background;
+        frame.begin(mesh, view, surface, out);
+        chunkCount = Binner.chunks(mesh.triangleCount());
+        int had = chunks.length;
+        if (had < chunkCount) {
+            chunks = Arrays.copyOf(chunks, chunkCount);
+            for (int k = had; k < chunkCount; k++) chunks[k] = new TriangleChunk();
+        }
+        team.run(vertexTask, VertexStage.blocks(mesh));
+        team.run(binTask, chunkCount);
+        team.run(bandTask, frame.bands);
+    }
+
+    private void vertices(int block, int worker) {
+        checkCancelled();
+        workers[worker].vertices.run(frame, block);
+    }
+
+    private void bin(int chunk, int worker) {
+        checkCancelled();
+        workers[worker].binner.run(frame, chunk, chunks[chunk]);
+    }
+
+    private void band(int band, int worker) {
+        checkCancelled();
+        workers[worker].bands.run(frame, band, chunks, chunkCount);
+    }
+
+    private void checkCancelled() {
+        if (cancelled.getAsBoolean()) throw new CancellationException("the picture is cancelled");
+    }
+
+    /** Ends the threads; nothing can be drawn afterwards. */
+    @Override
+    public void close() {
+        team.close();
+    }
+}

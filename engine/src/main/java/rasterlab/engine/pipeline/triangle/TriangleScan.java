@@ -1,0 +1,142 @@
+package rasterlab.engine.pipeline.triangle;
+
+/**
+ * The pixels of one triangle within one band, row by row, exactly.
+ *
+ * <p>With corners a, b, c so turned that {@code area = (b − a)×(c − a) > 0} (y down), the edge
+ * function {@code eA(p) = (c − b)×(p − b)}, and likewise eB and eC, is positive inside and {@code
+ * eA + eB + eC = area}: e/area are p's weights of the corners. A centre on an edge is owned where
+ * the edge is a left one or a level top one, so triangles that share an edge own each pixel once.
+ * All is whole numbers below 2⁵² (see {@link Subpixels}): a sliver is as exact as any other.
+ *
+ * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, 1988.
+ */
+final class TriangleScan {
+    /** Rows of a band. */
+    static final int ROWS = 32;
+
+    /** The corners' numbers, so turned that the area is positive. */
+    int a;
+
+    int b;
+    int c;
+
+    /** 1 / area. */
+    float inverseArea;
+
+    /** What eB and eC grow by from a pixel to the next on its right. */
+    long stepB;
+
+    long stepC;
+
+    /** The first row and the number of rows. */
+    int top;
+
+    int rows;
+
+    /** For each row: the first pixel, the number of pixels, eB and eC at the first. */
+    final int[] left = new int[ROWS];
+
+    final int[] count = new int[ROWS];
+    final long[] edgeB = new long[ROWS];
+    final long[] edgeC = new long[ROWS];
+
+    private int boxLeft;
+    private int boxRight;
+    private long stepA;
+    private long rowA;
+    private long rowB;
+    private long rowC;
+    private int ownA;
+    private int ownB;
+    private int ownC;
+
+    /**
+     * @param bandTop first row of the band
+     * @param bandBottom row after its last
+     */
+    void load(ScreenVertices v, int first, int second, int third, DepthRaster out, int bandTop) {
+        int bandBottom = Math.min(bandTop + ROWS, out.height());
+        int ax = v.x[first];
+        int ay = v.y[first];
+        long area = cross(v.x[second] - ax, v.y[second] - ay, v.x[third] - ax, v.y[third] - ay);
+        a = first;
+        b = area > 0 ? second : third;
+        c = area > 0 ? third : second;
+        inverseArea = 1f / Math.abs(area);
+        int bx = v.x[b];
+        int by = v.y[b];
+        int cx = v.x[c];
+        int cy = v.y[c];
+        boxLeft = Math.max(0, Subpixels.firstPixel(Math.min(ax, Math.min(bx, cx))));
+        boxRight = Math.min(out.width(), Subpixels.endPixel(Math.max(ax, Math.max(bx, cx))));
+        top = Math.max(bandTop, Subpixels.firstPixel(Math.min(ay, Math.min(by, cy))));
+        rows = Math.min(bandBottom, Subpixels.endPixel(Math.max(ay, Math.max(by, cy)))) - top;
+        stepA = (long) (by - cy) << Subpixels.BITS;
+        stepB = (long) (cy - ay) << Subpixels.BITS;
+        stepC = (long) (ay - by) << Subpixels.BITS;
+        ownA = owned(cx - bx, cy - by);
+        ownB = owned(ax - cx, ay - cy);
+        ownC = owned(bx - ax, by - ay);
+        int px = boxLeft << Subpixels.BITS;
+        int py = top << Subpixels.BITS;
+        rowA = cross(cx - bx, cy - by, px - bx, py - by) + ownA;
+        rowB = cross(ax - cx, ay - cy, px - cx, py - cy) + ownB;
+        rowC = cross(bx - ax, by - ay, px - ax, py - ay) + ownC;
+        scan(
+                (long) (cx - bx) << Subpixels.BITS,
+                (long) (ax - cx) << Subpixels.BITS,
+                (long) (bx - ax) << Subpixels.BITS);
+    }
+
+    private static long cross(int ax, int ay, int bx, int by) {
+        return (long) ax * by - (long) ay * bx;
+    }
+
+    /** 0 where centres on the edge are owned, else −1: then e must be at least 1. */
+    private static int owned(int dx, int dy) {
+        return dy < 0 || dy == 0 && dx > 0 ? 0 : -1;
+    }
+
+    /**
+     * A row has the pixels that no edge excludes. An edge's function is 0 at {@code k = −e/step}
+     * pixels from the box's left; half a unit is added to e, a whole number, so that k is never
+     * whole: it is at least 2⁻³⁴ from a whole number and, within a picture, right to 2⁻³⁹, so the
+     * quotient by way of a reciprocal is rounded to the right side. Where e grows to the right the
+     * pixels begin at k, where it falls they end there; a level edge has step 0 and k = ±∞.
+     */
+    private void scan(long downA, long downB, long downC) {
+        double perA = -1.0 / stepA;
+        double perB = -1.0 / stepB;
+        double perC = -1.0 / stepC;
+        // All ones where the pixels begin at the edge, 0 where they end there.
+        int beginA = ~(int) (stepA >> 63);
+        int beginB = ~(int) (stepB >> 63);
+        int beginC = ~(int) (stepC >> 63);
+        int width = boxRight - boxLeft;
+        for (int row = 0; row < rows; row++) {
+            long eA = rowA + row * downA;
+            long eB = rowB + row * downB;
+            long eC = rowC + row * downC;
+            int kA = (int) Math.ceil((eA + 0.5) * perA);
+            int kB = (int) Math.ceil((eB + 0.5) * perB);
+            int kC = (int) Math.ceil((eC + 0.5) * perC);
+            int from = Math.max(Math.max(0, kA & beginA), Math.max(kB & beginB, kC & beginC));
+            int to =
+                    Math.min(
+                            Math.min(width, end(kA, beginA)),
+                            Math.min(end(kB, beginB), end(kC, beginC)));
+            // k may be anything up to ±2³¹ where the row or the triangle is out of the box.
+            from = Math.min(from, width);
+            left[row] = boxLeft + from;
+            count[row] = Math.max(from, to) - from;
+            edgeB[row] = eB - ownB + from * stepB;
+            edgeC[row] = eC - ownC + from * stepC;
+        }
+    }
+
+    /** k at an edge where pixels end, else the largest number. */
+    private static int end(int k, int begin) {
+        return k & ~begin | Integer.MAX_VALUE & begin;
+    }
+}

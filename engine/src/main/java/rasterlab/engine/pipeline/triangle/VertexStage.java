@@ -1,0 +1,146 @@
+package rasterlab.engine.pipeline.triangle;
+
+import rasterlab.engine.scene.TriangleMesh;
+import rasterlab.engine.scene.VertexQuantity;
+
+/**
+ * Vertices: world → eye → clip → pixels, and their colours, a block at a time.
+ *
+ * <p>The loops over whole arrays are as plain as they are so that the compiler turns them into
+ * vector instructions. One per thread.
+ */
+final class VertexStage {
+    private static final VertexQuantity[] QUANTITIES = VertexQuantity.values();
+
+    private final VertexBlock block = new VertexBlock();
+    private final float[] clipX = new float[VertexBlock.SIZE];
+    private final float[] clipY = new float[VertexBlock.SIZE];
+    private final float[] clipZ = new float[VertexBlock.SIZE];
+    private final float[] clipW = new float[VertexBlock.SIZE];
+
+    static int blocks(TriangleMesh mesh) {
+        return (mesh.vertexCount() + VertexBlock.SIZE - 1) / VertexBlock.SIZE;
+    }
+
+    /** Row point times column {@code column} of a matrix: the same operations in every caller. */
+    static float dot(float[] matrix, int column, float x, float y, float z) {
+        return x * matrix[column]
+                + y * matrix[4 + column]
+                + z * matrix[8 + column]
+                + matrix[12 + column];
+    }
+
+    void run(Frame frame, int index) {
+        int from = index * VertexBlock.SIZE;
+        block.count = Math.min(VertexBlock.SIZE, frame.mesh.vertexCount() - from);
+        project(frame, from);
+        toEye(frame, from);
+        if (frame.surface instanceof Surface.Smooth smooth) color(frame, from, smooth.colors());
+        else if (frame.surface instanceof Surface.Flat flat) color(frame, from, flat.colors());
+        else keepForPixels(frame, from, (Surface.PerPixel) frame.surface);
+    }
+
+    private void project(Frame frame, int from) {
+        float[] x = frame.mesh.values(VertexQuantity.X);
+        float[] y = frame.mesh.values(VertexQuantity.Y);
+        float[] z = frame.mesh.values(VertexQuantity.Z);
+        float[] matrix = frame.view.toClip();
+        transform(matrix, 0, x, y, z, from, clipX);
+        transform(matrix, 1, x, y, z, from, clipY);
+        transform(matrix, 2, x, y, z, from, clipZ);
+        transform(matrix, 3, x, y, z, from, clipW);
+        ScreenVertices out = frame.vertices;
+        divide(from, frame.subpixels, out);
+        double[][] planes = frame.view.worldPlanes();
+        if (planes.length > 0)
+            for (int i = from; i < from + block.count; i++)
+                out.code[i] |= (short) ClipCode.ofUser(planes, x[i], y[i], z[i]);
+    }
+
+    private void transform(
+            float[] matrix, int column, float[] x, float[] y, float[] z, int from, float[] out) {
+        float perX = matrix[column];
+        float perY = matrix[4 + column];
+        float perZ = matrix[8 + column];
+        float shift = matrix[12 + column];
+        for (int i = 0; i < block.count; i++)
+            out[i] = x[from + i] * perX + y[from + i] * perY + z[from + i] * perZ + shift;
+    }
+
+    private void divide(int from, Subpixels subpixels, ScreenVertices out) {
+        for (int i = 0; i < block.count; i++) {
+            float x = clipX[i];
+            float y = clipY[i];
+            float z = clipZ[i];
+            float w = clipW[i];
+            boolean seen =
+                    Math.abs(x) <= w
+                            && Math.abs(y) <= w
+                            && Math.abs(z) <= w
+                            && w >= ClipCode.SMALLEST_W;
+            double nearness = 1.0 / w;
+            out.code[from + i] = seen ? 0 : (short) ClipCode.of(x, y, z, w);
+            out.x[from + i] = subpixels.x(x * nearness);
+            out.y[from + i] = subpixels.y(y * nearness);
+            out.depth[from + i] = (float) (0.5 + 0.5 * (z * nearness));
+            out.nearness[from + i] = (float) nearness;
+        }
+    }
+
+    private void toEye(Frame frame, int from) {
+        TriangleMesh mesh = frame.mesh;
+        float[] x = mesh.values(VertexQuantity.X);
+        float[] y = mesh.values(VertexQuantity.Y);
+        float[] z = mesh.values(VertexQuantity.Z);
+        float[] matrix = frame.view.toEye();
+        transform(matrix, 0, x, y, z, from, block.x);
+        transform(matrix, 1, x, y, z, from, block.y);
+        transform(matrix, 2, x, y, z, from, block.z);
+        if (!mesh.hasNormals()) return;
+        float[] nx = mesh.values(VertexQuantity.NORMAL_X);
+        float[] ny = mesh.values(VertexQuantity.NORMAL_Y);
+        float[] nz = mesh.values(VertexQuantity.NORMAL_Z);
+        float[] turn = frame.view.normalToEye();
+        transform(turn, 0, nx, ny, nz, from, block.nx);
+        transform(turn, 1, nx, ny, nz, from, block.ny);
+        transform(turn, 2, nx, ny, nz, from, block.nz);
+    }
+
+    private void color(Frame frame, int from, VertexColors colors) {
+        channel(frame.mesh, VertexQuantity.RED, from, block.red);
+        channel(frame.mesh, VertexQuantity.GREEN, from, block.green);
+        channel(frame.mesh, VertexQuantity.BLUE, from, block.blue);
+        colors.color(block);
+        levels(block.red, from, frame.vertices.attributes[0]);
+        levels(block.green, from, frame.vertices.attributes[1]);
+        levels(block.blue, from, frame.vertices.attributes[2]);
+    }
+
+    private void channel(TriangleMesh mesh, VertexQuantity quantity, int from, float[] out) {
+        if (mesh.hasColors()) System.arraycopy(mesh.values(quantity), from, out, 0, block.count);
+        else java.util.Arrays.fill(out, 0, block.count, 1);
+    }
+
+    private void levels(float[] channel, int from, float[] out) {
+        for (int i = 0; i < block.count; i++)
+            out[from + i] = 255 * Math.max(0, Math.min(1, channel[i]));
+    }
+
+    private void keepForPixels(Frame frame, int from, Surface.PerPixel surface) {
+        int k = 0;
+        for (VertexQuantity quantity : QUANTITIES) {
+            if (!surface.colors().wants().contains(quantity)) continue;
+            float[] to = frame.vertices.attributes[k++];
+            switch (quantity) {
+                case X -> System.arraycopy(block.x, 0, to, from, block.count);
+                case Y -> System.arraycopy(block.y, 0, to, from, block.count);
+                case Z -> System.arraycopy(block.z, 0, to, from, block.count);
+                case NORMAL_X -> System.arraycopy(block.nx, 0, to, from, block.count);
+                case NORMAL_Y -> System.arraycopy(block.ny, 0, to, from, block.count);
+                case NORMAL_Z -> System.arraycopy(block.nz, 0, to, from, block.count);
+                default ->
+                        System.arraycopy(frame.mesh.values(quantity), from, to, from, block.count);
+            }
+        }
+    }
+}

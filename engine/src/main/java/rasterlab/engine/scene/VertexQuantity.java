@@ -1,0 +1,23 @@
+package rasterlab.engine.scene;
+
+/** What a {@link TriangleMesh} can know of a vertex, one number each. */
+public enum VertexQuantity {
+    /** World units. */
+    X,
+    Y,
+    Z,
+    /** Of the outward normal of length 1. */
+    NORMAL_X,
+    NORMAL_Y,
+    NORMAL_Z,
+    /** 0 to 1 is the texture from left to right. */
+    TEXTURE_S,
+    /** 0 to 1 is the texture from bottom to top. */
+    TEXTURE_T,
+    /** 0 to 1. */
+    RED,
+    GREEN,
+    BLUE,
+    /** 0 is transparent, 1 opaque. */
+    ALPHA
+}

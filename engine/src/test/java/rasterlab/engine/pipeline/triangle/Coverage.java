@@ -1,0 +1,50 @@
+package rasterlab.engine.pipeline.triangle;
+
+import rasterlab.engine.scene.TriangleMesh;
+
+/** How often each pixel is owned by triangles of either turn, whatever their depth. */
+final class Coverage {
+    final int[] counterClockwise;
+    final int[] clockwise;
+
+    private Coverage(int pixels) {
+        counterClockwise = new int[pixels];
+        clockwise = new int[pixels];
+    }
+
+    static Coverage of(TriangleMesh mesh, TriangleView view, int width, int height) {
+        var out = new DepthRaster(width, height);
+        var frame = new Frame();
+        frame.begin(mesh, view, new Surface.Flat(VertexColors.own()), out);
+        for (int k = 0; k < VertexStage.blocks(mesh); k++) new VertexStage().run(frame, k);
+        var coverage = new Coverage(width * height);
+        for (int k = 0; k < Binner.chunks(mesh.triangleCount()); k++) {
+            var chunk = new TriangleChunk();
+            new Binner().run(frame, k, chunk);
+            for (int band = 0; band < frame.bands; band++)
+                for (int i = chunk.start[band]; i < chunk.start[band + 1]; i++)
+                    coverage.add(frame, chunk, chunk.entries[i], band);
+        }
+        return coverage;
+    }
+
+    private void add(Frame frame, TriangleChunk chunk, int entry, int band) {
+        boolean whole = entry >= 0;
+        int[] triangles = whole ? frame.mesh.triangles() : chunk.clippedTriangles;
+        var vertices = whole ? frame.vertices : chunk.clipped;
+        int at = 3 * (whole ? entry : ~entry);
+        var scan = new TriangleScan();
+        int second = triangles[at + 1];
+        scan.load(
+                vertices,
+                triangles[at],
+                second,
+                triangles[at + 2],
+                frame.out,
+                band * TriangleScan.ROWS);
+        int[] counts = scan.b == second ? clockwise : counterClockwise;
+        for (int row = 0; row < scan.rows; row++)
+            for (int k = 0; k < scan.count[row]; k++)
+                counts[(scan.top + row) * frame.out.width() + scan.left[row] + k]++;
+    }
+}

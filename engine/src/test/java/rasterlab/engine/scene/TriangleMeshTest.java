@@ -1,0 +1,122 @@
+package rasterlab.engine.scene;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.util.HashSet;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class TriangleMeshTest {
+    private static final float[] THREE = {0, 1, 2};
+
+    private static TriangleMesh mesh(float[] x, int... triangles) {
+        return TriangleMesh.of(x, THREE, THREE, triangles);
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("mistakes")
+    void refuses(Executable mistake, String message) {
+        assertEquals(message, assertThrows(IllegalArgumentException.class, mistake).getMessage());
+    }
+
+    static Stream<Arguments> mistakes() {
+        return Stream.of(
+                argumentSet(
+                        "a vertex beyond the last is let in",
+                        (Executable) () -> mesh(THREE, 0, 1, 2, 0, 1, 3),
+                        "triangle 1: corner must be a vertex from 0 to 2, got 3"),
+                argumentSet(
+                        "a negative vertex is let in",
+                        (Executable) () -> mesh(THREE, 0, -1, 2),
+                        "triangle 0: corner must be a vertex from 0 to 2, got -1"),
+                argumentSet(
+                        "two corners are let in",
+                        (Executable) () -> mesh(THREE, 0, 1),
+                        "triangles need three vertex numbers each, got 2 numbers"),
+                argumentSet(
+                        "NaN is let in",
+                        (Executable) () -> mesh(new float[] {0, Float.NaN, 2}, 0, 1, 2),
+                        "vertex 1: x must be finite, got NaN"),
+                argumentSet(
+                        "fewer y than x are let in",
+                        (Executable) () -> mesh(new float[4]),
+                        "y needs one number for each of 4 vertices, got 3"),
+                argumentSet(
+                        "a short normal is let in",
+                        (Executable)
+                                () -> mesh(THREE).withNormals(new float[3], THREE, new float[3]),
+                        "vertex 0: the normal must have length 1, got (0.0, 0.0, 0.0)"),
+                argumentSet(
+                        "a colour above 1 is let in",
+                        (Executable) () -> mesh(THREE).withColors(THREE, THREE, THREE, THREE),
+                        "vertex 2: a colour must be from 0 to 1, got 2.0"),
+                argumentSet(
+                        "colours are invented",
+                        (Executable) () -> mesh(THREE).values(VertexQuantity.RED),
+                        "the mesh has no red of vertices"),
+                argumentSet(
+                        "a torus without a hole is let in",
+                        (Executable) () -> new Torus(1, 1, 3, 3),
+                        "torus needs 0 < minor < major < ∞, got minor 1.0, major 1.0"),
+                argumentSet(
+                        "a torus of an odd number is let in",
+                        (Executable) () -> Torus.ofTriangles(2, 1, 101),
+                        "no torus has exactly 101 triangles: 2·rings·sides is needed"));
+    }
+
+    @Test
+    void writingToTheGivenArraysChangesNothing() {
+        float[] x = THREE.clone();
+        int[] triangles = {0, 1, 2};
+        var mesh = mesh(x, triangles);
+        x[0] = 9;
+        triangles[0] = 9;
+        assertEquals(0, mesh.values(VertexQuantity.X)[0]);
+        assertEquals(0, mesh.triangles()[0]);
+    }
+
+    /** Each edge of a closed surface is there once in each direction. */
+    @Test
+    void theTorusIsClosedAndHasTheTrianglesAskedFor() {
+        for (int count : new int[] {10_000, 100_000}) {
+            var mesh = Torus.ofTriangles(1, 0.4, count).mesh();
+            assertEquals(count, mesh.triangleCount());
+            var edges = new HashSet<String>();
+            int[] corners = mesh.triangles();
+            for (int i = 0; i < corners.length; i++) {
+                int next = i % 3 == 2 ? i - 2 : i + 1;
+                String edge = place(mesh, corners[next]) + place(mesh, corners[i]);
+                if (!edges.remove(edge))
+                    edges.add(place(mesh, corners[i]) + place(mesh, corners[next]));
+            }
+            assertEquals(0, edges.size(), "edges without a neighbour");
+        }
+    }
+
+    private static String place(TriangleMesh mesh, int vertex) {
+        return mesh.values(VertexQuantity.X)[vertex]
+                + " "
+                + mesh.values(VertexQuantity.Y)[vertex]
+                + " "
+                + mesh.values(VertexQuantity.Z)[vertex]
+                + ";";
+    }
+
+    @Test
+    void facesBecomeFansWithTheirNormalsAndColors() {
+        double[] xyz = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+        var square = new Mesh(xyz, new int[][] {{0, 1, 2, 3}});
+        var mesh = TriangleMesh.of(square, new int[] {0xFF0033});
+        assertArrayEquals(new int[] {0, 1, 2, 0, 2, 3}, mesh.triangles());
+        assertArrayEquals(new float[] {1, 1, 1, 1}, mesh.values(VertexQuantity.NORMAL_Z));
+        assertArrayEquals(new float[] {1, 1, 1, 1}, mesh.values(VertexQuantity.RED));
+        assertEquals(0.2f, mesh.values(VertexQuantity.BLUE)[3]);
+    }
+}

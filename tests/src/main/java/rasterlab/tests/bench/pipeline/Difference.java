@@ -1,0 +1,37 @@
+package rasterlab.tests.bench.pipeline;
+
+import java.util.Locale;
+
+/**
+ * How far two pictures are apart.
+ *
+ * @param off pixels with a channel off by more than two levels
+ * @param one pixels with a channel off by one or two levels
+ * @param pixels of a picture
+ */
+record Difference(int off, int one, int pixels) {
+    static Difference of(int[] ours, int[] theirs) {
+        int off = 0;
+        int one = 0;
+        for (int i = 0; i < ours.length; i++) {
+            int most = 0;
+            for (int shift = 0; shift < 24; shift += 8)
+                most =
+                        Math.max(
+                                most,
+                                Math.abs((ours[i] >> shift & 255) - (theirs[i] >> shift & 255)));
+            if (most > 2) off++;
+            else if (most > 0) one++;
+        }
+        return new Difference(off, one, ours.length);
+    }
+
+    String text() {
+        return String.format(
+                Locale.ROOT,
+                "%d pixels (%.4f %%) off by more than 2 levels, %.2f %% by 1 or 2",
+                off,
+                100.0 * off / pixels,
+                100.0 * one / pixels);
+    }
+}

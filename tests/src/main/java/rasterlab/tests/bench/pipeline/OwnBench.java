@@ -1,0 +1,126 @@
+package rasterlab.tests.bench.pipeline;
+
+import java.awt.Color;
+import java.util.Arrays;
+import org.joml.Vector4d;
+import rasterlab.engine.pipeline.triangle.DepthRaster;
+import rasterlab.engine.pipeline.triangle.Surface;
+import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.engine.pipeline.triangle.VertexColors;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.TriangleMesh;
+import rasterlab.engine.scene.VertexQuantity;
+
+/** What needs no OpenGL: Java2D, the memory's limit, and the pipeline beside itself. */
+final class OwnBench {
+    private static final TorusScene SCENE = new TorusScene(100_000, 1280, 720);
+
+    private final int rounds;
+
+    OwnBench(boolean quick) {
+        rounds = quick ? 10 : 40;
+    }
+
+    /** Two fills of plain arrays are what memory allows; the goal is 1.1 times their time. */
+    Row clear(TrianglePipeline pipeline) {
+        var nothing = TriangleMesh.of(new float[0], new float[0], new float[0], new int[0]);
+        var view = SCENE.view();
+        var surface = new Surface.Flat(VertexColors.own());
+        var out = new DepthRaster(1920, 1080);
+        int[] argb = new int[1920 * 1080];
+        float[] depth = new float[1920 * 1080];
+        var turns =
+                new Turns(
+                        5 * rounds,
+                        () -> pipeline.drawOn(1, nothing, view, surface, out, () -> false),
+                        () -> {
+                            Arrays.fill(argb, 1);
+                            Arrays.fill(depth, 1f);
+                        });
+        return new Row(
+                "colour and depth clear of 1920×1080",
+                turns.text(0),
+                "two Arrays.fill " + turns.text(1),
+                turns.ratio(1, 0),
+                1 / 1.1,
+                "");
+    }
+
+    Row threads(TrianglePipeline pipeline) {
+        var mesh = SCENE.mesh();
+        var view = SCENE.view();
+        var surface = new Surface.Smooth(SCENE.light());
+        var out = new DepthRaster(SCENE.width(), SCENE.height());
+        var alone = new DepthRaster(SCENE.width(), SCENE.height());
+        try (var one = new TrianglePipeline(1)) {
+            var turns =
+                    new Turns(
+                            rounds,
+                            () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
+                            () -> one.drawOn(1, mesh, view, surface, alone, () -> false));
+            boolean same = Arrays.equals(out.raster().argb(), alone.raster().argb());
+            return new Row(
+                    SCENE + ", threads 1 → " + pipeline.threads(),
+                    turns.text(0),
+                    "one thread " + turns.text(1),
+                    turns.ratio(1, 0),
+                    pipeline.threads() == 2 ? 1.85 : 0,
+                    same ? "same picture bit for bit" : "the pictures differ");
+        }
+    }
+
+    /** Java2D gets the corners on the picture and no depth: it does a part of the work only. */
+    Row java2d(TrianglePipeline pipeline) {
+        var mesh = SCENE.mesh();
+        var view = SCENE.view();
+        var surface = new Surface.Smooth(SCENE.light());
+        var out = new DepthRaster(SCENE.width(), SCENE.height());
+        int[][] xy = corners(mesh);
+        var graphics = new Raster(SCENE.width(), SCENE.height()).image().createGraphics();
+        graphics.setColor(Color.ORANGE);
+        int[] x = new int[3];
+        int[] y = new int[3];
+        var turns =
+                new Turns(
+                        rounds,
+                        () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
+                        () -> {
+                            graphics.clearRect(0, 0, SCENE.width(), SCENE.height());
+                            int[] corner = mesh.triangles();
+                            for (int t = 0; t < corner.length; t += 3) {
+                                for (int k = 0; k < 3; k++) {
+                                    x[k] = xy[0][corner[t + k]];
+                                    y[k] = xy[1][corner[t + k]];
+                                }
+                                long area =
+                                        (long) (x[1] - x[0]) * (y[2] - y[0])
+                                                - (long) (x[2] - x[0]) * (y[1] - y[0]);
+                                if (area < 0) graphics.fillPolygon(x, y, 3);
+                            }
+                        });
+        return new Row(
+                SCENE + ", Gouraud",
+                turns.text(0),
+                "Java2D, one colour, no depth " + turns.text(1),
+                turns.ratio(1, 0),
+                0,
+                "");
+    }
+
+    private static int[][] corners(TriangleMesh mesh) {
+        var whole = SCENE.toClip().mul(SCENE.toEye());
+        int[][] xy = new int[2][mesh.vertexCount()];
+        for (int v = 0; v < mesh.vertexCount(); v++) {
+            var clip =
+                    new Vector4d(
+                                    mesh.values(VertexQuantity.X)[v],
+                                    mesh.values(VertexQuantity.Y)[v],
+                                    mesh.values(VertexQuantity.Z)[v],
+                                    1)
+                            .mul(whole);
+            xy[0][v] = (int) Math.rint((clip.x / clip.w + 1) * SCENE.width() / 2);
+            xy[1][v] = (int) Math.rint((1 - clip.y / clip.w) * SCENE.height() / 2);
+        }
+        return xy;
+    }
+}
