@@ -6,6 +6,7 @@ import rasterlab.engine.circle.EllipseTopic;
 import rasterlab.engine.clip.PolygonClipTopic;
 import rasterlab.engine.clip.SegmentClipTopic;
 import rasterlab.engine.clip.VolumeClipTopic;
+import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.fill.FillTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.naming.Named;
@@ -46,7 +47,8 @@ public final class Topics {
                 new RotateTopic(),
                 new AxisTopic(),
                 new SplineFunctionTopic(),
-                new CurveTopic());
+                new CurveTopic(),
+                new ColorTopic());
     }
 
     /**
