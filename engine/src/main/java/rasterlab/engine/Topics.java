@@ -8,6 +8,7 @@ import rasterlab.engine.clip.SegmentClipTopic;
 import rasterlab.engine.clip.VolumeClipTopic;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.fill.FillTopic;
+import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.polygon.inside.PointInPolygonTopic;
@@ -48,6 +49,7 @@ public final class Topics {
                 new AxisTopic(),
                 new SplineFunctionTopic(),
                 new CurveTopic(),
+                new ShadeTopic(),
                 new ColorTopic());
     }
 

@@ -70,7 +70,6 @@ final class ColorComparison {
     }
 
     private static double difference(double right, double is) {
-        if (Double.isNaN(right) && Double.isNaN(is)) return 0;
         double error = Math.abs(right - is);
         return Double.isNaN(error) ? Double.POSITIVE_INFINITY : error;
     }
