@@ -8,6 +8,8 @@ import rasterlab.engine.clip.SegmentClipTopic;
 import rasterlab.engine.clip.VolumeClipTopic;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.fill.FillTopic;
+import rasterlab.engine.light.face.FaceTopic;
+import rasterlab.engine.light.normals.NormalsTopic;
 import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.naming.Named;
@@ -50,6 +52,8 @@ public final class Topics {
                 new SplineFunctionTopic(),
                 new CurveTopic(),
                 new ShadeTopic(),
+                new NormalsTopic(),
+                new FaceTopic(),
                 new ColorTopic());
     }
 

@@ -24,4 +24,15 @@ public final class UnitVector {
         vector[2] = z / length;
         return true;
     }
+
+    /** The length of x, y, z, whatever its size. */
+    public static double length(double[] vector) {
+        double largest =
+                Math.max(Math.abs(vector[0]), Math.max(Math.abs(vector[1]), Math.abs(vector[2])));
+        if (largest == 0) return 0;
+        double x = vector[0] / largest;
+        double y = vector[1] / largest;
+        double z = vector[2] / largest;
+        return largest * Math.sqrt(x * x + y * y + z * z);
+    }
 }

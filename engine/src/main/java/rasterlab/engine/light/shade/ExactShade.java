@@ -9,7 +9,7 @@ import rasterlab.contract.SpotCone;
 import rasterlab.engine.transform.exact.BigTrig;
 
 /** The formula of {@link rasterlab.contract.PointShader} in decimals of 60 digits. */
-final class ExactShade {
+public final class ExactShade {
     private static final MathContext DIGITS = BigTrig.DIGITS;
     private static final BigDecimal ONE = BigDecimal.ONE;
     private static final BigDecimal ZERO = BigDecimal.ZERO;
@@ -23,7 +23,7 @@ final class ExactShade {
     private ExactShade() {}
 
     /** Three shares, or NaN where the contract refuses. */
-    static double[] intensity(LitPoint point, Reflection reflection) {
+    public static double[] intensity(LitPoint point, Reflection reflection) {
         double[] nothing = {Double.NaN, Double.NaN, Double.NaN};
         boolean mirrors = reflection != Reflection.LAMBERT;
         if (isZero(point.normal()) || isZero(point.toLight())) return nothing;
