@@ -1,6 +1,8 @@
 package rasterlab.app.canvas;
 
 import java.awt.Color;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import rasterlab.engine.raster.PixelMark;
@@ -21,12 +23,15 @@ public final class MethodColours {
     public static final Color PURPLE = new Color(0xCC79A7);
     public static final Color GREY = new Color(0x7F7F7F);
 
-    /** Source: P. Tol, Colour schemes, 2021, palette "muted". */
+    /** This and the next two: P. Tol, Colour schemes, 2021, palette "muted". */
     public static final Color WINE = new Color(0x882255);
 
-    /** What a method without a colour of its own is given, by its name's hash. */
-    private static final List<Color> OTHERS =
-            List.of(GREEN, BLUE, ORANGE, SKY_BLUE, PURPLE, YELLOW);
+    public static final Color INDIGO = new Color(0x332288);
+    public static final Color OLIVE = new Color(0x999933);
+
+    /** What methods without a colour of their own are given, those first that differ most. */
+    private static final List<Color> PALETTE =
+            List.of(BLUE, ORANGE, GREEN, PURPLE, SKY_BLUE, WINE, GREY, YELLOW, INDIGO, OLIVE);
 
     private static final Map<String, Color> OWN =
             Map.ofEntries(
@@ -45,9 +50,26 @@ public final class MethodColours {
 
     private MethodColours() {}
 
+    /** The method's own colour; {@link #INDIGO} where it has none. */
     public static Color of(String method) {
-        Color own = OWN.get(method);
-        return own != null ? own : OTHERS.get(Math.floorMod(method.hashCode(), OTHERS.size()));
+        return OWN.getOrDefault(method, INDIGO);
+    }
+
+    /**
+     * Colours to tell the methods of one picture apart: their own, and in the methods' order what
+     * is left of the palette, which begins again when it is used up.
+     */
+    public static Map<String, Color> among(List<String> methods) {
+        var left = new ArrayList<Color>(PALETTE);
+        methods.forEach(method -> left.remove(OWN.get(method)));
+        if (left.isEmpty()) left.addAll(PALETTE);
+        var colours = new LinkedHashMap<String, Color>();
+        int next = 0;
+        for (String method : methods) {
+            Color own = OWN.get(method);
+            colours.put(method, own != null ? own : left.get(next++ % left.size()));
+        }
+        return colours;
     }
 
     /**

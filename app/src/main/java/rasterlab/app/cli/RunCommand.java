@@ -82,7 +82,8 @@ final class RunCommand implements Callable<Integer> {
 
     @Option(
             names = "--steps",
-            description = "adds each step with its decision value, and the value's formula")
+            description =
+                    "adds each step; where a method decides by a value, that value and its formula")
     private boolean steps;
 
     @Option(

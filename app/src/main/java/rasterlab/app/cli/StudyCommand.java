@@ -1,6 +1,7 @@
 package rasterlab.app.cli;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -9,6 +10,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.app.study.StudyCounts;
 import rasterlab.app.study.StudyFile;
 import rasterlab.app.study.StudyProgress;
 import rasterlab.engine.study.Cost;
@@ -24,7 +26,7 @@ import rasterlab.engine.study.Topic;
         name = "study",
         mixinStandardHelpOptions = true,
         description = {
-            "Measures every method of a topic: cost per item against error.",
+            "Measures every method of a topic: cost per item, timed and where it can be counted, against error.",
             "Prints a table; --out writes a chart (.svg, .png) or the numbers (.csv, .json)."
         },
         footer = {"", "Example: ./lab study line --out line.svg --out line.csv"})
@@ -79,32 +81,36 @@ final class StudyCommand implements Callable<Integer> {
     }
 
     static TextTable table(Study study) {
-        var table =
-                new TextTable(
-                        "method",
-                        "workload",
-                        "size",
-                        "ns/" + study.item(),
-                        "spread",
-                        "error [" + study.errorUnit() + "]",
-                        "wrong",
-                        "verdict");
-        for (Measurement measured : study.measurements()) table.add(row(measured));
+        StudyCounts counts = StudyCounts.of(study);
+        var heads = new ArrayList<String>(List.of("method", "workload", "size"));
+        heads.add("ns/" + study.item());
+        heads.add("spread");
+        counts.names().forEach(name -> heads.add(name + "/" + study.item()));
+        heads.addAll(List.of("error [" + study.errorUnit() + "]", "wrong", "verdict"));
+        var table = new TextTable(heads);
+        for (Measurement measured : study.measurements()) table.add(row(measured, counts));
         return table;
     }
 
-    private static List<String> row(Measurement measured) {
+    private static List<String> row(Measurement measured, StudyCounts counts) {
         Cost cost = measured.cost();
         Deviation error = measured.error();
-        return List.of(
-                measured.method(),
-                measured.workload(),
-                String.valueOf(measured.size()),
-                number(cost.medianNanos()),
-                number(cost.lowNanos()) + "–" + number(cost.highNanos()),
-                String.valueOf(error.worst()),
-                String.valueOf(error.missing() + error.extra()),
-                measured.kind().code());
+        var row = new ArrayList<String>(List.of(measured.method(), measured.workload()));
+        row.add(String.valueOf(measured.size()));
+        row.add(number(cost.medianNanos()));
+        row.add(number(cost.lowNanos()) + "–" + number(cost.highNanos()));
+        counts.cells(measured).forEach(cell -> row.add(shortened(cell)));
+        row.add(String.valueOf(error.worst()));
+        row.add(String.valueOf(error.missing() + error.extra()));
+        row.add(measured.kind().code());
+        return row;
+    }
+
+    /** Whole counts as they are, others to two places, or two digits where those would be 0. */
+    private static String shortened(String count) {
+        if (!count.contains(".")) return count;
+        double value = Double.parseDouble(count);
+        return value >= 0.01 ? number(value) : String.format(Locale.ROOT, "%.1e", value);
     }
 
     private static String number(double value) {

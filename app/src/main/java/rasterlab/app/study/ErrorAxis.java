@@ -2,20 +2,27 @@ package rasterlab.app.study;
 
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
-import java.util.Locale;
+import java.util.stream.IntStream;
 import rasterlab.engine.study.Measurement;
 
 /**
- * A logarithmic error axis with a place for zero: the decade below the smallest error shown.
+ * A logarithmic error axis with a place for zero: a band below the decade of the smallest error.
  *
- * <p>An error e &gt; 0 stands at e. Exact results stand in lanes between 10^(low − 1) and 10^low,
- * one lane for each method, since they would hide each other on one line.
+ * <p>An error e &gt; 0 stands at e. Exact results stand in lanes between {@link #bottom} and {@link
+ * #border}, one lane for each method, since they would hide each other on one line. The band is no
+ * part of the scale: it has no numbers, and its height depends only on how many lanes it has.
  *
  * @param low exponent of the axis' lowest decade of real errors
  * @param high exponent of its upper end
  * @param lanes the methods with exact results, from the top lane down
  */
 record ErrorAxis(int low, int high, List<String> lanes) {
+    /** Between the least number and the band of zero, in shares of the scale. */
+    private static final double GAP = 0.04;
+
+    /** Numbers beside each other are at least this share of the axis apart. */
+    private static final double LEAST_GAP = 0.045;
+
     ErrorAxis {
         if (low >= high)
             throw new IllegalArgumentException("axis needs low < high, got " + low + ", " + high);
@@ -33,7 +40,7 @@ record ErrorAxis(int low, int high, List<String> lanes) {
         DoubleSummaryStatistics real =
                 points.stream()
                         .mapToDouble(point -> point.error().worst())
-                        .filter(error -> error > 0)
+                        .filter(error -> error > 0 && Double.isFinite(error))
                         .summaryStatistics();
         if (real.getCount() == 0) return new ErrorAxis(-1, 0, lanes);
         int low = (int) Math.floor(Math.log10(real.getMin()));
@@ -41,45 +48,54 @@ record ErrorAxis(int low, int high, List<String> lanes) {
         return new ErrorAxis(low, high, lanes);
     }
 
-    /** Where a point stands, as a value of the logarithmic axis. */
+    /** Where a point stands, as a value of the axis; an infinite error at its upper end. */
     double position(Measurement point) {
         double error = point.error().worst();
-        if (error > 0) return error;
+        if (error != 0) return Double.isFinite(error) ? error : top();
         double lane = lanes.indexOf(point.method()) + 1.0;
-        return Math.pow(10, low - lane / (lanes.size() + 1));
+        return border() * Math.pow(10, -band() * lane / (lanes.size() + 1));
     }
 
-    /** A little above that place, for a label: 3.2 % of the axis. */
-    double above(double position) {
-        return position * Math.pow(10, 0.032 * (high - low + 1));
+    /** Height of the band of zero, in decades of the axis: 8 % to a quarter of the rest. */
+    private double band() {
+        return (high - low) * Math.min(0.25, 0.06 + 0.02 * lanes.size());
     }
 
     double bottom() {
-        return Math.pow(10, low - 1);
+        return border() * Math.pow(10, -band());
     }
 
     double top() {
         return Math.pow(10, high);
     }
 
-    /** The line between exact results and real errors. */
+    /** Upper edge of the band of zero, a little below the least number. */
     double border() {
-        return Math.pow(10, low);
+        return Math.pow(10, low - GAP * (high - low));
+    }
+
+    /** The powers of ten that have a number, from the lowest up. */
+    List<Double> ticks() {
+        int step = (int) Math.ceil((high - low + band()) * LEAST_GAP);
+        return IntStream.rangeClosed(low, high)
+                .filter(power -> (power - low) % step == 0)
+                .mapToObj(power -> Math.pow(10, power))
+                .toList();
     }
 
     /**
-     * The label of a tick at that value.
+     * The label of a multiple of a power of ten; empty where it has none.
      *
-     * @param exact the label at the bottom, which stands for exact
+     * @param exact the label of the band of zero, which stands at the multiple next to its middle
      */
     String label(double value, String exact) {
-        if (value < border() * 0.999) return exact;
-        return value >= 0.001 && value < 1e6
-                ? trimmed(String.format(Locale.ROOT, "%.3f", value))
-                : String.format(Locale.ROOT, "1e%d", Math.round(Math.log10(value)));
+        if (value < border() * 0.999) return LogTicks.same(value, middleOfZero()) ? exact : "";
+        return ticks().stream().anyMatch(tick -> LogTicks.same(value, tick))
+                ? LogTicks.label(value)
+                : "";
     }
 
-    private static String trimmed(String decimal) {
-        return decimal.replaceFirst("\\.?0+$", "");
+    private double middleOfZero() {
+        return LogTicks.nearestMultiple(border() * Math.pow(10, -band() / 2));
     }
 }

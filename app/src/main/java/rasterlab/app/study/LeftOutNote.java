@@ -7,54 +7,66 @@ import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
-import org.knowm.xchart.internal.chartpart.Annotation;
+import java.util.Map;
+import java.util.stream.Collectors;
+import rasterlab.app.canvas.Wrapping;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
 
-/** Names, in the corner below the legend, the methods that could not be timed, and why. */
-final class LeftOutNote extends Annotation {
-    private static final int LINE_HEIGHT = 15;
+/**
+ * A sentence below a chart that names the methods that could not be timed, and why; no lines where
+ * there are none.
+ */
+record LeftOutNote(List<String> lines) {
+    private static final int LINE_HEIGHT = 16;
+    private static final int MARGIN = 12;
 
-    private final List<String> lines = new ArrayList<>();
-    private final int x;
-    private final int bottom;
+    /** The longest line, in characters: what about 950 pixels hold. */
+    private static final int LONGEST_LINE = 130;
 
-    /**
-     * @param x left end of the text, in pixels of the chart
-     * @param bottom base line of the last row, in pixels of the chart
-     */
-    LeftOutNote(Study study, StudyWords words, int x, int bottom) {
-        super(true);
-        this.x = x;
-        this.bottom = bottom;
-        var sizes = new LinkedHashMap<String, EnumMap<Verdict.Kind, List<Integer>>>();
+    LeftOutNote {
+        lines = List.copyOf(lines);
+    }
+
+    static LeftOutNote of(Study study, StudyWords words) {
+        var sizes = new LinkedHashMap<String, Map<Verdict.Kind, List<Integer>>>();
         for (Measurement measured : study.measurements())
             if (!measured.cost().timed())
                 sizes.computeIfAbsent(
                                 measured.method(), method -> new EnumMap<>(Verdict.Kind.class))
                         .computeIfAbsent(measured.kind(), kind -> new ArrayList<>())
                         .add(measured.size());
-        if (!sizes.isEmpty()) lines.add(words.notTimed());
-        sizes.forEach(
-                (method, kinds) -> {
-                    lines.add(method);
-                    kinds.forEach((kind, at) -> lines.add("   " + words.reason(kind, at)));
-                });
+        if (sizes.isEmpty()) return new LeftOutNote(List.of());
+        String methods =
+                sizes.entrySet().stream()
+                        .map(entry -> entry.getKey() + " " + reasons(entry.getValue(), words))
+                        .collect(Collectors.joining("; "));
+        return new LeftOutNote(
+                Wrapping.lines(words.notTimed() + " " + methods, LONGEST_LINE, String::length));
     }
 
-    List<String> lines() {
-        return List.copyOf(lines);
+    private static String reasons(Map<Verdict.Kind, List<Integer>> sizes, StudyWords words) {
+        return sizes.entrySet().stream()
+                .map(entry -> words.reason(entry.getKey(), entry.getValue()))
+                .collect(Collectors.joining(", ", "(", ")"));
     }
 
-    @Override
-    public void paint(Graphics2D graphics) {
+    /** Height of the note in pixels. */
+    int height() {
+        return lines.isEmpty() ? 0 : lines.size() * LINE_HEIGHT + MARGIN;
+    }
+
+    /**
+     * @param top upper edge of the note, in pixels of the picture
+     */
+    void paint(Graphics2D graphics, int top) {
         graphics.setColor(Color.DARK_GRAY);
         graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
-        int y = bottom - (lines.size() - 1) * LINE_HEIGHT;
+        int y = top;
         for (String line : lines) {
-            graphics.drawString(line, x, y);
             y += LINE_HEIGHT;
+            graphics.drawString(line, MARGIN, y - 4);
         }
     }
 }

@@ -4,53 +4,47 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Collection;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import org.apache.batik.dom.GenericDOMImplementation;
 import org.apache.batik.svggen.SVGGraphics2D;
 import org.apache.batik.svggen.SVGSyntax;
-import org.knowm.xchart.AnnotationText;
-import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.Styler.LegendPosition;
 import org.knowm.xchart.style.XYStyler;
-import org.knowm.xchart.style.markers.Marker;
-import org.knowm.xchart.style.markers.SeriesMarkers;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 
-/** A study as a chart: cost to the right, error upwards, one line through each method's sizes. */
+/** A study as a chart: cost to the right, error upwards, a line through each method's sizes. */
 public final class StudyChart {
     /** Size of the picture in pixels. */
     private static final int WIDTH = 1000;
 
     private static final int HEIGHT = 700;
 
-    private static final List<Marker> MARKERS =
-            List.of(
-                    SeriesMarkers.CIRCLE,
-                    SeriesMarkers.SQUARE,
-                    SeriesMarkers.TRIANGLE_UP,
-                    SeriesMarkers.DIAMOND,
-                    SeriesMarkers.TRIANGLE_DOWN,
-                    SeriesMarkers.TRAPEZOID);
-
     private StudyChart() {}
 
     /** The chart as a picture of 1000 × 700 pixels. */
     public static BufferedImage image(Study study, Language language) {
-        return BitmapEncoder.getBufferedImage(chart(study, new StudyWords(language)));
+        var image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        paint(study, new StudyWords(language), graphics);
+        graphics.dispose();
+        return image;
     }
 
     /** The chart as an SVG document of the same size. */
@@ -60,7 +54,7 @@ public final class StudyChart {
                         .createDocument(SVGSyntax.SVG_NAMESPACE_URI, SVGSyntax.SVG_SVG_TAG, null);
         var graphics = new SVGGraphics2D(document);
         graphics.setSVGCanvasSize(new Dimension(WIDTH, HEIGHT));
-        chart(study, new StudyWords(language)).paint(graphics, WIDTH, HEIGHT);
+        paint(study, new StudyWords(language), graphics);
         var bytes = new ByteArrayOutputStream();
         try (var writer = new OutputStreamWriter(bytes, StandardCharsets.UTF_8)) {
             graphics.stream(writer, true);
@@ -70,14 +64,34 @@ public final class StudyChart {
         return bytes.toByteArray();
     }
 
+    private static void paint(Study study, StudyWords words, Graphics2D graphics) {
+        var note = LeftOutNote.of(study, words);
+        int height = HEIGHT - note.height();
+        graphics.setColor(Color.WHITE);
+        graphics.fillRect(0, 0, WIDTH, HEIGHT);
+        chart(study, words).paint(graphics, WIDTH, height);
+        note.paint(graphics, height);
+    }
+
     static XYChart chart(Study study, StudyWords words) {
-        var axis = ErrorAxis.over(points(study));
+        var costs = CostAxis.over(points(study));
+        var errors = ErrorAxis.over(points(study));
+        var sizes = new SizeLabels();
         XYChart chart = empty(study, words);
-        style(chart.getStyler(), axis, words);
-        chart.addAnnotation(new ErrorGrid(axis));
-        List<String> methods = points(study).stream().map(Measurement::method).distinct().toList();
-        for (String method : methods) add(chart, method, of(method, points(study)), axis);
-        chart.addAnnotation(new LeftOutNote(study, words, WIDTH - 180, HEIGHT - 20));
+        style(chart.getStyler());
+        style(chart.getStyler(), costs, errors, words);
+        chart.addAnnotation(new ChartGrid(costs, errors));
+        List<String> methods =
+                study.measurements().stream().map(Measurement::method).distinct().toList();
+        MethodLook.of(methods)
+                .forEach(
+                        (method, look) -> {
+                            for (List<Measurement> line : lines(method, points(study))) {
+                                add(chart, method, look, line, errors);
+                                label(sizes, look, line, errors);
+                            }
+                        });
+        chart.addAnnotation(sizes);
         return chart;
     }
 
@@ -91,23 +105,28 @@ public final class StudyChart {
                 .build();
     }
 
-    private static void style(XYStyler styler, ErrorAxis axis, StudyWords words) {
-        styler.setLegendPosition(LegendPosition.OutsideE);
-        styler.setXAxisLogarithmic(true).setXAxisLogarithmicDecadeOnly(false);
+    private static void style(XYStyler styler, CostAxis costs, ErrorAxis errors, StudyWords words) {
+        styler.setXAxisLogarithmic(true)
+                .setXAxisLogarithmicDecadeOnly(false)
+                .setXAxisMin(costs.left())
+                .setXAxisMax(costs.right());
+        styler.setXAxisTickLabelsFormattingFunction(costs::label);
         styler.setYAxisLogarithmic(true)
-                .setYAxisLogarithmicDecadeOnly(true)
-                .setYAxisMin(axis.bottom())
-                .setYAxisMax(axis.top());
-        styler.setYAxisTickLabelsFormattingFunction(value -> axis.label(value, words.exact()));
+                .setYAxisLogarithmicDecadeOnly(false)
+                .setYAxisMin(errors.bottom())
+                .setYAxisMax(errors.top());
+        styler.setYAxisTickLabelsFormattingFunction(value -> errors.label(value, words.exact()));
+    }
+
+    private static void style(XYStyler styler) {
+        styler.setLegendPosition(LegendPosition.OutsideE);
         styler.setLocale(Locale.ROOT);
         styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
         styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
         styler.setChartTitleBoxVisible(false);
         styler.setChartBackgroundColor(Color.WHITE);
         styler.setPlotBackgroundColor(Color.WHITE);
-        styler.setPlotGridHorizontalLinesVisible(false);
-        styler.setAnnotationTextFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
-        styler.setAnnotationTextFontColor(Color.DARK_GRAY);
+        styler.setPlotGridLinesVisible(false).setAxisTicksMarksVisible(false);
         styler.setMarkerSize(11);
     }
 
@@ -116,32 +135,56 @@ public final class StudyChart {
         return study.measurements().stream().filter(measured -> measured.cost().timed()).toList();
     }
 
-    private static List<Measurement> of(String method, List<Measurement> points) {
+    /** A method's points, those of one kind of workload together and by size. */
+    private static Collection<List<Measurement>> lines(String method, List<Measurement> points) {
         return points.stream()
                 .filter(point -> point.method().equals(method))
                 .sorted(Comparator.comparingInt(Measurement::size))
-                .toList();
+                .collect(
+                        Collectors.groupingBy(
+                                StudyChart::kind, LinkedHashMap::new, Collectors.toList()))
+                .values();
+    }
+
+    /**
+     * A workload's name without its second word, which is its size: only points that differ in
+     * nothing else lie on one line.
+     */
+    private static String kind(Measurement point) {
+        return point.workload().replaceFirst("-[^-]*", "");
     }
 
     private static void add(
-            XYChart chart, String method, List<Measurement> points, ErrorAxis axis) {
-        double[] costs = points.stream().mapToDouble(p -> p.cost().medianNanos()).toArray();
+            XYChart chart,
+            String method,
+            MethodLook look,
+            List<Measurement> points,
+            ErrorAxis axis) {
+        double[] costs = points.stream().mapToDouble(StudyChart::cost).toArray();
         double[] errors = points.stream().mapToDouble(axis::position).toArray();
-        Marker marker = MARKERS.get(chart.getSeriesCollection().size() % MARKERS.size());
-        XYSeries series = chart.addSeries(method, costs, errors);
-        series.setMarker(marker);
-        series.setMarkerColor(MethodColours.of(method));
-        series.setLineColor(MethodColours.of(method));
+        boolean first =
+                chart.getSeriesCollection().stream().noneMatch(s -> s.getName().equals(method));
+        String name = first ? method : method + " " + kind(points.get(0));
+        XYSeries series = chart.addSeries(name, costs, errors);
+        series.setShowInLegend(first);
+        series.setMarker(look.marker());
+        series.setMarkerColor(look.colour());
+        series.setLineColor(look.colour());
         series.setLineStyle(new BasicStroke(2f));
-        chart.addAnnotation(sizeLabel(points.get(0), axis));
-        if (points.size() > 1) chart.addAnnotation(sizeLabel(points.get(points.size() - 1), axis));
     }
 
-    private static AnnotationText sizeLabel(Measurement point, ErrorAxis axis) {
-        return new AnnotationText(
-                String.valueOf(point.size()),
-                point.cost().medianNanos(),
-                axis.above(axis.position(point)),
-                false);
+    /** The least and the greatest size. */
+    private static void label(
+            SizeLabels sizes, MethodLook look, List<Measurement> points, ErrorAxis axis) {
+        for (Measurement point : points) sizes.avoid(cost(point), axis.position(point));
+        Measurement first = points.get(0);
+        Measurement last = points.get(points.size() - 1);
+        sizes.add(first.size(), cost(first), axis.position(first), look.colour());
+        if (points.size() > 1)
+            sizes.add(last.size(), cost(last), axis.position(last), look.colour());
+    }
+
+    private static double cost(Measurement point) {
+        return point.cost().medianNanos();
     }
 }

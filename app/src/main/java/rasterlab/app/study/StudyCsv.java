@@ -6,7 +6,10 @@ import java.util.stream.Stream;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 
-/** A study as comma-separated values. Source of the quoting: RFC 4180. */
+/**
+ * A study as comma-separated values, what was counted per item in the last columns. Source of the
+ * quoting: RFC 4180.
+ */
 final class StudyCsv {
     private static final List<String> HEADS =
             List.of(
@@ -28,14 +31,26 @@ final class StudyCsv {
     private StudyCsv() {}
 
     static String of(Study study) {
+        StudyCounts counts = StudyCounts.of(study);
         return Stream.concat(
-                        Stream.of(HEADS),
-                        study.measurements().stream().map(measured -> row(study, measured)))
+                        Stream.of(heads(counts)),
+                        study.measurements().stream().map(measured -> row(study, measured, counts)))
                 .map(cells -> cells.stream().map(StudyCsv::cell).collect(Collectors.joining(",")))
                 .collect(Collectors.joining("\r\n", "", "\r\n"));
     }
 
-    private static List<String> row(Study study, Measurement measured) {
+    private static List<String> heads(StudyCounts counts) {
+        Stream<String> counted = counts.names().stream().map(name -> name + "_per_item");
+        return Stream.concat(HEADS.stream(), counted).toList();
+    }
+
+    private static List<String> row(Study study, Measurement measured, StudyCounts counts) {
+        return Stream.concat(
+                        measuredCells(study, measured).stream(), counts.cells(measured).stream())
+                .toList();
+    }
+
+    private static List<String> measuredCells(Study study, Measurement measured) {
         return List.of(
                 study.topic(),
                 measured.method(),

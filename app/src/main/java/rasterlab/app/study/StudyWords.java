@@ -15,14 +15,27 @@ public final class StudyWords {
         texts = Texts.of("study", language);
     }
 
-    /** What is counted, in the singular; in English where it has no translation. */
+    /** What is counted, as it stands behind "per"; in English where it has no translation. */
     public String item(Study study) {
-        return texts.textOr("item." + study.item(), study.item());
+        return texts.textOr(itemKey(study.item()), study.item());
     }
 
     /** Unit of the error; in English where it has no translation. */
     public String errorUnit(Study study) {
-        return texts.textOr("unit." + study.errorUnit(), study.errorUnit());
+        return texts.textOr(unitKey(study.errorUnit()), study.errorUnit());
+    }
+
+    /** The key of a topic's item; keys have hyphens where the engine's words have others. */
+    static String itemKey(String item) {
+        return "item." + hyphened(item);
+    }
+
+    static String unitKey(String unit) {
+        return "unit." + hyphened(unit);
+    }
+
+    private static String hyphened(String words) {
+        return words.replaceAll("[^a-z]+", "-").replaceFirst("^-", "");
     }
 
     String title(Study study) {

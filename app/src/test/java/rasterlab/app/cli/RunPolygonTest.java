@@ -133,8 +133,10 @@ class RunPolygonTest {
         assertTrue(
                 ran.out()
                         .contains(
-                                "\"steps\":[[{\"edge\":0,\"count\":0},{\"edge\":1,\"count\":1},"
-                                        + "{\"edge\":2,\"count\":1},{\"edge\":3,\"count\":1}]]"),
+                                "\"steps\":[[{\"edge\":0,\"count\":0,\"decision\":0},"
+                                        + "{\"edge\":1,\"count\":1,\"decision\":1},"
+                                        + "{\"edge\":2,\"count\":1,\"decision\":1},"
+                                        + "{\"edge\":3,\"count\":1,\"decision\":1}]]"),
                 ran.out());
         assertTrue(ran.out().contains("\"decision\":\"edges with "), ran.out());
         ran.assertDone();

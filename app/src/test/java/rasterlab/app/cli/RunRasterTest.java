@@ -89,8 +89,30 @@ class RunRasterTest {
                         "circle",
                         "midpoint",
                         "{\"center\":[0,0],\"radius\":-1}",
-                        3,
-                        "midpoint refuses: radius along x must be 0 or more pixels, got -1"),
+                        2,
+                        "/radius: expected a whole number from 0 to 2147483647, got -1"),
+                argumentSet(
+                        "half an ellipse is below 0",
+                        "ellipse",
+                        "parametric",
+                        "{\"center\":[0,0],\"rx\":-2,\"ry\":1}",
+                        2,
+                        "/rx: expected a whole number from 0 to 524288, got -2"),
+                argumentSet(
+                        "the eye is behind the origin",
+                        "view",
+                        "one-matrix",
+                        "{\"points\":[],\"theta\":0,\"phi\":0,\"rho\":-1}",
+                        2,
+                        "/rho: expected a number above 0.0, up to 1.0715086071862673E301, got -1"),
+                argumentSet(
+                        "the circle has more pixels than an answer",
+                        "circle",
+                        "midpoint",
+                        "{\"center\":[0,0],\"radius\":9999999}",
+                        4,
+                        "the answer has more than 10000000 pixels, the most that one answer may"
+                                + " have; give a smaller \"radius\""),
                 argumentSet(
                         "the circle leaves the range",
                         "circle",
@@ -104,8 +126,8 @@ class RunRasterTest {
                         "ellipse",
                         "midpoint",
                         "{\"center\":[0,0],\"rx\":5,\"ry\":600000}",
-                        3,
-                        "midpoint refuses: radius along y must be in 0..524288 pixels, got 600000"),
+                        2,
+                        "/ry: expected a whole number from 0 to 524288, got 600000"),
                 argumentSet(
                         "the radius is missing",
                         "circle",
@@ -119,7 +141,7 @@ class RunRasterTest {
                         "midpoint",
                         "{\"center\":[0,0],\"rx\":1,\"ry\":true}",
                         2,
-                        "/ry: expected a whole number from -2147483648 to 2147483647, got true"),
+                        "/ry: expected a whole number from 0 to 524288, got true"),
                 argumentSet(
                         "a field is unknown",
                         "circle",

@@ -9,6 +9,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -47,6 +48,28 @@ class StudyCommandTest {
         assertEquals(measurements + 1, ran.out().lines().count());
         assertTrue(json.path("machine").hasNonNull("java"));
         assertTrue(Files.readString(folder.resolve("line.svg")).contains("<svg"));
+    }
+
+    /**
+     * The course's 17 operations with 12 multiplications against 13 with 8, for a single point; one
+     * addition more is counted for the matrix, that of ρ, which the course leaves out.
+     */
+    @Test
+    void viewShowsThatTakingItApartSavesOperations() {
+        Ran ran = Ran.lab("study", "view", "--quick");
+        List<String[]> rows = ran.out().lines().map(row -> row.split("  +")).toList();
+        int additions = List.of(rows.get(0)).indexOf("additions/point");
+        int products = List.of(rows.get(0)).indexOf("multiplications/point");
+        assertTrue(additions > 0 && products > 0, ran.out());
+        assertEquals(List.of("12", "6"), counts(rows, "one-matrix", products, additions));
+        assertEquals(List.of("8", "5"), counts(rows, "taken-apart", products, additions));
+        ran.assertDone();
+    }
+
+    private static List<String> counts(List<String[]> rows, String method, int... columns) {
+        String[] row =
+                rows.stream().filter(cells -> cells[0].equals(method)).findFirst().orElseThrow();
+        return IntStream.of(columns).mapToObj(column -> row[column]).toList();
     }
 
     @Test

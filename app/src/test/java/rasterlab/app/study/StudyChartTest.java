@@ -9,14 +9,19 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.knowm.xchart.XYChart;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
+import rasterlab.engine.Topics;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 
 class StudyChartTest {
@@ -34,11 +39,121 @@ class StudyChartTest {
     }
 
     @Test
+    void infiniteErrorKeepsTheAxisFinite() {
+        List<Measurement> points =
+                List.of(point("dda", 20), point("naive", Double.POSITIVE_INFINITY));
+        ErrorAxis axis = ErrorAxis.over(points);
+        assertEquals(100, axis.top());
+        assertEquals(100, axis.position(points.get(1)));
+    }
+
+    @Test
     void labelsAreWordsAndPlainNumbers() {
-        ErrorAxis axis = ErrorAxis.over(List.of(point("dda", 0), point("naive", 2000)));
-        assertEquals("0 (exact)", axis.label(axis.bottom(), "0 (exact)"));
-        assertEquals("1000", axis.label(1000, ""));
-        assertEquals("1e7", axis.label(1e7, ""));
+        ErrorAxis axis = ErrorAxis.over(List.of(point("dda", 0), point("naive", 2e7)));
+        assertEquals("1e7", axis.label(1e7, "0 (exact)"));
+        assertEquals("", axis.label(2e7, "0 (exact)"), "a multiple has no room");
+        ErrorAxis low = ErrorAxis.over(List.of(point("dda", 0), point("naive", 2000)));
+        assertEquals("1000", low.label(1000, "0 (exact)"));
+    }
+
+    @Test
+    void exactStandsOnceInTheBandAndTheBandHasNoNumbers() {
+        ErrorAxis axis = ErrorAxis.over(List.of(point("dda", 0), point("naive", 2e7)));
+        List<String> labels =
+                multiples(axis.bottom(), axis.border()).map(v -> axis.label(v, "exact")).toList();
+        assertEquals(List.of("exact"), labels.stream().filter(l -> !l.isEmpty()).toList());
+    }
+
+    private static Stream<Double> multiples(double from, double to) {
+        return IntStream.rangeClosed(-20, 20)
+                .boxed()
+                .flatMap(power -> IntStream.range(1, 10).mapToObj(i -> i * Math.pow(10, power)))
+                .filter(value -> from <= value && value <= to);
+    }
+
+    @Test
+    void numbersOfManyDecadesKeepTheirDistance() {
+        ErrorAxis errors = ErrorAxis.over(List.of(point("dda", 1e-60), point("naive", 1)));
+        assertTrue(errors.ticks().size() <= 22, errors.ticks().toString());
+        CostAxis costs = CostAxis.over(List.of(costing(2e-5), costing(40)));
+        assertEquals(
+                List.of("1e-5", "1e-4", "0.001", "0.01", "0.1", "1", "10"),
+                costs.ticks().stream().map(costs::label).toList());
+        assertEquals("", costs.label(20));
+    }
+
+    @Test
+    void fewDecadesHaveNumbersBetweenThePowersOfTen() {
+        CostAxis costs = CostAxis.over(List.of(costing(24), costing(25)));
+        assertEquals(
+                List.of("20", "50"),
+                costs.ticks().stream().map(costs::label).toList(),
+                "both ends");
+    }
+
+    @Test
+    void noTwoMethodsOfATopicLookTheSame() {
+        Topics.all().forEach(topic -> assertDistinct(names(topic)));
+        assertDistinct(IntStream.range(0, 70).mapToObj(i -> "m" + i).toList());
+    }
+
+    private static List<String> names(Topic<?, ?, ?> topic) {
+        return topic.methods().stream().map(Method::name).toList();
+    }
+
+    private static void assertDistinct(List<String> methods) {
+        Map<String, MethodLook> looks = MethodLook.of(methods);
+        assertEquals(methods.size(), Set.copyOf(looks.values()).size(), methods.toString());
+    }
+
+    @Test
+    void topicsOfUpToTenMethodsHaveAColourForEach() {
+        for (Topic<?, ?, ?> topic : Topics.all())
+            assertEquals(
+                    Math.min(10, names(topic).size()),
+                    Math.min(10, Set.copyOf(MethodColours.among(names(topic)).values()).size()),
+                    topic.name());
+    }
+
+    @Test
+    void linesJoinOnlyWorkloadsThatDifferInSize() {
+        var study =
+                new Study(
+                        "curve",
+                        "point",
+                        "pixels",
+                        List.of(
+                                measured("flat-4-px", 10),
+                                measured("steps-16", 16),
+                                measured("flat-64th-px", 20)));
+        XYChart chart = StudyChart.chart(study, new StudyWords(Language.ENGLISH));
+        assertEquals(
+                List.of(2, 1),
+                chart.getSeriesCollection().stream().map(line -> line.getXData().length).toList());
+        assertEquals(
+                1, chart.getSeriesCollection().stream().filter(s -> s.isShowInLegend()).count());
+    }
+
+    @Test
+    void noteBelowTheChartIsNotCutOff() {
+        List<Measurement> many =
+                IntStream.range(0, 9)
+                        .mapToObj(
+                                i ->
+                                        new Measurement(
+                                                "cohen-sutherland-nested-textbook-" + i,
+                                                "w",
+                                                16,
+                                                Cost.NONE,
+                                                Deviation.NONE,
+                                                Verdict.Kind.ENDLESS,
+                                                ""))
+                        .toList();
+        var study = new Study("clip-segment", "segment", "window sizes", many);
+        var note = LeftOutNote.of(study, new StudyWords(Language.ENGLISH));
+        assertTrue(note.lines().stream().allMatch(l -> l.length() <= 130), note.toString());
+        assertTrue(note.lines().size() > 2, note.toString());
+        StudyChart.image(study, Language.ENGLISH);
     }
 
     @Test
@@ -73,16 +188,19 @@ class StudyChartTest {
                                 untimed(256, Verdict.Kind.CRASHED)));
         var words = new StudyWords(Language.RUSSIAN);
         assertEquals(
-                List.of("Не измерено:", "dda", "   отказ при 16, 64", "   сбой при 256"),
-                new LeftOutNote(study, words, 0, 0).lines());
+                List.of("Не измерено: dda (отказ при 16, 64, сбой при 256)"),
+                LeftOutNote.of(study, words).lines());
         String svg = new String(StudyChart.svg(study, Language.RUSSIAN), StandardCharsets.UTF_8);
         var texts = Pattern.compile(">([^<]*[a-zA-Z]{3}[^<]*)<").matcher(svg);
         List<String> english = texts.results().map(found -> found.group(1).strip()).toList();
-        assertEquals(Set.of("dda"), Set.copyOf(english));
+        assertEquals(
+                List.of("Не измерено: dda (отказ при 16, 64, сбой при 256)"),
+                english,
+                "but a name");
         XYChart chart = StudyChart.chart(study, words);
         assertEquals("Скорость и точность: тема line", chart.getTitle());
         assertTrue(chart.getXAxisTitle().startsWith("цена: наносекунд на пиксель"));
-        assertEquals("наибольшая ошибка, пиксели", chart.getYAxisTitle());
+        assertEquals("наибольшая ошибка [пиксели]", chart.getYAxisTitle());
     }
 
     private static Measurement untimed(int size, Verdict.Kind kind) {
@@ -93,6 +211,16 @@ class StudyChartTest {
         for (int y = 0; y < image.getHeight(); y++)
             for (int x = 0; x < image.getWidth(); x++) if (image.getRGB(x, y) == rgb) return true;
         return false;
+    }
+
+    private static Measurement costing(double nanos) {
+        var cost = new Cost(nanos, nanos, nanos, Map.of());
+        return new Measurement("dda", "w", 16, cost, Deviation.NONE, Verdict.Kind.EXACT, "");
+    }
+
+    private static Measurement measured(String workload, int size) {
+        var cost = new Cost(2, 1, 3, Map.of());
+        return new Measurement("dda", workload, size, cost, Deviation.NONE, Verdict.Kind.EXACT, "");
     }
 
     private static Measurement point(String method, double error) {

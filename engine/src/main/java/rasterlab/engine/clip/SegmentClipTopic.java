@@ -26,7 +26,7 @@ public final class SegmentClipTopic
     static final double USABLE_UNITS = 1e-3;
 
     /** More steps than any method that ends makes for one segment. */
-    private static final int MOST_STEPS = 1_000;
+    public static final int MOST_STEPS = 1_000;
 
     @Override
     public String name() {

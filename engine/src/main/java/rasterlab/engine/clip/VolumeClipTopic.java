@@ -23,7 +23,7 @@ import rasterlab.engine.study.Workload;
 public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVolume, ClippedEnds> {
     static final double RIGHT = 1e-12;
     private static final double USABLE = 1e-3;
-    private static final int MOST_STEPS = 1_000;
+    public static final int MOST_STEPS = 1_000;
 
     @Override
     public String name() {

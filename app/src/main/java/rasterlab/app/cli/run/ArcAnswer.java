@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.engine.circle.ArcWalk;
 import rasterlab.engine.raster.PixelRecording;
 
@@ -15,7 +16,13 @@ import rasterlab.engine.raster.PixelRecording;
 record ArcAnswer(PixelRecording pixels, String decision, List<Step> steps)
         implements TopicRun.Answer {
     /** A pixel counted from the centre, with the value by which the next one is chosen. */
-    private record Step(int u, int v, double decision) {}
+    private record Step(int u, int v, double decision) {
+        void write(JsonGenerator json) throws IOException {
+            json.writeNumberField("u", u);
+            json.writeNumberField("v", v);
+            JsonNumbers.writeField(json, "decision", decision);
+        }
+    }
 
     static ArcAnswer of(PixelRecording pixels) {
         return new ArcAnswer(pixels, null, List.of());
@@ -29,24 +36,7 @@ record ArcAnswer(PixelRecording pixels, String decision, List<Step> steps)
 
     @Override
     public void write(JsonGenerator json) throws IOException {
-        json.writeArrayFieldStart("pixels");
-        for (int i = 0; i < pixels.size(); i++) {
-            json.writeStartArray();
-            json.writeNumber(pixels.x(i));
-            json.writeNumber(pixels.y(i));
-            json.writeEndArray();
-        }
-        json.writeEndArray();
-        if (decision == null) return;
-        json.writeStringField("decision", decision);
-        json.writeArrayFieldStart("steps");
-        for (Step step : steps) {
-            json.writeStartObject();
-            json.writeNumberField("u", step.u);
-            json.writeNumberField("v", step.v);
-            JsonNumbers.writeField(json, "decision", step.decision);
-            json.writeEndObject();
-        }
-        json.writeEndArray();
+        PixelJson.write(json, pixels);
+        if (decision != null) Steps.write(json, decision, steps, (out, step) -> step.write(out));
     }
 }

@@ -4,6 +4,9 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.AxisRotation;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.Images;
@@ -59,7 +62,7 @@ final class AxisRun implements TopicRun {
     }
 
     private Answer stepped(String method, AxisRotation rotation, Given given) {
-        if (!(rotation instanceof SteppedAxisRotation stepped)) throw Steps.none(method);
+        SteppedAxisRotation stepped = Steps.of(method, rotation, SteppedAxisRotation.class);
         List<Step> steps = watch.call(method, () -> steps(stepped, given));
         return json -> {
             PointJson.write(json, steps.get(steps.size() - 1).points(), 3);

@@ -2,6 +2,9 @@ package rasterlab.app.cli.run;
 
 import java.io.IOException;
 import java.util.List;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.transform.chain.Chain;
 import rasterlab.engine.transform.matrix.MatrixCall;

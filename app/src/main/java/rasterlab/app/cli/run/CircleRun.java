@@ -1,6 +1,8 @@
 package rasterlab.app.cli.run;
 
-import rasterlab.app.outcome.Complaint;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.CircleRasterizer;
 import rasterlab.engine.circle.Circle;
 import rasterlab.engine.circle.CircleTopic;
@@ -13,7 +15,9 @@ final class CircleRun implements TopicRun {
     private static final JsonField<int[]> CENTER =
             JsonField.required("center", json -> json.integers(2));
     private static final JsonField<Integer> RADIUS =
-            JsonField.required("radius", StrictJson::integer);
+            JsonField.required("radius", json -> json.integer(0, Integer.MAX_VALUE));
+    private static final PixelSink.Figure FIGURE =
+            new PixelSink.Figure("circle", "give a smaller \"radius\"");
 
     private final CircleTopic topic = new CircleTopic();
     private final Watch watch;
@@ -39,13 +43,16 @@ final class CircleRun implements TopicRun {
         return watch.call(method, () -> draw(method, implementation, input, steps));
     }
 
-    private static Answer draw(
-            String method, CircleRasterizer implementation, Circle c, boolean steps) {
-        var sink = new LineSink(method, PixelWindow.EVERYTHING, 8L * c.radius() + 8);
+    private Answer draw(String method, CircleRasterizer implementation, Circle c, boolean steps) {
+        var sink =
+                new PixelSink(
+                        method,
+                        FIGURE,
+                        PixelWindow.EVERYTHING,
+                        topic.mostBeforeEndless(8L * c.radius() + 8));
         implementation.draw(c.centreX(), c.centreY(), c.radius(), sink);
         if (!steps) return ArcAnswer.of(sink.kept());
-        if (!(implementation instanceof SteppedCircle stepped))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
+        SteppedCircle stepped = Steps.of(method, implementation, SteppedCircle.class);
         return ArcAnswer.of(sink.kept(), stepped.decisionFormula(), stepped.walk(c.radius()));
     }
 }

@@ -5,6 +5,10 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.JsonNumbers;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.PolygonClipper;
 import rasterlab.engine.clip.ClipWindow;
@@ -20,8 +24,9 @@ import rasterlab.engine.study.Topic;
  */
 public final class ClipPolygonRun implements TopicRun {
     private static final int MOST_WINDOW_CORNERS = 1_000;
+    private static final String DECISION = "how many corners the step leaves";
     private static final JsonField<double[]> WINDOW =
-            JsonField.required("window", ClipPolygonRun::window);
+            JsonField.required("window", json -> json.checked(ClipPolygonRun::window));
     private static final JsonField<double[]> POLYGON =
             JsonField.required("polygon", json -> json.points(2, 0, ClipRun.MOST));
 
@@ -53,21 +58,16 @@ public final class ClipPolygonRun implements TopicRun {
         int width = parts.get(0).length;
         if (parts.stream().anyMatch(part -> part.length != width)
                 || width == 1 && parts.size() != 4)
-            throw Complaint.badInput(
-                    "/window: expected [xmin,ymin,xmax,ymax] or an array of points of 2 numbers"
-                            + " each");
+            throw new IllegalArgumentException(
+                    "expected [xmin,ymin,xmax,ymax] or an array of points of 2 numbers each");
         double[] numbers = parts.stream().flatMapToDouble(Arrays::stream).toArray();
         return width == 2 ? numbers : rectangle(numbers);
     }
 
     private static double[] rectangle(double[] sides) {
-        try {
-            var window = new ClipWindow(sides[0], sides[1], sides[2], sides[3]);
-            return PolygonInWindow.rectangle(
-                    window.xmin(), window.ymin(), window.xmax(), window.ymax());
-        } catch (IllegalArgumentException e) {
-            throw Complaint.badInput("/window: " + e.getMessage());
-        }
+        var window = new ClipWindow(sides[0], sides[1], sides[2], sides[3]);
+        return PolygonInWindow.rectangle(
+                window.xmin(), window.ymin(), window.xmax(), window.ymax());
     }
 
     @Override
@@ -75,27 +75,28 @@ public final class ClipPolygonRun implements TopicRun {
         Given given = StrictJson.object(text, length, WINDOW, POLYGON);
         var input = new PolygonInWindow(given.get(WINDOW), given.get(POLYGON));
         PolygonClipper clipper = topic.method(method).implementation();
-        List<double[]> pieces =
-                watch.call(method, () -> topic.record(clipper, input, Integer.MAX_VALUE));
-        if (!steps) return json -> writePieces(json, pieces);
-        if (!(clipper instanceof SteppedPolygonClipper stepped))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
-        List<Step> walk = watch.call(method, () -> steps(stepped, input));
+        return watch.call(method, () -> clipped(method, clipper, input, steps));
+    }
+
+    private Answer clipped(
+            String method, PolygonClipper clipper, PolygonInWindow input, boolean steps) {
+        List<Step> walk =
+                steps
+                        ? steps(Steps.of(method, clipper, SteppedPolygonClipper.class), input)
+                        : List.of();
+        List<double[]> pieces = topic.record(clipper, input, Integer.MAX_VALUE);
         return json -> {
             writePieces(json, pieces);
-            json.writeArrayFieldStart("steps");
-            for (Step step : walk) step.write(json);
-            json.writeEndArray();
+            if (steps) Steps.write(json, DECISION, walk, (out, step) -> step.write(out));
         };
     }
 
     private record Step(String at, double[] polygon) {
         void write(JsonGenerator json) throws IOException {
-            json.writeStartObject();
             json.writeStringField("at", at);
+            json.writeNumberField("decision", polygon.length / 2);
             json.writeFieldName("polygon");
             JsonNumbers.writePoints(json, polygon, 2);
-            json.writeEndObject();
         }
     }
 

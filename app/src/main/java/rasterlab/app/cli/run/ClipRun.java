@@ -7,7 +7,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.clip.ClipWindow;
 import rasterlab.engine.study.LimitReached;
 
 /** What the clipping topics' inputs and answers share. */
@@ -18,33 +21,31 @@ final class ClipRun {
     /** The most segments whose steps one answer may have. */
     static final int MOST_STEPPED = 10_000;
 
-    /** Steps of one segment after which a method is given up. */
-    static final int MOST_STEPS = 1_000;
-
     private ClipRun() {}
 
     /**
      * Waits for a method that may be found endless by its own steps.
      *
+     * @param mostSteps for one segment
      * @throws Complaint as {@link Watch#call}, or that the method does not end
      */
-    static <T> T watched(Watch watch, String method, Supplier<T> work) {
+    static <T> T watched(Watch watch, String method, int mostSteps, Supplier<T> work) {
         return watch.call(
                 method,
                 () -> {
                     try {
                         return work.get();
                     } catch (LimitReached endless) {
-                        throw doesNotEnd(method);
+                        throw doesNotEnd(method, mostSteps);
                     }
                 });
     }
 
-    static Complaint doesNotEnd(String method) {
+    private static Complaint doesNotEnd(String method, int mostSteps) {
         return Complaint.gaveUp(
                 method
                         + " does not end: it made more than "
-                        + MOST_STEPS
+                        + mostSteps
                         + " steps for one segment");
     }
 
@@ -72,25 +73,20 @@ final class ClipRun {
     /** One step of a walk: what it looked at, what it decided by, what it left. */
     record Step(String at, double decision, double[] left) {
         void write(JsonGenerator json) throws IOException {
-            json.writeStartObject();
             json.writeStringField("at", at);
             JsonNumbers.writeField(json, "decision", decision);
             json.writeFieldName("segment");
             JsonNumbers.write(json, left);
-            json.writeEndObject();
         }
     }
 
-    /** Writes {@code decision} and {@code steps}, a list for each segment. */
-    static void writeSteps(JsonGenerator json, String formula, List<List<Step>> steps)
-            throws IOException {
-        json.writeStringField("decision", formula);
-        json.writeArrayFieldStart("steps");
-        for (List<Step> ofSegment : steps) {
-            json.writeStartArray();
-            for (Step step : ofSegment) step.write(json);
-            json.writeEndArray();
-        }
-        json.writeEndArray();
+    /** The window of the sides xmin, ymin, xmax, ymax. */
+    static JsonField.Reader<ClipWindow> window() {
+        return json ->
+                json.checked(
+                        array -> {
+                            double[] sides = array.numbers(4, 4);
+                            return new ClipWindow(sides[0], sides[1], sides[2], sides[3]);
+                        });
     }
 }

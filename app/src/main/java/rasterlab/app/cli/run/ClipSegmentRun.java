@@ -2,7 +2,9 @@ package rasterlab.app.cli.run;
 
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.app.outcome.Complaint;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.SegmentClipper;
 import rasterlab.engine.clip.ClipWalk;
 import rasterlab.engine.clip.ClipWindow;
@@ -14,19 +16,24 @@ import rasterlab.engine.study.Topic;
 
 /** Topic {@code clip-segment}: {@code window}, {@code segments}; {@code segments} out. */
 public final class ClipSegmentRun implements TopicRun {
-    private static final JsonField<double[]> WINDOW =
-            JsonField.required("window", json -> json.numbers(4, 4));
+    private static final JsonField<ClipWindow> WINDOW =
+            JsonField.required("window", ClipRun.window());
     private static final JsonField<double[]> SEGMENTS =
             JsonField.required("segments", json -> json.points(4, 0, ClipRun.MOST));
 
-    private final SegmentClipTopic topic = new SegmentClipTopic();
+    private final Topic<SegmentClipper, SegmentsInWindow, ClippedEnds> topic;
     private final Watch watch;
 
     /**
      * @param watch gives up a method that does not end
      */
     ClipSegmentRun(Watch watch) {
+        this(watch, new SegmentClipTopic());
+    }
+
+    ClipSegmentRun(Watch watch, Topic<SegmentClipper, SegmentsInWindow, ClippedEnds> topic) {
         this.watch = watch;
+        this.topic = topic;
     }
 
     @Override
@@ -38,28 +45,27 @@ public final class ClipSegmentRun implements TopicRun {
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, WINDOW, SEGMENTS);
         List<double[]> segments = ClipRun.rows(given.get(SEGMENTS), 4);
-        var input = new SegmentsInWindow(window(given.get(WINDOW)), segments);
+        var input = new SegmentsInWindow(given.get(WINDOW), segments);
         SegmentClipper clipper = topic.method(method).implementation();
-        ClippedEnds left =
-                ClipRun.watched(
-                        watch, method, () -> topic.record(clipper, input, Integer.MAX_VALUE));
-        if (!steps) return json -> ClipRun.writeParts(json, left.parts());
-        if (!(clipper instanceof SteppedSegmentClipper stepped))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
-        ClipRun.requireFewStepped(segments.size());
-        var walks = segments.stream().map(s -> steps(stepped, input.window(), s)).toList();
-        return json -> {
-            ClipRun.writeParts(json, left.parts());
-            ClipRun.writeSteps(json, stepped.decisionFormula(), walks);
-        };
+        if (steps) ClipRun.requireFewStepped(segments.size());
+        return ClipRun.watched(
+                watch,
+                method,
+                SegmentClipTopic.MOST_STEPS,
+                () -> clipped(method, clipper, input, steps));
     }
 
-    private static ClipWindow window(double[] sides) {
-        try {
-            return new ClipWindow(sides[0], sides[1], sides[2], sides[3]);
-        } catch (IllegalArgumentException e) {
-            throw Complaint.badInput("/window: " + e.getMessage());
-        }
+    private Answer clipped(
+            String method, SegmentClipper clipper, SegmentsInWindow input, boolean steps) {
+        ClippedEnds left = topic.record(clipper, input, Integer.MAX_VALUE);
+        if (!steps) return json -> ClipRun.writeParts(json, left.parts());
+        SteppedSegmentClipper stepped = Steps.of(method, clipper, SteppedSegmentClipper.class);
+        var walks = input.segments().stream().map(s -> steps(stepped, input.window(), s)).toList();
+        return json -> {
+            ClipRun.writeParts(json, left.parts());
+            Steps.writeLists(
+                    json, stepped.decisionFormula(), walks, (out, step) -> step.write(out));
+        };
     }
 
     /** The walk, which is known to end, and that it was handed over, if it was. */

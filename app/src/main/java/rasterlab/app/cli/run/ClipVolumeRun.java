@@ -2,6 +2,9 @@ package rasterlab.app.cli.run;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.VolumeClipper;
 import rasterlab.engine.clip.ClippedEnds;
@@ -17,14 +20,19 @@ public final class ClipVolumeRun implements TopicRun {
     private static final JsonField<double[]> SEGMENTS =
             JsonField.required("segments", json -> json.points(6, 0, ClipRun.MOST));
 
-    private final VolumeClipTopic topic = new VolumeClipTopic();
+    private final Topic<VolumeClipper, SegmentsInVolume, ClippedEnds> topic;
     private final Watch watch;
 
     /**
      * @param watch gives up a method that does not end
      */
     ClipVolumeRun(Watch watch) {
+        this(watch, new VolumeClipTopic());
+    }
+
+    ClipVolumeRun(Watch watch, Topic<VolumeClipper, SegmentsInVolume, ClippedEnds> topic) {
         this.watch = watch;
+        this.topic = topic;
     }
 
     @Override
@@ -38,17 +46,24 @@ public final class ClipVolumeRun implements TopicRun {
         List<double[]> segments = ClipRun.rows(given.get(SEGMENTS), 6);
         SegmentsInVolume input = input(given.get(ZMIN), segments);
         VolumeClipper clipper = topic.method(method).implementation();
-        ClippedEnds left =
-                ClipRun.watched(
-                        watch, method, () -> topic.record(clipper, input, Integer.MAX_VALUE));
+        if (steps) ClipRun.requireFewStepped(segments.size());
+        return ClipRun.watched(
+                watch,
+                method,
+                VolumeClipTopic.MOST_STEPS,
+                () -> clipped(method, clipper, input, steps));
+    }
+
+    private Answer clipped(
+            String method, VolumeClipper clipper, SegmentsInVolume input, boolean steps) {
+        ClippedEnds left = topic.record(clipper, input, Integer.MAX_VALUE);
         if (!steps) return json -> ClipRun.writeParts(json, left.parts());
-        if (!(clipper instanceof SteppedVolumeClipper stepped))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
-        ClipRun.requireFewStepped(segments.size());
-        var walks = segments.stream().map(s -> steps(stepped, input.zmin(), s)).toList();
+        SteppedVolumeClipper stepped = Steps.of(method, clipper, SteppedVolumeClipper.class);
+        var walks = input.segments().stream().map(s -> steps(stepped, input.zmin(), s)).toList();
         return json -> {
             ClipRun.writeParts(json, left.parts());
-            ClipRun.writeSteps(json, stepped.decisionFormula(), walks);
+            Steps.writeLists(
+                    json, stepped.decisionFormula(), walks, (out, step) -> step.write(out));
         };
     }
 

@@ -2,12 +2,18 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import rasterlab.app.cli.run.json.Doubles;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.JsonNumbers;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.Curve;
 import rasterlab.contract.CurveTracer;
+import rasterlab.engine.polygon.Points;
 import rasterlab.engine.spline.CurveTopic;
 import rasterlab.engine.spline.CurveWalk;
 import rasterlab.engine.spline.SteppedCurve;
@@ -30,14 +36,19 @@ public final class CurveRun implements TopicRun {
     private static final JsonField<Double> FLATNESS =
             JsonField.optional("flatness", StrictJson::number);
 
-    private final Topic<CurveTracer, ?, ?> topic = new CurveTopic();
+    private final Topic<CurveTracer, ?, ?> topic;
     private final Watch watch;
 
     /**
      * @param watch gives up a method that does not end
      */
     CurveRun(Watch watch) {
+        this(watch, new CurveTopic());
+    }
+
+    CurveRun(Watch watch, Topic<CurveTracer, ?, ?> topic) {
         this.watch = watch;
+        this.topic = topic;
     }
 
     private static List<String> kinds() {
@@ -58,11 +69,11 @@ public final class CurveRun implements TopicRun {
         given.find(FLATNESS).ifPresent(CurveRun::requireFlatness);
         Curve curve = curve(given.get(KIND), given.get(POINTS));
         CurveTracer tracer = topic.method(method).implementation();
-        if (steps && !(tracer instanceof SteppedCurve))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
-        if (steps && given.has("at"))
+        if (!steps) return watch.call(method, () -> traced(tracer, curve, given));
+        SteppedCurve stepped = Steps.of(method, tracer, SteppedCurve.class);
+        if (given.has("at"))
             throw Complaint.badInput("--steps: points at given t have none; give a flatness");
-        return watch.call(method, () -> traced(tracer, curve, given, steps));
+        return watch.call(method, () -> stepped(stepped, curve, given.get(FLATNESS)));
     }
 
     private static void requireInside(double[] at) {
@@ -79,28 +90,21 @@ public final class CurveRun implements TopicRun {
                             .formatted(SMALLEST, LARGEST, flatness));
     }
 
-    private static Curve curve(String code, double[] points) {
-        var x = new double[points.length / 2];
-        var y = new double[points.length / 2];
-        Arrays.setAll(x, i -> points[2 * i]);
-        Arrays.setAll(y, i -> points[2 * i + 1]);
+    private static Curve curve(String code, double[] coordinates) {
+        Points points = Points.of(coordinates);
         try {
-            return new Curve(Curve.Kind.values()[kinds().indexOf(code)], x, y);
+            Curve.Kind kind = Curve.Kind.values()[kinds().indexOf(code)];
+            return new Curve(kind, points.xs(), points.ys());
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput("/" + e.getMessage());
         }
     }
 
-    private static Answer traced(CurveTracer tracer, Curve curve, Given given, boolean steps) {
+    private static Answer traced(CurveTracer tracer, Curve curve, Given given) {
         var points = new Doubles();
         if (given.has("at")) tracer.at(curve, given.get(AT), (x, y) -> add(points, x, y));
         else tracer.flatten(curve, given.get(FLATNESS), (x, y) -> add(points, x, y));
-        return json -> {
-            json.writeFieldName("points");
-            JsonNumbers.writePoints(json, points.toArray(), 2);
-            json.writeNumberField("segments", points.size() / 2 - 1);
-            if (steps) writeSteps(json, (SteppedCurve) tracer, curve, given.get(FLATNESS));
-        };
+        return json -> writePoints(json, points);
     }
 
     private static void add(Doubles points, double x, double y) {
@@ -108,20 +112,31 @@ public final class CurveRun implements TopicRun {
         points.add(y);
     }
 
-    private static void writeSteps(
-            JsonGenerator json, SteppedCurve stepped, Curve curve, double flatness)
-            throws IOException {
-        json.writeStringField("decision", stepped.decisionFormula());
-        json.writeArrayFieldStart("steps");
+    private static void writePoints(JsonGenerator json, Doubles points) throws IOException {
+        PointJson.write(json, points.toArray(), 2);
+        json.writeNumberField("segments", points.size() / 2 - 1);
+    }
+
+    private record Step(double t, double x, double y, double decision) {
+        void write(JsonGenerator json) throws IOException {
+            JsonNumbers.writeField(json, "t", t);
+            JsonNumbers.writeField(json, "x", x);
+            JsonNumbers.writeField(json, "y", y);
+            JsonNumbers.writeField(json, "decision", decision);
+        }
+    }
+
+    private static Answer stepped(SteppedCurve stepped, Curve curve, double flatness) {
+        var points = new Doubles();
+        var steps = new ArrayList<Step>();
         CurveWalk walk = stepped.walk(curve, flatness);
         while (walk.advance()) {
-            json.writeStartObject();
-            JsonNumbers.writeField(json, "t", walk.t());
-            JsonNumbers.writeField(json, "x", walk.x());
-            JsonNumbers.writeField(json, "y", walk.y());
-            JsonNumbers.writeField(json, "decision", walk.decision());
-            json.writeEndObject();
+            add(points, walk.x(), walk.y());
+            steps.add(new Step(walk.t(), walk.x(), walk.y(), walk.decision()));
         }
-        json.writeEndArray();
+        return json -> {
+            writePoints(json, points);
+            Steps.write(json, stepped.decisionFormula(), steps, (out, step) -> step.write(out));
+        };
     }
 }

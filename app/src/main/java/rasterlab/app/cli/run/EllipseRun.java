@@ -1,9 +1,12 @@
 package rasterlab.app.cli.run;
 
-import rasterlab.app.outcome.Complaint;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.EllipseRasterizer;
 import rasterlab.engine.circle.Ellipse;
 import rasterlab.engine.circle.EllipseTopic;
+import rasterlab.engine.circle.MidpointEllipse;
 import rasterlab.engine.circle.SteppedEllipse;
 import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Topic;
@@ -12,8 +15,10 @@ import rasterlab.engine.study.Topic;
 final class EllipseRun implements TopicRun {
     private static final JsonField<int[]> CENTER =
             JsonField.required("center", json -> json.integers(2));
-    private static final JsonField<Integer> RX = JsonField.required("rx", StrictJson::integer);
-    private static final JsonField<Integer> RY = JsonField.required("ry", StrictJson::integer);
+    private static final JsonField<Integer> RX = radius("rx");
+    private static final JsonField<Integer> RY = radius("ry");
+    private static final PixelSink.Figure FIGURE =
+            new PixelSink.Figure("ellipse", "give smaller \"rx\" and \"ry\"");
 
     private final EllipseTopic topic = new EllipseTopic();
     private final Watch watch;
@@ -39,17 +44,21 @@ final class EllipseRun implements TopicRun {
         return watch.call(method, () -> draw(method, implementation, input, steps));
     }
 
-    private static Answer draw(
-            String method, EllipseRasterizer implementation, Ellipse c, boolean steps) {
+    /** In the range that every method takes. */
+    private static JsonField<Integer> radius(String name) {
+        return JsonField.required(name, json -> json.integer(0, MidpointEllipse.LARGEST));
+    }
+
+    private Answer draw(String method, EllipseRasterizer implementation, Ellipse c, boolean steps) {
         var sink =
-                new LineSink(
+                new PixelSink(
                         method,
+                        FIGURE,
                         PixelWindow.EVERYTHING,
-                        8L * ((long) c.radiusX() + c.radiusY()) + 8);
+                        topic.mostBeforeEndless(8L * ((long) c.radiusX() + c.radiusY()) + 8));
         implementation.draw(c.centreX(), c.centreY(), c.radiusX(), c.radiusY(), sink);
         if (!steps) return ArcAnswer.of(sink.kept());
-        if (!(implementation instanceof SteppedEllipse stepped))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
+        SteppedEllipse stepped = Steps.of(method, implementation, SteppedEllipse.class);
         return ArcAnswer.of(
                 sink.kept(), stepped.decisionFormula(), stepped.walk(c.radiusX(), c.radiusY()));
     }

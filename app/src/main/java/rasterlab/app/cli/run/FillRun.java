@@ -4,6 +4,9 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.Pixels;
 import rasterlab.contract.SeedFiller;
@@ -21,6 +24,7 @@ import rasterlab.engine.study.Topic;
  * picture} out.
  */
 final class FillRun implements TopicRun {
+    private static final String DECISION = "how many places wait on the stack to be looked at";
     private static final int SIDE = Raster.LARGEST_SIDE;
     private static final JsonField<List<String>> PICTURE =
             JsonField.required(
@@ -51,8 +55,6 @@ final class FillRun implements TopicRun {
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         FillTask task = task(StrictJson.object(text, length, PICTURE, SEED, WITH, CONNECTIVITY));
         SeedFiller filler = topic.method(method).implementation();
-        if (steps && !(filler instanceof SteppedFill))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
         return watch.call(method, () -> filled(method, filler, task, steps));
     }
 
@@ -95,7 +97,14 @@ final class FillRun implements TopicRun {
                             .formatted(place, size - 1, value));
     }
 
-    private record Step(int y, int from, int to, int waiting) {}
+    private record Step(int y, int from, int to, int waiting) {
+        void write(JsonGenerator json) throws IOException {
+            json.writeNumberField("y", y);
+            json.writeNumberField("from", from);
+            json.writeNumberField("to", to);
+            json.writeNumberField("decision", waiting);
+        }
+    }
 
     private static Answer filled(String method, SeedFiller filler, FillTask task, boolean steps) {
         var text = new TextPicture(task.rows());
@@ -103,7 +112,7 @@ final class FillRun implements TopicRun {
         var walked = new ArrayList<Step>();
         if (steps) {
             FillWalk walk =
-                    ((SteppedFill) filler)
+                    Steps.of(method, filler, SteppedFill.class)
                             .walk(picture, task.x(), task.y(), task.with(), task.connectivity());
             while (walk.advance())
                 walked.add(new Step(walk.y(), walk.from(), walk.to(), walk.waiting()));
@@ -114,22 +123,8 @@ final class FillRun implements TopicRun {
             json.writeArrayFieldStart("picture");
             for (String row : text.rows()) json.writeString(row);
             json.writeEndArray();
-            if (steps) writeSteps(json, walked);
+            if (steps) Steps.write(json, DECISION, walked, (out, step) -> step.write(out));
         };
-    }
-
-    private static void writeSteps(JsonGenerator json, List<Step> steps) throws IOException {
-        json.writeStringField("decision", "how many places wait on the stack to be looked at");
-        json.writeArrayFieldStart("steps");
-        for (Step step : steps) {
-            json.writeStartObject();
-            json.writeNumberField("y", step.y);
-            json.writeNumberField("from", step.from);
-            json.writeNumberField("to", step.to);
-            json.writeNumberField("decision", step.waiting);
-            json.writeEndObject();
-        }
-        json.writeEndArray();
     }
 
     /** Stops a method that writes more than twice as many pixels as the picture has. */

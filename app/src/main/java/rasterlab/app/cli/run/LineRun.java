@@ -3,7 +3,11 @@ package rasterlab.app.cli.run;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import rasterlab.app.outcome.Complaint;
+import rasterlab.app.cli.run.json.Doubles;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.JsonNumbers;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.CoveragePixels;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.CoverageLine;
@@ -21,8 +25,10 @@ public final class LineRun implements TopicRun {
     private static final JsonField<int[]> FROM =
             JsonField.required("from", json -> json.integers(2));
     private static final JsonField<int[]> TO = JsonField.required("to", json -> json.integers(2));
-    private static final JsonField<int[]> WINDOW =
-            JsonField.optional("window", json -> json.integers(4));
+    private static final JsonField<PixelWindow> WINDOW =
+            JsonField.optional("window", json -> json.checked(LineRun::window));
+    private static final PixelSink.Figure FIGURE =
+            new PixelSink.Figure("segment", "give a smaller \"window\"");
 
     private final Topic<LineRasterizer, Segment, PixelRecording> topic = new LineTopic();
     private final Watch watch;
@@ -52,21 +58,23 @@ public final class LineRun implements TopicRun {
         Given given = StrictJson.object(text, length, FROM, TO, WINDOW);
         int[] from = given.get(FROM);
         int[] to = given.get(TO);
-        PixelWindow window = given.find(WINDOW).map(LineRun::window).orElse(PixelWindow.EVERYTHING);
+        PixelWindow window = given.find(WINDOW).orElse(PixelWindow.EVERYTHING);
         return new Input(new Segment(from[0], from[1], to[0], to[1]), window);
     }
 
-    private static PixelWindow window(int[] given) {
-        try {
-            return new PixelWindow(given[0], given[1], given[2], given[3]);
-        } catch (IllegalArgumentException e) {
-            throw Complaint.badInput("/window: " + e.getMessage());
-        }
+    private static PixelWindow window(StrictJson json) throws IOException {
+        int[] sides = json.integers(4);
+        return new PixelWindow(sides[0], sides[1], sides[2], sides[3]);
     }
 
-    private static Answer draw(String method, LineRasterizer line, Input input, boolean steps) {
+    private PixelSink sink(String method, Input input) {
+        long most = topic.mostBeforeEndless(input.segment().steps() + 1);
+        return new PixelSink(method, FIGURE, input.window(), most);
+    }
+
+    private Answer draw(String method, LineRasterizer line, Input input, boolean steps) {
         Segment s = input.segment();
-        var sink = new LineSink(method, input.window(), s.steps() + 1);
+        PixelSink sink = sink(method, input);
         Coverages coverages = null;
         if (line instanceof CoverageLine shaded) {
             coverages = new Coverages(sink);
@@ -77,19 +85,19 @@ public final class LineRun implements TopicRun {
         } else {
             line.draw(s.x0(), s.y0(), s.x1(), s.y1(), sink);
         }
-        Steps walked = steps ? Steps.of(method, line, input) : null;
+        Walked walked = steps ? walked(method, line, input) : null;
         Coverages levels = coverages;
         return json -> {
-            writePixels(json, sink.kept());
+            PixelJson.write(json, sink.kept());
             if (levels != null) levels.write(json);
             if (walked != null) walked.write(json);
         };
     }
 
     /** The coverage of each pixel that the sink keeps. */
-    private record Coverages(LineSink sink, ByteArrayOutputStream levels)
+    private record Coverages(PixelSink sink, ByteArrayOutputStream levels)
             implements CoveragePixels {
-        Coverages(LineSink sink) {
+        Coverages(PixelSink sink) {
             this(sink, new ByteArrayOutputStream());
         }
 
@@ -105,22 +113,21 @@ public final class LineRun implements TopicRun {
         }
     }
 
-    /** The walk of a line, each step with its decision value. */
-    private record Steps(String decision, PixelRecording pixels, Doubles values) {
-        static Steps of(String method, LineRasterizer line, Input input) {
-            Segment s = input.segment();
-            if (!(line instanceof SteppedLine stepped))
-                throw Complaint.badInput("--steps: method '" + method + "' has no steps");
-            LineWalk walk =
-                    line instanceof WindowedLine windowed
-                            ? windowed.walk(s.x0(), s.y0(), s.x1(), s.y1(), input.window())
-                            : stepped.walk(s.x0(), s.y0(), s.x1(), s.y1());
-            var sink = new LineSink(method, input.window(), s.steps() + 1);
-            var values = new Doubles();
-            while (walk.advance()) if (sink.keep(walk.x(), walk.y())) values.add(walk.decision());
-            return new Steps(stepped.decisionFormula(), sink.kept(), values);
-        }
+    private Walked walked(String method, LineRasterizer line, Input input) {
+        Segment s = input.segment();
+        SteppedLine stepped = Steps.of(method, line, SteppedLine.class);
+        LineWalk walk =
+                line instanceof WindowedLine windowed
+                        ? windowed.walk(s.x0(), s.y0(), s.x1(), s.y1(), input.window())
+                        : stepped.walk(s.x0(), s.y0(), s.x1(), s.y1());
+        PixelSink sink = sink(method, input);
+        var values = new Doubles();
+        while (walk.advance()) if (sink.keep(walk.x(), walk.y())) values.add(walk.decision());
+        return new Walked(stepped.decisionFormula(), sink.kept(), values);
+    }
 
+    /** The walk of a line, each step with its decision value; millions of them, so not a list. */
+    private record Walked(String decision, PixelRecording pixels, Doubles values) {
         void write(JsonGenerator json) throws IOException {
             json.writeStringField("decision", decision);
             json.writeArrayFieldStart("steps");
@@ -133,16 +140,5 @@ public final class LineRun implements TopicRun {
             }
             json.writeEndArray();
         }
-    }
-
-    private static void writePixels(JsonGenerator json, PixelRecording pixels) throws IOException {
-        json.writeArrayFieldStart("pixels");
-        for (int i = 0; i < pixels.size(); i++) {
-            json.writeStartArray();
-            json.writeNumber(pixels.x(i));
-            json.writeNumber(pixels.y(i));
-            json.writeEndArray();
-        }
-        json.writeEndArray();
     }
 }

@@ -1,5 +1,7 @@
 package rasterlab.app.cli.run;
 
+import rasterlab.app.cli.run.json.JsonNumbers;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.MatrixFormula;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.matrix.MatrixCall;

@@ -2,6 +2,11 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.PointInPolygon;
 import rasterlab.engine.polygon.Membership;
@@ -17,19 +22,22 @@ public final class PointInPolygonRun implements TopicRun {
     private static final int MOST_STEPS = 1_000_000;
 
     private static final JsonField<double[]> POLYGON =
-            JsonField.required(
-                    "polygon", json -> json.points(2, 3, PointInTriangleRun.MOST_POINTS));
-    private static final JsonField<double[]> POINTS =
-            JsonField.required("points", json -> json.points(2, 0, PointInTriangleRun.MOST_POINTS));
+            JsonField.required("polygon", json -> json.points(2, 3, PointJson.MOST));
+    private static final JsonField<double[]> POINTS = PointJson.points(2);
 
-    private final PointInPolygonTopic topic = new PointInPolygonTopic();
+    private final Topic<PointInPolygon, ?, ?> topic;
     private final Watch watch;
 
     /**
      * @param watch gives up a method that does not end
      */
     PointInPolygonRun(Watch watch) {
+        this(watch, new PointInPolygonTopic());
+    }
+
+    PointInPolygonRun(Watch watch, Topic<PointInPolygon, ?, ?> topic) {
         this.watch = watch;
+        this.topic = topic;
     }
 
     @Override
@@ -43,6 +51,7 @@ public final class PointInPolygonRun implements TopicRun {
         Points polygon = Points.of(given.get(POLYGON));
         Points points = Points.of(given.get(POINTS));
         PointInPolygon judge = topic.method(method).implementation();
+        if (steps) return stepped(method, judge, polygon, points);
         Membership inside =
                 watch.call(
                         method,
@@ -52,45 +61,56 @@ public final class PointInPolygonRun implements TopicRun {
                                         points.size(),
                                         (x, y) ->
                                                 judge.contains(polygon.xs(), polygon.ys(), x, y)));
-        if (!steps) return json -> PointInTriangleRun.write(json, inside);
-        SteppedPolygonTest stepped = stepped(method, judge, polygon, points);
+        return json -> InsideJson.write(json, inside);
+    }
+
+    /** An edge looked at, with the count after it. */
+    private record Step(int edge, int count) {
+        void write(JsonGenerator json) throws IOException {
+            json.writeNumberField("edge", edge);
+            json.writeNumberField("count", count);
+            json.writeNumberField("decision", count);
+        }
+    }
+
+    private Answer stepped(String method, PointInPolygon judge, Points polygon, Points points) {
+        SteppedPolygonTest stepped = Steps.of(method, judge, SteppedPolygonTest.class);
+        requireFew((long) polygon.size() * points.size());
+        var steps = new ArrayList<List<Step>>();
+        Membership inside =
+                watch.call(
+                        method,
+                        () ->
+                                new Membership(
+                                        points,
+                                        points.size(),
+                                        (x, y) -> walked(stepped, polygon, x, y, steps)));
         return json -> {
-            PointInTriangleRun.write(json, inside);
-            json.writeStringField("decision", stepped.countFormula());
-            writeSteps(json, stepped, polygon, points);
+            InsideJson.write(json, inside);
+            Steps.writeLists(json, stepped.countFormula(), steps, (out, step) -> step.write(out));
         };
     }
 
-    private static SteppedPolygonTest stepped(
-            String method, PointInPolygon judge, Points polygon, Points points) {
-        if (!(judge instanceof SteppedPolygonTest stepped))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
-        long most = (long) polygon.size() * points.size();
+    private static void requireFew(long most) {
         if (most > MOST_STEPS)
             throw Complaint.badInput(
                     "--steps: corners times points must be at most "
                             + MOST_STEPS
                             + ", got "
                             + most);
-        return stepped;
     }
 
-    /** For each point the edges looked at, each with the count after it. */
-    private static void writeSteps(
-            JsonGenerator json, SteppedPolygonTest stepped, Points polygon, Points points)
-            throws IOException {
-        json.writeArrayFieldStart("steps");
-        for (int i = 0; i < points.size(); i++) {
-            EdgeWalk walk = stepped.walk(polygon.xs(), polygon.ys(), points.x(i), points.y(i));
-            json.writeStartArray();
-            while (walk.advance()) {
-                json.writeStartObject();
-                json.writeNumberField("edge", walk.edge());
-                json.writeNumberField("count", walk.count());
-                json.writeEndObject();
-            }
-            json.writeEndArray();
-        }
-        json.writeEndArray();
+    /** Whether the point is inside; adds the list of its steps. */
+    private static boolean walked(
+            SteppedPolygonTest stepped,
+            Points polygon,
+            double x,
+            double y,
+            List<List<Step>> steps) {
+        var ofPoint = new ArrayList<Step>();
+        EdgeWalk walk = stepped.walk(polygon.xs(), polygon.ys(), x, y);
+        while (walk.advance()) ofPoint.add(new Step(walk.edge(), walk.count()));
+        steps.add(ofPoint);
+        return walk.inside();
     }
 }

@@ -2,8 +2,10 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.JsonNumbers;
 
-/** Points that are moved about, as JSON. */
+/** Points as JSON. */
 final class PointJson {
     /** The most points of one input. */
     static final int MOST = 10_000_000;

@@ -3,11 +3,13 @@ package rasterlab.app.cli.run;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import rasterlab.app.outcome.Complaint;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.FillRule;
 import rasterlab.contract.PolygonFiller;
+import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.scan.PolygonFillTopic;
 import rasterlab.engine.polygon.scan.PolygonTask;
 import rasterlab.engine.polygon.scan.SpanWalk;
@@ -20,7 +22,7 @@ import rasterlab.engine.study.Topic;
 /** Topic {@code polygon-fill}: {@code polygon}, {@code rule}, {@code size}; {@code pixels} out. */
 final class PolygonFillRun implements TopicRun {
     private static final int MOST_CORNERS = 1_000_000;
-    private static final int MOST_PIXELS = 10_000_000;
+    private static final String DECISION = "how many edges cross the row";
     private static final JsonField<double[]> POLYGON =
             JsonField.required("polygon", json -> json.points(2, 0, MOST_CORNERS));
     private static final JsonField<String> RULE =
@@ -54,49 +56,42 @@ final class PolygonFillRun implements TopicRun {
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         PolygonTask task = task(StrictJson.object(text, length, POLYGON, RULE, SIZE));
         PolygonFiller filler = topic.method(method).implementation();
-        if (steps && !(filler instanceof SteppedPolygon))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
-        return watch.call(method, () -> filled(filler, task, steps));
+        return watch.call(method, () -> filled(method, filler, task, steps));
     }
 
     private static PolygonTask task(Given given) {
-        double[] corners = given.get(POLYGON);
-        var x = new double[corners.length / 2];
-        var y = new double[corners.length / 2];
-        Arrays.setAll(x, i -> corners[2 * i]);
-        Arrays.setAll(y, i -> corners[2 * i + 1]);
+        Points corners = Points.of(given.get(POLYGON));
         FillRule rule = given.get(RULE).equals("evenodd") ? FillRule.EVEN_ODD : FillRule.NON_ZERO;
-        return new PolygonTask(x, y, rule, given.get(SIZE).get(0), given.get(SIZE).get(1));
+        return new PolygonTask(
+                corners.xs(), corners.ys(), rule, given.get(SIZE).get(0), given.get(SIZE).get(1));
     }
 
-    private Answer filled(PolygonFiller filler, PolygonTask task, boolean steps) {
+    private Answer filled(String method, PolygonFiller filler, PolygonTask task, boolean steps) {
+        List<Step> walked =
+                steps ? steps(Steps.of(method, filler, SteppedPolygon.class), task) : List.of();
         PixelRecording pixels = pixels(filler, task);
-        List<Step> walked = steps ? steps((SteppedPolygon) filler, task) : List.of();
         return json -> {
-            json.writeArrayFieldStart("pixels");
-            for (int i = 0; i < pixels.size(); i++) {
-                json.writeStartArray();
-                json.writeNumber(pixels.x(i));
-                json.writeNumber(pixels.y(i));
-                json.writeEndArray();
-            }
-            json.writeEndArray();
-            if (steps) writeSteps(json, walked);
+            PixelJson.write(json, pixels);
+            if (steps) Steps.write(json, DECISION, walked, (out, step) -> step.write(out));
         };
     }
 
     private PixelRecording pixels(PolygonFiller filler, PolygonTask task) {
         try {
-            return topic.record(filler, task, MOST_PIXELS);
+            return topic.record(filler, task, PixelSink.MOST_PIXELS);
         } catch (LimitReached tooMany) {
-            throw Complaint.gaveUp(
-                    "the answer has more than "
-                            + MOST_PIXELS
-                            + " pixels, the most that one answer may have; give a smaller \"size\"");
+            throw PixelSink.tooMany("give a smaller \"size\"");
         }
     }
 
-    private record Step(int y, int from, int to, int crossings) {}
+    private record Step(int y, int from, int to, int crossings) {
+        void write(JsonGenerator json) throws IOException {
+            json.writeNumberField("y", y);
+            json.writeNumberField("from", from);
+            json.writeNumberField("to", to);
+            json.writeNumberField("decision", crossings);
+        }
+    }
 
     private static List<Step> steps(SteppedPolygon filler, PolygonTask task) {
         var steps = new ArrayList<Step>();
@@ -104,19 +99,5 @@ final class PolygonFillRun implements TopicRun {
         while (walk.advance())
             steps.add(new Step(walk.y(), walk.from(), walk.to(), walk.crossings()));
         return steps;
-    }
-
-    private static void writeSteps(JsonGenerator json, List<Step> steps) throws IOException {
-        json.writeStringField("decision", "how many edges cross the row");
-        json.writeArrayFieldStart("steps");
-        for (Step step : steps) {
-            json.writeStartObject();
-            json.writeNumberField("y", step.y);
-            json.writeNumberField("from", step.from);
-            json.writeNumberField("to", step.to);
-            json.writeNumberField("decision", step.crossings);
-            json.writeEndObject();
-        }
-        json.writeEndArray();
     }
 }

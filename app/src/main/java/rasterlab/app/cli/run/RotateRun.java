@@ -1,5 +1,8 @@
 package rasterlab.app.cli.run;
 
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.PlaneRotation;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.Images;

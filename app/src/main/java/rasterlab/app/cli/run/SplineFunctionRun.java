@@ -2,9 +2,14 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.JsonNumbers;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
@@ -40,14 +45,19 @@ public final class SplineFunctionRun implements TopicRun {
     private static final JsonField<SplineEnds> ENDS =
             JsonField.required("ends", json -> ends(json.object(KIND, LEFT, RIGHT)));
 
-    private final Topic<SplineFunction, ?, ?> topic = new SplineFunctionTopic();
+    private final Topic<SplineFunction, ?, ?> topic;
     private final Watch watch;
 
     /**
      * @param watch gives up a method that does not end
      */
     SplineFunctionRun(Watch watch) {
+        this(watch, new SplineFunctionTopic());
+    }
+
+    SplineFunctionRun(Watch watch, Topic<SplineFunction, ?, ?> topic) {
         this.watch = watch;
+        this.topic = topic;
     }
 
     @Override
@@ -63,9 +73,7 @@ public final class SplineFunctionRun implements TopicRun {
                     "/y: expected as many values as /x has, %d, got %d"
                             .formatted(given.get(X).length, given.get(Y).length));
         SplineFunction function = topic.method(method).implementation();
-        if (steps && !(function instanceof SteppedSpline))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
-        return watch.call(method, () -> solved(function, given, steps));
+        return watch.call(method, () -> solved(method, function, given, steps));
     }
 
     private static SplineEnds ends(Given given) {
@@ -80,7 +88,10 @@ public final class SplineFunctionRun implements TopicRun {
         return new SplineEnds(kind, given.find(LEFT).orElse(0.0), given.find(RIGHT).orElse(0.0));
     }
 
-    private static Answer solved(SplineFunction function, Given given, boolean steps) {
+    private static Answer solved(
+            String method, SplineFunction function, Given given, boolean steps) {
+        List<Step> walked =
+                steps ? steps(Steps.of(method, function, SteppedSpline.class), given) : List.of();
         double[] x = given.get(X);
         SplineEnds ends = given.get(ENDS);
         double[] coefficients = function.coefficients(x, given.get(Y), ends);
@@ -90,23 +101,24 @@ public final class SplineFunctionRun implements TopicRun {
             JsonNumbers.write(json, values);
             json.writeFieldName("coefficients");
             JsonNumbers.writePoints(json, coefficients, 4);
-            if (steps) writeSteps(json, (SteppedSpline) function, x, given.get(Y), ends);
+            if (function instanceof SteppedSpline stepped && steps)
+                Steps.write(
+                        json, stepped.decisionFormula(), walked, (out, step) -> step.write(out));
         };
     }
 
-    private static void writeSteps(
-            JsonGenerator json, SteppedSpline stepped, double[] x, double[] y, SplineEnds ends)
-            throws IOException {
-        json.writeStringField("decision", stepped.decisionFormula());
-        json.writeArrayFieldStart("steps");
-        SplineWalk walk = stepped.walk(x, y, ends);
-        while (walk.advance()) {
-            json.writeStartObject();
-            json.writeStringField("phase", walk.phase());
-            json.writeNumberField("index", walk.index());
-            JsonNumbers.writeField(json, "decision", walk.decision());
-            json.writeEndObject();
+    private record Step(String phase, int index, double decision) {
+        void write(JsonGenerator json) throws IOException {
+            json.writeStringField("phase", phase);
+            json.writeNumberField("index", index);
+            JsonNumbers.writeField(json, "decision", decision);
         }
-        json.writeEndArray();
+    }
+
+    private static List<Step> steps(SteppedSpline stepped, Given given) {
+        var steps = new ArrayList<Step>();
+        SplineWalk walk = stepped.walk(given.get(X), given.get(Y), given.get(ENDS));
+        while (walk.advance()) steps.add(new Step(walk.phase(), walk.index(), walk.decision()));
+        return steps;
     }
 }

@@ -1,12 +1,65 @@
 package rasterlab.app.cli.run;
 
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.List;
 import rasterlab.app.outcome.Complaint;
 
-/** What is said where {@code --steps} is asked of a method without any. */
+/**
+ * What {@code --steps} adds to an answer: the formula of the decision value and each step with it.
+ *
+ * <p>A walk is drained where the method runs, under {@link Watch}, never while its answer is
+ * written: one that crashes must not leave half an answer behind.
+ */
 final class Steps {
     private Steps() {}
 
+    /** Writes the fields of one step. */
+    @FunctionalInterface
+    interface Fields<T> {
+        void write(JsonGenerator json, T step) throws IOException;
+    }
+
+    /**
+     * The method as one with steps.
+     *
+     * @throws Complaint if it has none
+     */
+    static <S> S of(String method, Object implementation, Class<S> stepped) {
+        if (!stepped.isInstance(implementation)) throw none(method);
+        return stepped.cast(implementation);
+    }
+
     static Complaint none(String method) {
         return Complaint.badInput("--steps: method '" + method + "' has no steps");
+    }
+
+    /** Writes {@code decision} and {@code steps}. */
+    static <T> void write(JsonGenerator json, String formula, List<T> steps, Fields<T> fields)
+            throws IOException {
+        json.writeStringField("decision", formula);
+        json.writeFieldName("steps");
+        writeArray(json, steps, fields);
+    }
+
+    /** Writes {@code decision} and {@code steps}, a list for each thing that was walked for. */
+    static <T> void writeLists(
+            JsonGenerator json, String formula, List<List<T>> lists, Fields<T> fields)
+            throws IOException {
+        json.writeStringField("decision", formula);
+        json.writeArrayFieldStart("steps");
+        for (List<T> steps : lists) writeArray(json, steps, fields);
+        json.writeEndArray();
+    }
+
+    private static <T> void writeArray(JsonGenerator json, List<T> steps, Fields<T> fields)
+            throws IOException {
+        json.writeStartArray();
+        for (T step : steps) {
+            json.writeStartObject();
+            fields.write(json, step);
+            json.writeEndObject();
+        }
+        json.writeEndArray();
     }
 }

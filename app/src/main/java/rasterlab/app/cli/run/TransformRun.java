@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.contract.PointTransformer;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.transform.chain.Chain;

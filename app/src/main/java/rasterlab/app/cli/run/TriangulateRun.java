@@ -2,18 +2,25 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
-import rasterlab.app.outcome.Complaint;
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.JsonNumbers;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.Triangulator;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.triangulation.SteppedTriangulator;
+import rasterlab.engine.polygon.triangulation.TriangleWalk;
 import rasterlab.engine.polygon.triangulation.TriangulateTopic;
 import rasterlab.engine.study.Topic;
 
 /** Topic {@code triangulate}: {@code polygon}; {@code triangles} out, corner numbers from 0. */
 public final class TriangulateRun implements TopicRun {
+    private static final String VALUE =
+            "; the value is the squared length of the diagonal, (xj − xh)² + (yj − yh)²";
     private static final JsonField<double[]> POLYGON =
-            JsonField.required(
-                    "polygon", json -> json.points(2, 3, PointInTriangleRun.MOST_POINTS));
+            JsonField.required("polygon", json -> json.points(2, 3, PointJson.MOST));
 
     private final TriangulateTopic topic = new TriangulateTopic();
     private final Watch watch;
@@ -35,34 +42,49 @@ public final class TriangulateRun implements TopicRun {
         Given given = StrictJson.object(text, length, POLYGON);
         Points polygon = Points.of(given.get(POLYGON));
         Triangulator triangulator = topic.method(method).implementation();
+        if (steps) return stepped(method, triangulator, polygon);
         int[] triples =
                 watch.call(method, () -> triangulator.triangulate(polygon.xs(), polygon.ys()));
-        if (!steps) return json -> writeTriangles(json, triples);
-        if (!(triangulator instanceof SteppedTriangulator stepped))
-            throw Complaint.badInput("--steps: method '" + method + "' has no steps");
         return json -> {
-            writeTriangles(json, triples);
-            json.writeStringField("decision", stepped.choice());
-            writeSteps(json, triples);
+            json.writeArrayFieldStart("triangles");
+            for (int i = 0; i < triples.length; i += 3) json.writeArray(triples, i, 3);
+            json.writeEndArray();
         };
     }
 
-    private static void writeTriangles(JsonGenerator json, int[] triples) throws IOException {
-        json.writeArrayFieldStart("triangles");
-        for (int i = 0; i < triples.length; i += 3) json.writeArray(triples, i, 3);
-        json.writeEndArray();
+    /**
+     * A triangle that is cut off.
+     *
+     * @param decision squared length of the diagonal a–c
+     */
+    private record Cut(int a, int b, int c, double decision) {
+        void write(JsonGenerator json) throws IOException {
+            json.writeNumberField("cut", b);
+            json.writeFieldName("diagonal");
+            json.writeArray(new int[] {a, c}, 0, 2);
+            JsonNumbers.writeField(json, "decision", decision);
+        }
     }
 
-    /** The triangles are the steps, in the order in which they are cut. */
-    private static void writeSteps(JsonGenerator json, int[] triples) throws IOException {
-        json.writeArrayFieldStart("steps");
-        for (int i = 0; i < triples.length; i += 3) {
-            json.writeStartObject();
-            json.writeNumberField("cut", triples[i + 1]);
-            json.writeFieldName("diagonal");
-            json.writeArray(new int[] {triples[i], triples[i + 2]}, 0, 2);
-            json.writeEndObject();
+    private Answer stepped(String method, Triangulator triangulator, Points polygon) {
+        SteppedTriangulator stepped = Steps.of(method, triangulator, SteppedTriangulator.class);
+        List<Cut> cuts = watch.call(method, () -> cuts(stepped, polygon));
+        return json -> {
+            json.writeArrayFieldStart("triangles");
+            for (Cut cut : cuts) json.writeArray(new int[] {cut.a, cut.b, cut.c}, 0, 3);
+            json.writeEndArray();
+            Steps.write(json, stepped.choice() + VALUE, cuts, (out, cut) -> cut.write(out));
+        };
+    }
+
+    private static List<Cut> cuts(SteppedTriangulator stepped, Points polygon) {
+        var cuts = new ArrayList<Cut>();
+        TriangleWalk walk = stepped.walk(polygon.xs(), polygon.ys());
+        while (walk.advance()) {
+            double dx = polygon.x(walk.c()) - polygon.x(walk.a());
+            double dy = polygon.y(walk.c()) - polygon.y(walk.a());
+            cuts.add(new Cut(walk.a(), walk.b(), walk.c(), dx * dx + dy * dy));
         }
-        json.writeEndArray();
+        return cuts;
     }
 }

@@ -1,7 +1,11 @@
 package rasterlab.app.cli.run;
 
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.EyeView;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.transform.Coordinates;
 import rasterlab.engine.transform.Images;
 import rasterlab.engine.transform.view.Look;
 import rasterlab.engine.transform.view.ViewTopic;
@@ -14,7 +18,8 @@ final class ViewRun implements TopicRun {
     private static final JsonField<double[]> POINTS = PointJson.points(3);
     private static final JsonField<Double> THETA = JsonField.required("theta", StrictJson::number);
     private static final JsonField<Double> PHI = JsonField.required("phi", StrictJson::number);
-    private static final JsonField<Double> RHO = JsonField.required("rho", StrictJson::number);
+    private static final JsonField<Double> RHO =
+            JsonField.required("rho", json -> json.numberAbove(0, Coordinates.LARGEST));
 
     private final Topic<EyeView, Look, Images> topic = new ViewTopic();
     private final Watch watch;

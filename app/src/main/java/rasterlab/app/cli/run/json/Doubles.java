@@ -1,26 +1,26 @@
-package rasterlab.app.cli.run;
+package rasterlab.app.cli.run.json;
 
 import java.util.Arrays;
 
 /** Numbers of a JSON array whose length shows only at its end. */
-final class Doubles {
+public final class Doubles {
     private double[] values = new double[64];
     private int size;
 
-    void add(double value) {
+    public void add(double value) {
         if (size == values.length) values = Arrays.copyOf(values, 2 * size);
         values[size++] = value;
     }
 
-    int size() {
+    public int size() {
         return size;
     }
 
-    double get(int index) {
+    public double get(int index) {
         return values[index];
     }
 
-    double[] toArray() {
+    public double[] toArray() {
         return Arrays.copyOf(values, size);
     }
 }

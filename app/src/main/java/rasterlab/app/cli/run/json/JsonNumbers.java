@@ -1,24 +1,25 @@
-package rasterlab.app.cli.run;
+package rasterlab.app.cli.run.json;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 
 /** Writes doubles so that they read back exactly; what JSON has no number for is null. */
-final class JsonNumbers {
+public final class JsonNumbers {
     private JsonNumbers() {}
 
-    static void writeField(JsonGenerator json, String name, double value) throws IOException {
+    public static void writeField(JsonGenerator json, String name, double value)
+            throws IOException {
         json.writeFieldName(name);
         write(json, value);
     }
 
-    static void write(JsonGenerator json, double value) throws IOException {
+    public static void write(JsonGenerator json, double value) throws IOException {
         if (Double.isFinite(value)) json.writeNumber(value);
         else json.writeNull();
     }
 
     /** Writes an array of numbers. */
-    static void write(JsonGenerator json, double[] values) throws IOException {
+    public static void write(JsonGenerator json, double[] values) throws IOException {
         json.writeStartArray();
         for (double value : values) write(json, value);
         json.writeEndArray();
@@ -29,7 +30,7 @@ final class JsonNumbers {
      *
      * @param coordinates point after point
      */
-    static void writePoints(JsonGenerator json, double[] coordinates, int dimension)
+    public static void writePoints(JsonGenerator json, double[] coordinates, int dimension)
             throws IOException {
         json.writeStartArray();
         for (int i = 0; i < coordinates.length; i += dimension) {

@@ -1,4 +1,4 @@
-package rasterlab.app.cli.run;
+package rasterlab.app.cli.run.json;
 
 import java.util.HashMap;
 import java.util.List;
@@ -8,7 +8,7 @@ import java.util.Set;
 import rasterlab.app.outcome.Complaint;
 
 /** The fields that one JSON object has. */
-final class Given {
+public final class Given {
     private final String place;
     private final List<JsonField<?>> allowed;
     private final Map<String, Object> values = new HashMap<>();
@@ -22,22 +22,22 @@ final class Given {
     }
 
     /** The value of a required field. */
-    <T> T get(JsonField<T> field) {
+    public <T> T get(JsonField<T> field) {
         return find(field).orElseThrow(() -> new AssertionError(field.name() + " was let through"));
     }
 
     /** The value of an optional field, if it was given. */
     @SuppressWarnings("unchecked") // the field's own reader made the value
-    <T> Optional<T> find(JsonField<T> field) {
+    public <T> Optional<T> find(JsonField<T> field) {
         return Optional.ofNullable((T) values.get(field.name()));
     }
 
     /** The names of the fields that were given. */
-    Set<String> names() {
+    public Set<String> names() {
         return Set.copyOf(values.keySet());
     }
 
-    boolean has(String name) {
+    public boolean has(String name) {
         return values.containsKey(name);
     }
 
@@ -50,7 +50,7 @@ final class Given {
     }
 
     /** A complaint about the value of a field, with its place. */
-    Complaint complaint(String field, String message) {
+    public Complaint complaint(String field, String message) {
         return Complaint.badInput(place + "/" + field + ": " + message);
     }
 

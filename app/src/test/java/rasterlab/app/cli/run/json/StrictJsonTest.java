@@ -1,4 +1,4 @@
-package rasterlab.app.cli.run;
+package rasterlab.app.cli.run.json;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;

@@ -1,4 +1,4 @@
-package rasterlab.app.cli.run;
+package rasterlab.app.cli.run.json;
 
 import com.fasterxml.jackson.core.JacksonException;
 import com.fasterxml.jackson.core.JsonFactory;
@@ -21,7 +21,7 @@ import rasterlab.app.outcome.Complaint;
  *
  * <p>Every complaint names the place as a JSON pointer (RFC 6901), the value and what is allowed.
  */
-final class StrictJson {
+public final class StrictJson {
     /** The most characters of one name, text or number that is read, to be complained about. */
     static final int LONGEST_TOKEN = 1 << 20;
 
@@ -57,7 +57,7 @@ final class StrictJson {
      * @param fields the allowed fields
      * @throws Complaint if the text is anything else
      */
-    static Given object(byte[] text, int length, JsonField<?>... fields) {
+    public static Given object(byte[] text, int length, JsonField<?>... fields) {
         try (JsonParser parser = FACTORY.createParser(text, 0, length)) {
             return read(new StrictJson(parser), text, length, fields);
         } catch (IOException e) {
@@ -88,7 +88,7 @@ final class StrictJson {
     }
 
     /** Reads an object inside the input. */
-    Given object(JsonField<?>... fields) throws IOException {
+    public Given object(JsonField<?>... fields) throws IOException {
         if (!startsObject()) throw expected(anObjectWith(fields));
         var given =
                 new Given(parser.getParsingContext().pathAsPointer().toString(), List.of(fields));
@@ -121,15 +121,15 @@ final class StrictJson {
         return Stream.of(fields).map(JsonField::name).sorted().toList();
     }
 
-    boolean startsObject() {
+    public boolean startsObject() {
         return parser.isExpectedStartObjectToken();
     }
 
-    boolean startsArray() {
+    public boolean startsArray() {
         return parser.isExpectedStartArrayToken();
     }
 
-    boolean startsText() {
+    public boolean startsText() {
         return parser.currentToken() == JsonToken.VALUE_STRING;
     }
 
@@ -138,7 +138,7 @@ final class StrictJson {
      *
      * @param what the values in words, for complaints: "points"
      */
-    <T> List<T> list(String what, JsonField.Reader<T> reader, int least, int most)
+    public <T> List<T> list(String what, JsonField.Reader<T> reader, int least, int most)
             throws IOException {
         var values = new ArrayList<T>();
         each(what, least, most, () -> values.add(reader.read(this)));
@@ -146,7 +146,7 @@ final class StrictJson {
     }
 
     /** Reads an array of {@code least} to {@code most} finite numbers. */
-    double[] numbers(int least, int most) throws IOException {
+    public double[] numbers(int least, int most) throws IOException {
         var values = new Doubles();
         each("numbers", least, most, () -> values.add(number()));
         return values.toArray();
@@ -158,7 +158,7 @@ final class StrictJson {
      *
      * @return the coordinates, point after point
      */
-    double[] points(int dimension, int least, int most) throws IOException {
+    public double[] points(int dimension, int least, int most) throws IOException {
         var values = new Doubles();
         String what = "points of " + dimension + " numbers each";
         each(
@@ -170,7 +170,7 @@ final class StrictJson {
     }
 
     /** Reads an array of exactly {@code length} whole numbers in the range of int. */
-    int[] integers(int length) throws IOException {
+    public int[] integers(int length) throws IOException {
         var values = IntStream.builder();
         each("whole numbers", length, length, () -> values.add(integer()));
         return values.build().toArray();
@@ -199,7 +199,7 @@ final class StrictJson {
     }
 
     /** Reads a finite number; one too small for a double is 0 or the smallest double. */
-    double number() throws IOException {
+    public double number() throws IOException {
         String allowed = "a number from -1.7976931348623157E308 to 1.7976931348623157E308";
         requireNumber(allowed);
         double value = Double.parseDouble(parser.getText());
@@ -208,12 +208,12 @@ final class StrictJson {
     }
 
     /** Reads a whole number in the range of int. */
-    int integer() throws IOException {
+    public int integer() throws IOException {
         return integer(Integer.MIN_VALUE, Integer.MAX_VALUE);
     }
 
     /** Reads a number that is whole however it is written: 1, 1.0 and 1e0 are the same. */
-    int integer(int least, int most) throws IOException {
+    public int integer(int least, int most) throws IOException {
         String allowed = "a whole number from " + least + " to " + most;
         requireNumber(allowed);
         int value = whole(allowed);
@@ -236,14 +236,14 @@ final class StrictJson {
     }
 
     /** Reads one of the words. */
-    String word(List<String> allowed) throws IOException {
+    public String word(List<String> allowed) throws IOException {
         if (!startsText() || !allowed.contains(parser.getText()))
             throw expected("one of " + String.join(", ", allowed));
         return parser.getText();
     }
 
     /** Reads a text of {@code least} to {@code most} characters. */
-    String text(int least, int most) throws IOException {
+    public String text(int least, int most) throws IOException {
         String expected = "a text of " + least + " to " + most + " characters";
         if (!startsText()) throw expected(expected);
         String text = parser.getText();
@@ -251,12 +251,32 @@ final class StrictJson {
         return text;
     }
 
+    /** Reads a finite number above {@code least}, up to {@code most}. */
+    public double numberAbove(double least, double most) throws IOException {
+        double value = number();
+        if (!(value > least && value <= most))
+            throw expected("a number above " + least + ", up to " + most);
+        return value;
+    }
+
+    /**
+     * Reads a value that is refused with an {@link IllegalArgumentException} where it is not
+     * allowed, and complains of that at the value's place.
+     */
+    public <T> T checked(JsonField.Reader<T> reader) throws IOException {
+        try {
+            return reader.read(this);
+        } catch (IllegalArgumentException e) {
+            throw complaint(e.getMessage());
+        }
+    }
+
     private Complaint expected(String what) throws IOException {
         return complaint("expected " + what + ", got " + quoted());
     }
 
     /** A complaint about the value the input stands on, with its place. */
-    Complaint complaint(String message) {
+    public Complaint complaint(String message) {
         return Complaint.badInput(pointer() + ": " + message);
     }
 

@@ -2,29 +2,38 @@ package rasterlab.app.cli.run;
 
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.Pixels;
-import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelWindow;
 
-/** Keeps the pixels of one segment that lie in a window, and stops a method that never ends. */
-final class LineSink implements Pixels {
+/** Keeps the pixels of one figure that lie in a window, and stops a method that never ends. */
+final class PixelSink implements Pixels {
     /** The most pixels in one answer. */
     static final int MOST_PIXELS = 10_000_000;
 
+    /**
+     * What is drawn, for complaints.
+     *
+     * @param noun such as "segment"
+     * @param advice how to get fewer pixels
+     */
+    record Figure(String noun, String advice) {}
+
     private final String method;
+    private final Figure figure;
     private final PixelWindow window;
     private final long mostWrites;
     private final PixelRecording kept = new PixelRecording(MOST_PIXELS);
     private long writes;
 
     /**
-     * @param exactPixels the number of pixels of the exact segment, from which follows when a
-     *     method is taken for endless
+     * @param mostWrites the number of pixels after which the method is taken for endless; at least
+     *     twice what the figure has
      */
-    LineSink(String method, PixelWindow window, long exactPixels) {
+    PixelSink(String method, Figure figure, PixelWindow window, long mostWrites) {
         this.method = method;
+        this.figure = figure;
         this.window = window;
-        this.mostWrites = new LineTopic().mostBeforeEndless(exactPixels);
+        this.mostWrites = mostWrites;
     }
 
     @Override
@@ -36,7 +45,7 @@ final class LineSink implements Pixels {
     boolean keep(int x, int y) {
         if (++writes > mostWrites) throw endless();
         if (!window.contains(x, y)) return false;
-        if (kept.size() == MOST_PIXELS) throw tooMany();
+        if (kept.size() == MOST_PIXELS) throw tooMany(figure.advice());
         kept.plot(x, y);
         return true;
     }
@@ -50,13 +59,16 @@ final class LineSink implements Pixels {
                 method
                         + " does not end: it sent more than "
                         + mostWrites
-                        + " pixels, more than twice what the segment has");
+                        + " pixels, more than twice what the "
+                        + figure.noun()
+                        + " has");
     }
 
-    private static Complaint tooMany() {
+    static Complaint tooMany(String advice) {
         return Complaint.gaveUp(
                 "the answer has more than "
                         + MOST_PIXELS
-                        + " pixels, the most that one answer may have; give a smaller \"window\"");
+                        + " pixels, the most that one answer may have; "
+                        + advice);
     }
 }

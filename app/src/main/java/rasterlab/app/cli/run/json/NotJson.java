@@ -1,4 +1,4 @@
-package rasterlab.app.cli.run;
+package rasterlab.app.cli.run.json;
 
 import com.fasterxml.jackson.core.JacksonException;
 import com.fasterxml.jackson.core.JsonLocation;

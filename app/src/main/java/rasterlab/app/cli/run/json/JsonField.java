@@ -1,4 +1,4 @@
-package rasterlab.app.cli.run;
+package rasterlab.app.cli.run.json;
 
 import java.io.IOException;
 
@@ -9,18 +9,18 @@ import java.io.IOException;
  * @param required whether an object without it is refused
  * @param <T> what the value becomes
  */
-record JsonField<T>(String name, Reader<T> reader, boolean required) {
+public record JsonField<T>(String name, Reader<T> reader, boolean required) {
     /** Reads one value. */
     @FunctionalInterface
-    interface Reader<T> {
+    public interface Reader<T> {
         T read(StrictJson json) throws IOException;
     }
 
-    static <T> JsonField<T> required(String name, Reader<T> reader) {
+    public static <T> JsonField<T> required(String name, Reader<T> reader) {
         return new JsonField<>(name, reader, true);
     }
 
-    static <T> JsonField<T> optional(String name, Reader<T> reader) {
+    public static <T> JsonField<T> optional(String name, Reader<T> reader) {
         return new JsonField<>(name, reader, false);
     }
 }

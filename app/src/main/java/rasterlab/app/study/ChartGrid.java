@@ -1,0 +1,40 @@
+package rasterlab.app.study;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import org.knowm.xchart.internal.chartpart.Annotation;
+
+/** A line through the chart at each number of its axes, and the band for zero error. */
+final class ChartGrid extends Annotation {
+    private static final Color LINE = new Color(0, 0, 0, 40);
+    private static final Color EXACT = new Color(0, 158, 115, 28);
+
+    private final CostAxis costs;
+    private final ErrorAxis errors;
+
+    ChartGrid(CostAxis costs, ErrorAxis errors) {
+        super(false);
+        this.costs = costs;
+        this.errors = errors;
+    }
+
+    @Override
+    public void paint(Graphics2D graphics) {
+        int left = getXAxisScreenValue(costs.left());
+        int right = getXAxisScreenValue(costs.right());
+        int bottom = getYAxisScreenValue(errors.bottom());
+        int top = getYAxisScreenValue(errors.top());
+        int border = getYAxisScreenValue(errors.border());
+        graphics.setColor(EXACT);
+        graphics.fillRect(left, border, right - left, bottom - border);
+        graphics.setColor(LINE);
+        for (double tick : errors.ticks()) {
+            int y = getYAxisScreenValue(tick);
+            graphics.drawLine(left, y, right, y);
+        }
+        for (double tick : costs.ticks()) {
+            int x = getXAxisScreenValue(tick);
+            graphics.drawLine(x, top, x, bottom);
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package rasterlab.app.study;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.knowm.xchart.internal.chartpart.Annotation;
+import rasterlab.app.canvas.MethodColours;
+
+/**
+ * Sizes beside their points, none on another or on a point: each stands at the nearest free place,
+ * and one without a free place near its point is left out.
+ */
+final class SizeLabels extends Annotation {
+    private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
+
+    /** Half the side of a point's marker and a little more, in pixels. */
+    private static final int POINT = 7;
+
+    /** Distances from the point that are tried, in pixels. */
+    private static final int[] DISTANCES = {4, 12, 22};
+
+    /** Directions that are tried, the best first: x to the right, y down. */
+    private static final int[][] DIRECTIONS = {
+        {0, -1}, {0, 1}, {1, 0}, {-1, 0}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}
+    };
+
+    private record Point(double cost, double position) {}
+
+    private record Label(String text, Point at, Color colour) {}
+
+    private final List<Point> points = new ArrayList<>();
+    private final List<Label> labels = new ArrayList<>();
+
+    SizeLabels() {
+        super(false);
+    }
+
+    /** A point that no label may hide. */
+    void avoid(double cost, double position) {
+        points.add(new Point(cost, position));
+    }
+
+    void add(int size, double cost, double position, Color colour) {
+        labels.add(new Label(LogTicks.size(size), new Point(cost, position), colour));
+    }
+
+    @Override
+    public void paint(Graphics2D graphics) {
+        graphics.setFont(FONT);
+        var taken = new ArrayList<Rectangle>();
+        for (Point point : points) {
+            Rectangle box = new Rectangle(x(point), y(point), 0, 0);
+            box.grow(POINT, POINT);
+            taken.add(box);
+        }
+        for (Label label : labels)
+            place(label, graphics.getFontMetrics(), taken)
+                    .ifPresent(
+                            box -> {
+                                taken.add(box);
+                                draw(graphics, label, box);
+                            });
+    }
+
+    private Optional<Rectangle> place(Label label, FontMetrics metrics, List<Rectangle> taken) {
+        int width = metrics.stringWidth(label.text());
+        int height = metrics.getAscent();
+        for (int distance : DISTANCES)
+            for (int[] direction : DIRECTIONS) {
+                int x = x(label.at()) + direction[0] * (POINT + distance + width / 2);
+                int y = y(label.at()) + direction[1] * (POINT + distance + height / 2);
+                var box = new Rectangle(x - width / 2, y - height / 2, width, height);
+                if (inside(box) && taken.stream().noneMatch(box::intersects))
+                    return Optional.of(box);
+            }
+        return Optional.empty();
+    }
+
+    private boolean inside(Rectangle box) {
+        int left = getXAxisScreenValueForMin();
+        int right = getXAxisScreenValueForMax();
+        int top = Math.min(getYAxisScreenValueForMin(), getYAxisScreenValueForMax());
+        int bottom = Math.max(getYAxisScreenValueForMin(), getYAxisScreenValueForMax());
+        return new Rectangle(left, top, right - left, bottom - top).contains(box);
+    }
+
+    private static void draw(Graphics2D graphics, Label label, Rectangle box) {
+        graphics.setColor(MethodColours.edgeOn(Color.WHITE, label.colour()));
+        graphics.drawString(label.text(), box.x, box.y + box.height - 2);
+    }
+
+    private int x(Point point) {
+        return getXAxisScreenValue(point.cost());
+    }
+
+    private int y(Point point) {
+        return getYAxisScreenValue(point.position());
+    }
+}

@@ -1,0 +1,160 @@
+package rasterlab.app.cli.run;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.ExitCode;
+import rasterlab.contract.Curve;
+import rasterlab.contract.CurvePoints;
+import rasterlab.contract.SplineEnds;
+import rasterlab.engine.clip.ClipWalk;
+import rasterlab.engine.clip.ClippedEnds;
+import rasterlab.engine.clip.SteppedSegmentClipper;
+import rasterlab.engine.clip.SteppedVolumeClipper;
+import rasterlab.engine.clip.VolumeWalk;
+import rasterlab.engine.polygon.inside.EdgeWalk;
+import rasterlab.engine.polygon.inside.SteppedPolygonTest;
+import rasterlab.engine.spline.CurveWalk;
+import rasterlab.engine.spline.SplineWalk;
+import rasterlab.engine.spline.SteppedCurve;
+import rasterlab.engine.spline.SteppedSpline;
+
+/** Methods that answer, and whose walk crashes. */
+class StepsTest {
+    private static final Watch WATCH = new Watch(Duration.ofSeconds(60));
+    private static final ClippedEnds ENDS = new ClippedEnds(List.of(Optional.of(new double[6])), 0);
+
+    @ParameterizedTest(name = "half an answer is written before a walk crashes: {argumentSetName}")
+    @MethodSource("brokenWalks")
+    void walkThatCrashesIsGivenUpBeforeAnythingIsWritten(TopicRun run, String in) {
+        byte[] text = in.getBytes(StandardCharsets.UTF_8);
+        Complaint complaint =
+                assertThrows(Complaint.class, () -> run.answer("broken", text, text.length, true));
+        assertEquals(
+                "broken crashed: java.lang.IllegalStateException: torn", complaint.getMessage());
+        assertEquals(ExitCode.GAVE_UP, complaint.exitCode());
+    }
+
+    static Stream<Arguments> brokenWalks() {
+        return Stream.of(
+                argumentSet(
+                        "point-in-polygon",
+                        new PointInPolygonRun(WATCH, new OneMethod<>(new BrokenTest(), null)),
+                        "{\"polygon\":[[0,0],[1,0],[0,1]],\"points\":[[0,0]]}"),
+                argumentSet(
+                        "curve",
+                        new CurveRun(WATCH, new OneMethod<>(new BrokenCurve(), null)),
+                        "{\"kind\":\"bezier\",\"points\":[[0,0],[1,0],[0,1],[2,2]],\"flatness\":1}"),
+                argumentSet(
+                        "spline-function",
+                        new SplineFunctionRun(WATCH, new OneMethod<>(new BrokenSpline(), null)),
+                        "{\"x\":[0,1],\"y\":[0,1],\"ends\":{\"kind\":\"natural\"},\"at\":[]}"),
+                argumentSet(
+                        "clip-segment",
+                        new ClipSegmentRun(WATCH, new OneMethod<>(new BrokenClipper(), ENDS)),
+                        "{\"window\":[0,0,1,1],\"segments\":[[0,0,1,1]]}"),
+                argumentSet(
+                        "clip-volume",
+                        new ClipVolumeRun(WATCH, new OneMethod<>(new BrokenVolume(), ENDS)),
+                        "{\"zmin\":0.5,\"segments\":[[0,0,1,1,0,1]]}"));
+    }
+
+    private static final class BrokenTest implements SteppedPolygonTest {
+        @Override
+        public EdgeWalk walk(double[] polygonX, double[] polygonY, double x, double y) {
+            throw new IllegalStateException("torn");
+        }
+
+        @Override
+        public boolean contains(double[] polygonX, double[] polygonY, double x, double y) {
+            return true;
+        }
+
+        @Override
+        public String countFormula() {
+            return "";
+        }
+    }
+
+    private static final class BrokenCurve implements SteppedCurve {
+        @Override
+        public CurveWalk walk(Curve curve, double flatness) {
+            throw new IllegalStateException("torn");
+        }
+
+        @Override
+        public void at(Curve curve, double[] t, CurvePoints out) {
+            throw new UnsupportedOperationException("only flattens");
+        }
+
+        @Override
+        public void flatten(Curve curve, double flatness, CurvePoints out) {
+            out.point(0, 0);
+        }
+
+        @Override
+        public String decisionFormula() {
+            return "";
+        }
+    }
+
+    private static final class BrokenSpline implements SteppedSpline {
+        @Override
+        public SplineWalk walk(double[] x, double[] y, SplineEnds ends) {
+            throw new IllegalStateException("torn");
+        }
+
+        @Override
+        public double[] coefficients(double[] x, double[] y, SplineEnds ends) {
+            return new double[4];
+        }
+
+        @Override
+        public String decisionFormula() {
+            return "";
+        }
+    }
+
+    private static final class BrokenClipper implements SteppedSegmentClipper {
+        @Override
+        public ClipWalk walk(
+                double xmin,
+                double ymin,
+                double xmax,
+                double ymax,
+                double x0,
+                double y0,
+                double x1,
+                double y1) {
+            throw new IllegalStateException("torn");
+        }
+
+        @Override
+        public String decisionFormula() {
+            return "";
+        }
+    }
+
+    private static final class BrokenVolume implements SteppedVolumeClipper {
+        @Override
+        public VolumeWalk walk(
+                double zmin, double x0, double y0, double z0, double x1, double y1, double z1) {
+            throw new IllegalStateException("torn");
+        }
+
+        @Override
+        public String decisionFormula() {
+            return "";
+        }
+    }
+}

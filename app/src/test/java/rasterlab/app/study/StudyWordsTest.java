@@ -1,0 +1,29 @@
+package rasterlab.app.study;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.Topics;
+
+class StudyWordsTest {
+    @ParameterizedTest(name = "a topic's item or unit has no words in {0}")
+    @EnumSource
+    void everyTopicsItemAndUnitHaveWords(Language language) {
+        Texts texts = Texts.of("study", language);
+        List<String> missing =
+                Topics.all().stream()
+                        .flatMap(
+                                topic ->
+                                        List.of(
+                                                StudyWords.itemKey(topic.item()),
+                                                StudyWords.unitKey(topic.errorUnit()))
+                                                .stream())
+                        .filter(key -> !texts.has(key))
+                        .toList();
+        assertEquals(List.of(), missing);
+    }
+}
