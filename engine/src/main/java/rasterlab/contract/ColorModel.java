@@ -49,6 +49,14 @@ public enum ColorModel {
         return index == 0 && (this == HSV || this == HVS);
     }
 
+    /** The highest number at {@code index}; the lowest is 0. */
+    public double highest(int index) {
+        if (isHue(index)) return 360;
+        if (this != HVS) return 1;
+        // The farthest corners, with what rounding may add to them.
+        return Math.sqrt(index == 1 ? 3 : 2 / 3.0) * (1 + 0x1p-50);
+    }
+
     /** The index of the saturation, or −1. */
     public int saturation() {
         return this == HSV ? 1 : this == HVS ? 2 : -1;

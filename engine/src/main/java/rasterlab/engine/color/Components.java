@@ -5,21 +5,11 @@ import rasterlab.contract.ColorModel;
 
 /** The ranges of a colour's numbers. */
 final class Components {
-    private static final double LONGEST_VALUE = Math.sqrt(3);
-    private static final double LONGEST_SATURATION = Math.sqrt(2 / 3.0);
-
     private Components() {}
 
     /** Whether {@link #require} lets the number pass, a hue that is not looked at aside. */
     static boolean inRange(ColorModel model, int index, double value) {
-        return value >= 0 && value <= highest(model, index);
-    }
-
-    static double highest(ColorModel model, int index) {
-        if (model.isHue(index)) return 360;
-        if (model != ColorModel.HVS) return 1;
-        // The farthest corners, with what rounding may add to them.
-        return (index == 1 ? LONGEST_VALUE : LONGEST_SATURATION) * (1 + 0x1p-50);
+        return value >= 0 && value <= model.highest(index);
     }
 
     /**
@@ -38,7 +28,7 @@ final class Components {
                                 .formatted(
                                         model.code(),
                                         model.component(i),
-                                        written(highest(model, i)),
+                                        written(model.highest(i)),
                                         components[i]));
     }
 

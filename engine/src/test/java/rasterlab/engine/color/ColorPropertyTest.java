@@ -29,7 +29,7 @@ class ColorPropertyTest {
     /** Numbers from 0 to 1 stretched to the model's ranges. */
     private static Colors fitted(ColorModel model, double[] shares) {
         for (int i = 0; i < shares.length; i++)
-            shares[i] = Math.min(shares[i], 1) * Components.highest(model, i);
+            shares[i] = Math.min(shares[i], 1) * model.highest(i);
         return new Colors(model, shares);
     }
 

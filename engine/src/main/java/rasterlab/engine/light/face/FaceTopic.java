@@ -99,6 +99,6 @@ public final class FaceTopic implements Topic<FaceShader, FacePoints, double[]> 
 
     @Override
     public String errorUnit() {
-        return "levels of 255";
+        return "levels";
     }
 }
