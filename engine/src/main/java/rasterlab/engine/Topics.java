@@ -20,6 +20,8 @@ import rasterlab.engine.polygon.triangulation.TriangulateTopic;
 import rasterlab.engine.spline.CurveTopic;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.texture.filter.FilterTopic;
+import rasterlab.engine.texture.mapping.MappingTopic;
 import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
@@ -54,7 +56,9 @@ public final class Topics {
                 new ShadeTopic(),
                 new NormalsTopic(),
                 new FaceTopic(),
-                new ColorTopic());
+                new ColorTopic(),
+                new MappingTopic(),
+                new FilterTopic());
     }
 
     /**

@@ -70,7 +70,12 @@ import rasterlab.app.outcome.ExitCode;
             "  [[a,b,c],...]}, a point by its shares of the three corners; answers",
             "  {\"intensity\":[[r,g,b],...]}.",
             "color: {\"rgb\":[r,g,b]}, or \"cmy\", \"cmyk\", \"hsv\":[h,s,v] or \"hvs\":[h,v,s]; shares",
-            "  from 0 to 1, h in degrees, null for a grey; answers all five and \"levels\", 0 to 255."
+            "  from 0 to 1, h in degrees, null for a grey; answers all five and \"levels\", 0 to 255.",
+            "texture-mapping: {\"from\":[s,t,depth], \"to\":[s,t,depth], \"pixels\":n}, the centres of",
+            "  a row's first and last pixel; answers {\"coordinates\":[[s,t],...]}.",
+            "texture-filter: {\"picture\":[[level,...],...], \"pixels\":[[s,t,dsdx,dtdx,dsdy,dtdy],...]},",
+            "  rows of grey levels 0 to 255, the top row first, (s,t) = (0,0) at the bottom left;",
+            "  answers {\"levels\":[level,...]}."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

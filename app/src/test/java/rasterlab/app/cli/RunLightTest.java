@@ -8,7 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Topics color, shade, shade-face and vertex-normals on the command line. */
+/** Topics of colour, light and texture on the command line. */
 class RunLightTest {
     private static final String POINT =
             "{\"normal\":[0,0,2],\"to-light\":[3,0,4],\"to-eye\":[0,0,1],\"material\":";
@@ -59,6 +59,18 @@ class RunLightTest {
                         "phong",
                         FACE + "[[1,0,0],[0,0.5,0.5]]}",
                         "{\"intensity\":[[0.5,0.25,0.0],[0.5,0.25,0.0]]}"),
+                argumentSet(
+                        "half the row is half of the floor",
+                        "texture-mapping",
+                        "perspective",
+                        "{\"from\":[0,0,1],\"to\":[1,2,3],\"pixels\":3}",
+                        "{\"coordinates\":[[0.0,0.0],[0.25,0.5],[1.0,2.0]]}"),
+                argumentSet(
+                        "the picture's top row is at t = 0",
+                        "texture-filter",
+                        "nearest",
+                        "{\"picture\":[[10,20],[30,40]],\"pixels\":[[0.25,0.75,0,0,0,0],[0.75,0.25,0,0,0,0]]}",
+                        "{\"levels\":[10,40]}"),
                 argumentSet(
                         "a vertex without a face is left out",
                         "vertex-normals",
@@ -137,6 +149,28 @@ class RunLightTest {
                         FACE + "[[2,-1,0]]}",
                         "/: weights of point 0 must be 0 or more with the sum 1, got (2.0, -1.0,"
                                 + " 0.0)"),
+                argumentSet(
+                        "a depth behind the eye",
+                        2,
+                        "texture-mapping",
+                        "perspective",
+                        "{\"from\":[0,0,-1],\"to\":[1,2,3],\"pixels\":3}",
+                        "/: depth of the first pixel must be from 1.0E-6 to 1000000.0, got -1.0"),
+                argumentSet(
+                        "a short row",
+                        2,
+                        "texture-filter",
+                        "nearest",
+                        "{\"picture\":[[10,20],[30]],\"pixels\":[]}",
+                        "/picture/1: 1 levels; expected 2 as in row 0"),
+                argumentSet(
+                        "a turned footprint",
+                        3,
+                        "texture-filter",
+                        "summed-area",
+                        "{\"picture\":[[10]],\"pixels\":[[0,0,1,1,-1,1]]}",
+                        "summed-area refuses: footprint must not be turned: dt/dx and ds/dy must be"
+                                + " 0, got 1.0 and -1.0"),
                 argumentSet(
                         "a vertex that does not exist",
                         2,

@@ -41,7 +41,9 @@ public final class Runs {
                         new ShadeRun(watch),
                         new VertexNormalsRun(watch),
                         new ShadeFaceRun(watch),
-                        new ColorRun(watch));
+                        new ColorRun(watch),
+                        new TextureMappingRun(watch),
+                        new TextureFilterRun(watch));
         try {
             return Named.find("topic", topic, all, run -> run.topic().name());
         } catch (IllegalArgumentException e) {
