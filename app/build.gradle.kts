@@ -12,6 +12,7 @@ dependencies {
     implementation(libs.batik.dom)
     implementation(libs.batik.svggen)
     implementation(libs.xchart)
+    testImplementation(libs.jqwik)
 }
 
 application {

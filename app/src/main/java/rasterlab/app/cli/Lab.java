@@ -38,6 +38,7 @@ public final class Lab {
         lab.addSubcommand(new MethodsCommand(console));
         lab.addSubcommand(new RunCommand(console));
         lab.addSubcommand(new StudyCommand(console));
+        lab.addSubcommand(new ChartCommand(console));
         lab.addSubcommand(new HazardsCommand(console));
         lab.addSubcommand(new RenderCommand(console));
         lab.addSubcommand(new CheckCommand(console));

@@ -13,6 +13,9 @@ import javax.imageio.stream.ImageInputStream;
 
 /** Pictures as PNG. */
 public final class PngFile {
+    /** What every PNG begins with. Source: W3C, Portable Network Graphics, section 5.2. */
+    private static final int[] SIGNATURE = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+
     private PngFile() {}
 
     public static byte[] bytes(BufferedImage picture) {
@@ -39,8 +42,7 @@ public final class PngFile {
             throw Complaint.badInput(file + ": the file is empty; expected a PNG picture");
         ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
         try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
-            if (!reader.getOriginatingProvider().canDecodeInput(in))
-                throw Complaint.badInput(file + ": is not a PNG picture");
+            requireSignature(file, in);
             reader.setInput(in);
             requireSize(file, reader, width, height);
             return reader.read(0);
@@ -52,6 +54,17 @@ public final class PngFile {
         } finally {
             reader.dispose();
         }
+    }
+
+    /** Tells a cut-off signature from another file's start, which not every Java's reader does. */
+    private static void requireSignature(Path file, ImageInputStream in) throws IOException {
+        in.mark();
+        for (int expected : SIGNATURE) {
+            int read = in.read();
+            if (read < 0) throw new EOFException();
+            if (read != expected) throw Complaint.badInput(file + ": is not a PNG picture");
+        }
+        in.reset();
     }
 
     private static void requireSize(Path file, ImageReader reader, int width, int height)

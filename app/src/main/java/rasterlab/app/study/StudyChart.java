@@ -2,24 +2,15 @@ package rasterlab.app.study;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayOutputStream;
-import java.io.IOException;
-import java.io.OutputStreamWriter;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
-import org.apache.batik.dom.GenericDOMImplementation;
-import org.apache.batik.svggen.SVGGraphics2D;
-import org.apache.batik.svggen.SVGSyntax;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
@@ -31,45 +22,22 @@ import rasterlab.engine.study.Study;
 
 /** A study as a chart: cost to the right, error upwards, a line through each method's sizes. */
 public final class StudyChart {
-    /** Size of the picture in pixels. */
-    private static final int WIDTH = 1000;
-
-    private static final int HEIGHT = 700;
-
     private StudyChart() {}
 
-    /** The chart as a picture of 1000 × 700 pixels. */
+    /** The chart as a picture. */
     public static BufferedImage image(Study study, Language language) {
-        var image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
-        Graphics2D graphics = image.createGraphics();
-        paint(study, new StudyWords(language), graphics);
-        graphics.dispose();
-        return image;
+        return ChartPicture.image(graphics -> paint(study, new StudyWords(language), graphics));
     }
 
-    /** The chart as an SVG document of the same size. */
+    /** The chart as an SVG document. */
     static byte[] svg(Study study, Language language) {
-        var document =
-                GenericDOMImplementation.getDOMImplementation()
-                        .createDocument(SVGSyntax.SVG_NAMESPACE_URI, SVGSyntax.SVG_SVG_TAG, null);
-        var graphics = new SVGGraphics2D(document);
-        graphics.setSVGCanvasSize(new Dimension(WIDTH, HEIGHT));
-        paint(study, new StudyWords(language), graphics);
-        var bytes = new ByteArrayOutputStream();
-        try (var writer = new OutputStreamWriter(bytes, StandardCharsets.UTF_8)) {
-            graphics.stream(writer, true);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return bytes.toByteArray();
+        return ChartPicture.svg(graphics -> paint(study, new StudyWords(language), graphics));
     }
 
     private static void paint(Study study, StudyWords words, Graphics2D graphics) {
         var note = LeftOutNote.of(study, words);
-        int height = HEIGHT - note.height();
-        graphics.setColor(Color.WHITE);
-        graphics.fillRect(0, 0, WIDTH, HEIGHT);
-        chart(study, words).paint(graphics, WIDTH, height);
+        int height = ChartPicture.HEIGHT - note.height();
+        chart(study, words).paint(graphics, ChartPicture.WIDTH, height);
         note.paint(graphics, height);
     }
 
@@ -97,8 +65,6 @@ public final class StudyChart {
 
     private static XYChart empty(Study study, StudyWords words) {
         return new XYChartBuilder()
-                .width(WIDTH)
-                .height(HEIGHT)
                 .title(words.title(study))
                 .xAxisTitle(words.costAxis(study))
                 .yAxisTitle(words.errorAxis(study))

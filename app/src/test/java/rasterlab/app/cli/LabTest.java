@@ -9,6 +9,8 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -26,6 +28,7 @@ class LabTest {
                 "methods",
                 "run",
                 "study",
+                "chart",
                 "hazards",
                 "render",
                 "check",
@@ -112,6 +115,32 @@ class LabTest {
         assertTrue(ran.out().contains("  method bresenham-textbook"), ran.out());
         assertTrue(ran.out().contains("  beyond-2-30 "), ran.out());
         ran.assertDone();
+    }
+
+    @Test
+    void methodsSaysWhatRunReadsAndItsHelpFitsAScreen() {
+        String curve = Ran.lab("methods", "curve").out();
+        assertTrue(curve.contains("\n  reads:   {\"kind\":KIND, \"points\":[[x,y],...]}"), curve);
+        assertTrue(curve.contains("\n  answers: {\"points\":[[x,y],...], \"segments\":n}"), curve);
+        assertTrue(Ran.lab("run", "--help").out().lines().count() <= 30, "lines of help");
+    }
+
+    /** The matrices' parameters are not among them; the vocabulary lists those. */
+    @ParameterizedTest(name = "{0} says nothing of a field that its example has")
+    @MethodSource("topicsOfOneForm")
+    void methodsNamesEveryFieldOfTheExample(String topic) {
+        String said = Ran.lab("methods", topic).out();
+        Pattern.compile("\"[a-z]+\":")
+                .matcher(RunExamples.of(topic))
+                .results()
+                .map(field -> field.group().replace(":", ""))
+                .forEach(field -> assertTrue(said.contains(field), field + " in " + said));
+    }
+
+    static Stream<String> topicsOfOneForm() {
+        return Topics.all().stream()
+                .map(Topic::name)
+                .filter(name -> !List.of("matrix", "transform").contains(name));
     }
 
     @Test

@@ -42,6 +42,16 @@ final class AxisRun implements TopicRun {
         return topic;
     }
 
+    @Override
+    public Form form() {
+        return new Form(
+                """
+                {"points":[[x,y,z],...], "through":[x,y,z], "direction":[l,m,n], \
+                "degrees":a}""",
+                """
+                {"points":[[x,y,z],...]}""");
+    }
+
     /** What one step did and where it left the points. */
     private record Step(String text, double[] points) {}
 

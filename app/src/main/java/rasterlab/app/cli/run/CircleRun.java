@@ -35,6 +35,15 @@ final class CircleRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"center":[x,y], "radius":r}""",
+                """
+                {"pixels":[[x,y],...]}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, CENTER, RADIUS);
         int[] center = given.get(CENTER);

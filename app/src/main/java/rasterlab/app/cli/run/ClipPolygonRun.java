@@ -45,6 +45,16 @@ public final class ClipPolygonRun implements TopicRun {
         return topic;
     }
 
+    @Override
+    public Form form() {
+        return new Form(
+                """
+                {"window":[xmin,ymin,xmax,ymax], "polygon":[[x,y],...]}, or for a window the \
+                corners of a convex polygon""",
+                """
+                {"polygons":[[[x,y],...],...]}, counter-clockwise""");
+    }
+
     private static double[] window(StrictJson json) throws IOException {
         List<double[]> parts =
                 json.list(

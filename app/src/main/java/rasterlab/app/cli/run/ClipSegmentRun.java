@@ -42,6 +42,15 @@ public final class ClipSegmentRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"window":[xmin,ymin,xmax,ymax], "segments":[[x0,y0,x1,y1],...]}""",
+                """
+                {"segments":[...]} in their order, null where nothing is left""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, WINDOW, SEGMENTS);
         List<double[]> segments = ClipRun.rows(given.get(SEGMENTS), 4);

@@ -41,6 +41,15 @@ public final class ClipVolumeRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"zmin":z, "segments":[[x0,y0,z0,x1,y1,z1],...]}, 0 < z < 1""",
+                """
+                {"segments":[...]} in their order, null where nothing is left""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, ZMIN, SEGMENTS);
         List<double[]> segments = ClipRun.rows(given.get(SEGMENTS), 6);

@@ -63,6 +63,17 @@ final class ColorRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"rgb":[r,g,b]}, or "cmy":[c,m,y], "cmyk":[c,m,y,k], "hsv":[h,s,v] or \
+                "hvs":[h,v,s]: shares from 0 to 1, hues in degrees, null for a grey""",
+                """
+                {"rgb":[r,g,b], "cmy":[...], "cmyk":[...], "hsv":[...], "hvs":[...], \
+                "levels":[r,g,b]}, levels from 0 to 255""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         if (steps) throw Steps.none(method);
         Colors colors = colors(StrictJson.object(text, length, fields()));

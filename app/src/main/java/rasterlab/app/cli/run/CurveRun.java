@@ -61,6 +61,17 @@ public final class CurveRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"kind":KIND, "points":[[x,y],...]} with "at":[t,...] from 0 to 1 or \
+                "flatness" in pixels, KIND being bezier, hermite (start, end, derivatives at \
+                both), catmull-rom or b-spline""",
+                """
+                {"points":[[x,y],...], "segments":n}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, KIND, POINTS, AT, FLATNESS);
         if (given.has("at") == given.has("flatness"))

@@ -36,6 +36,15 @@ final class EllipseRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"center":[x,y], "rx":a, "ry":b}""",
+                """
+                {"pixels":[[x,y],...]}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, CENTER, RX, RY);
         int[] center = given.get(CENTER);

@@ -52,6 +52,16 @@ final class FillRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"picture":["....",...], "seed":[x,y], "with":"*", "connectivity":4 or 8}, a \
+                picture being rows of characters""",
+                """
+                {"picture":[...]}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         FillTask task = task(StrictJson.object(text, length, PICTURE, SEED, WITH, CONNECTIVITY));
         SeedFiller filler = topic.method(method).implementation();

@@ -11,6 +11,14 @@ import rasterlab.contract.SurfaceMaterial;
 
 /** Materials and lights as JSON; a colour is an array of three shares or one number for all. */
 final class LightJson {
+    /** What M, L and C stand for in a topic's form. */
+    static final String FORM =
+            """
+            M = {"ambient":C, "diffuse":C, "specular":C, "emission":C, "shininess":n}, L = \
+            {"ambient":C, "diffuse":C, "specular":C, "attenuation":[c,l,q], "spot":\
+            {"direction":[x,y,z], "cutoff":degrees, "exponent":e}}, each field of M and L being \
+            optional, C = [r,g,b] or one number for all three""";
+
     static final JsonField<SurfaceMaterial> MATERIAL =
             JsonField.required("material", json -> json.checked(LightJson::material));
     static final JsonField<LightSource> LIGHT =

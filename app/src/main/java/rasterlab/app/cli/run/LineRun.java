@@ -46,6 +46,17 @@ public final class LineRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"from":[x,y], "to":[x,y], "window":[xmin,ymin,xmax,ymax]}, the window being \
+                optional""",
+                """
+                {"pixels":[[x,y],...]} in drawing order, and for wu \
+                {"coverage":[1..255,...]} beside it""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Input input = input(text, length);
         LineRasterizer line = topic.method(method).implementation();

@@ -25,6 +25,15 @@ final class MatrixRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"name":"ROT3DX", "angle":30}, the names being listed below""",
+                """
+                {"matrix":[[...],...]} row by row, for points as rows""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         if (steps) throw Steps.none(method);
         MatrixCall call = MatrixJson.call(StrictJson.object(text, length, MatrixJson.fields()));

@@ -46,6 +46,15 @@ public final class PointInPolygonRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"polygon":[[x,y],...], "points":[[x,y],...]}""",
+                """
+                {"inside":[true,...]}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, POLYGON, POINTS);
         Points polygon = Points.of(given.get(POLYGON));

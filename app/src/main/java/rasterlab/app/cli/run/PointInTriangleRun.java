@@ -31,6 +31,15 @@ public final class PointInTriangleRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"triangle":[[x,y],[x,y],[x,y]], "points":[[x,y],...]}""",
+                """
+                {"inside":[true,...]}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, TRIANGLE, POINTS);
         if (steps) throw Steps.none(method);

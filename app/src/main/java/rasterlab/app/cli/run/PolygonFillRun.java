@@ -53,6 +53,15 @@ final class PolygonFillRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"polygon":[[x,y],...], "rule":"evenodd" or "nonzero", "size":[w,h]}""",
+                """
+                {"pixels":[[x,y],...]} row by row""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         PolygonTask task = task(StrictJson.object(text, length, POLYGON, RULE, SIZE));
         PolygonFiller filler = topic.method(method).implementation();

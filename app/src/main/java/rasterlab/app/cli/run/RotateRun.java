@@ -33,6 +33,15 @@ final class RotateRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"points":[[x,y],...], "degrees":a, "times":n}, times being optional""",
+                """
+                {"points":[[x,y],...]}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         if (steps) throw Steps.none(method);
         Given given = StrictJson.object(text, length, POINTS, DEGREES, TIMES);

@@ -39,6 +39,19 @@ final class ShadeFaceRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"corners":[[x,y,z],[x,y,z],[x,y,z]], "normals":[[x,y,z],...], "lamp":[x,y,z], \
+                "eye":[x,y,z], "material":M, "light":L, "global-ambient":C, "points":[[a,b,c],...]}, \
+                a point by its shares of the corners, light and global-ambient being optional;"""
+                        + " "
+                        + LightJson.FORM,
+                """
+                {"intensity":[[r,g,b],...]}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         if (steps) throw Steps.none(method);
         FacePoints points =

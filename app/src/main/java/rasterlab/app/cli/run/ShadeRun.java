@@ -45,6 +45,22 @@ final class ShadeRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"normal":[x,y,z], "to-light":[x,y,z], "to-eye":[x,y,z], "material":M, \
+                "light":L, "distance":d, "global-ambient":C}, the last three being optional;"""
+                        + " "
+                        + LightJson.FORM
+                        + """
+                ; L's own ambient light is weakened by its distance as the rest of L is, \
+                1/(c + l·d + q·d²), global-ambient is not""",
+                """
+                {"intensity":[r,g,b], "terms":{"emission":[r,g,b], "global-ambient":[...], \
+                "ambient":[...], "diffuse":[...], "specular":[...], "attenuation":f, "cone":f}}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         if (steps) throw Steps.none(method);
         LitPoint point =

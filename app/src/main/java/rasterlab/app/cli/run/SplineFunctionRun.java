@@ -66,6 +66,17 @@ public final class SplineFunctionRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"x":[...], "y":[...], "ends":{"kind":KIND}, "at":[...]}, KIND being slopes \
+                with "left" and "right", natural, not-a-knot or periodic""",
+                """
+                {"y":[...], "coefficients":[[a,b,c,d],...]}, a + b*s + c*s^2 + d*s^3 for \
+                each piece""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, X, Y, ENDS, AT);
         if (given.get(X).length != given.get(Y).length)

@@ -46,6 +46,17 @@ final class TextureFilterRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"picture":[[level,...],...], "pixels":[[s,t,dsdx,dtdx,dsdy,dtdy],...]}, \
+                rows of grey levels from 0 to 255, the top row first; (s,t) = (0,0) is the \
+                bottom left corner""",
+                """
+                {"levels":[level,...]}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         if (steps) throw Steps.none(method);
         FilteredPixels pixels = pixels(StrictJson.object(text, length, PICTURE, PIXELS));

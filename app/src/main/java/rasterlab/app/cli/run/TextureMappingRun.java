@@ -34,6 +34,16 @@ final class TextureMappingRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"from":[s,t,depth], "to":[s,t,depth], "pixels":n}, from and to being the \
+                centres of the row's first and last pixel""",
+                """
+                {"coordinates":[[s,t],...]}""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         if (steps) throw Steps.none(method);
         TexturedSpan span = span(StrictJson.object(text, length, FROM, TO, PIXELS));

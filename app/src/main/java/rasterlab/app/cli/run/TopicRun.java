@@ -9,6 +9,16 @@ import rasterlab.engine.study.Topic;
 public interface TopicRun {
     Topic<?, ?, ?> topic();
 
+    Form form();
+
+    /**
+     * What the JSON looks like, for people.
+     *
+     * @param input the fields of an input, each with what stands for its value
+     * @param answer the fields of an answer
+     */
+    record Form(String input, String answer) {}
+
     /**
      * Reads one input and runs a method on it.
      *

@@ -33,6 +33,16 @@ final class TransformRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"matrices":[...], "points":[[x,y,z],...]}, each matrix by name as for topic \
+                matrix or by its rows""",
+                """
+                {"points":[...], "h":[...]}, null where h is 0""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Chain chain = ChainJson.read(text, length);
         PointTransformer transformer = topic.method(method).implementation();

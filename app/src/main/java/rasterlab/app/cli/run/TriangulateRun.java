@@ -17,8 +17,7 @@ import rasterlab.engine.study.Topic;
 
 /** Topic {@code triangulate}: {@code polygon}; {@code triangles} out, corner numbers from 0. */
 public final class TriangulateRun implements TopicRun {
-    private static final String VALUE =
-            "; the value is the squared length of the diagonal, (xj − xh)² + (yj − yh)²";
+    private static final String VALUE = "; the value is the squared length of the diagonal";
     private static final JsonField<double[]> POLYGON =
             JsonField.required("polygon", json -> json.points(2, 3, PointJson.MOST));
 
@@ -35,6 +34,16 @@ public final class TriangulateRun implements TopicRun {
     @Override
     public Topic<?, ?, ?> topic() {
         return topic;
+    }
+
+    @Override
+    public Form form() {
+        return new Form(
+                """
+                {"polygon":[[x,y],...]}""",
+                """
+                {"triangles":[[i,j,k],...]}, corner numbers from 0, counter-clockwise with y \
+                up""");
     }
 
     @Override

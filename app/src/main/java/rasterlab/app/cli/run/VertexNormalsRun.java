@@ -38,6 +38,16 @@ final class VertexNormalsRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"vertices":[[x,y,z],...], "triangles":[[i,j,k],...]}, vertex numbers from 0, \
+                counter-clockwise seen from outside""",
+                """
+                {"normals":[[x,y,z],...]}, [0,0,0] where there is none""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         if (steps) throw Steps.none(method);
         Triangles surface = surface(StrictJson.object(text, length, VERTICES, TRIANGLES));

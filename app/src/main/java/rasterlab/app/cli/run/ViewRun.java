@@ -37,6 +37,15 @@ final class ViewRun implements TopicRun {
     }
 
     @Override
+    public Form form() {
+        return new Form(
+                """
+                {"points":[[x,y,z],...], "theta":a, "phi":b, "rho":r}""",
+                """
+                {"points":[[x,y,z],...]} in the left-handed space of the eye""");
+    }
+
+    @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         if (steps) throw Steps.none(method);
         Given given = StrictJson.object(text, length, POINTS, THETA, PHI, RHO);
