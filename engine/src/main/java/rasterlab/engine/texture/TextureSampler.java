@@ -14,13 +14,16 @@ public final class TextureSampler {
     private final Texture texture;
     private final Wrap alongS;
     private final Wrap alongT;
+    private final TextureLevel[] levels;
     private final int highest;
 
     public TextureSampler(Texture texture, Wrap alongS, Wrap alongT) {
         this.texture = texture;
         this.alongS = alongS;
         this.alongT = alongT;
-        highest = texture.levelCount() - 1;
+        levels = new TextureLevel[texture.levelCount()];
+        for (int i = 0; i < levels.length; i++) levels[i] = texture.level(i);
+        highest = levels.length - 1;
     }
 
     public Texture texture() {
@@ -29,7 +32,7 @@ public final class TextureSampler {
 
     /** The texel that (s, t) lies in, of the picture itself. NaN is taken for 0. */
     public int nearest(double s, double t) {
-        return nearest(texture.level(0), s, t);
+        return nearest(levels[0], s, t);
     }
 
     private int nearest(TextureLevel level, double s, double t) {
@@ -40,16 +43,28 @@ public final class TextureSampler {
 
     /** The four texels around (s, t) mixed by how near their centres are. */
     public int linear(double s, double t) {
-        return linear(texture.level(0), s, t);
+        return linear(levels[0], alongS.within(s), alongT.within(t));
     }
 
+    /** u and v are places in 256ths of a texel, counted from the first texel's centre. */
     private int linear(TextureLevel level, double s, double t) {
-        double u = alongS.within(s) * level.width() - 0.5;
-        double v = alongT.within(t) * level.height() - 0.5;
-        int i = (int) Math.floor(u);
-        int j = (int) Math.floor(v);
-        int right = (int) ((u - i) * WHOLE + 0.5);
-        int above = (int) ((v - j) * WHOLE + 0.5);
+        int width = level.width();
+        int height = level.height();
+        int u = (int) (s * width * WHOLE + 0.5) - WHOLE / 2;
+        int v = (int) (t * height * WHOLE + 0.5) - WHOLE / 2;
+        int i = u >> BITS;
+        int j = v >> BITS;
+        int right = u & WHOLE - 1;
+        int above = v & WHOLE - 1;
+        if (i < 0 || j < 0 || i + 1 >= width || j + 1 >= height)
+            return atRim(level, i, j, right, above);
+        return mix(
+                mix(level.texel(i, j), level.texel(i + 1, j), right),
+                mix(level.texel(i, j + 1), level.texel(i + 1, j + 1), right),
+                above);
+    }
+
+    private int atRim(TextureLevel level, int i, int j, int right, int above) {
         int i0 = alongS.index(i, level.width());
         int i1 = alongS.index(i + 1, level.width());
         int j0 = alongT.index(j, level.height());
@@ -66,7 +81,7 @@ public final class TextureSampler {
 
     /** The nearest texel of the nearest level. */
     public int nearestLevel(double s, double t, double lambda) {
-        return nearest(texture.level((int) (within(lambda) + 0.5)), s, t);
+        return nearest(levels[(int) (within(lambda) + 0.5)], s, t);
     }
 
     /**
@@ -79,9 +94,11 @@ public final class TextureSampler {
         double level = within(lambda);
         int finer = (int) level;
         int coarser = (int) ((level - finer) * WHOLE + 0.5);
-        int fine = linear(texture.level(finer), s, t);
+        double ss = alongS.within(s);
+        double tt = alongT.within(t);
+        int fine = linear(levels[finer], ss, tt);
         if (coarser == 0 || finer == highest) return fine;
-        return mix(fine, linear(texture.level(finer + 1), s, t), coarser);
+        return mix(fine, linear(levels[finer + 1], ss, tt), coarser);
     }
 
     private double within(double lambda) {
