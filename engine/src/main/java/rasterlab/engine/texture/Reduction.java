@@ -16,14 +16,14 @@ final class Reduction {
     private static final int CHANNELS = 4;
 
     private final TextureLevel picture;
-    private final int width;
-    private final int height;
+    private final Cover columns;
+    private final Cover rows;
     private final double[] row;
 
     private Reduction(TextureLevel picture, int width, int height) {
         this.picture = picture;
-        this.width = width;
-        this.height = height;
+        columns = Cover.of(picture.width(), width);
+        rows = Cover.of(picture.height(), height);
         row = new double[width * CHANNELS];
     }
 
@@ -40,12 +40,12 @@ final class Reduction {
     }
 
     private TextureLevel level() {
+        int width = columns.first.length;
+        int height = rows.first.length;
         var argb = new int[width * height];
         for (int j = 0; j < height; j++) {
             Arrays.fill(row, 0);
-            for (int k = first(j, picture.height(), height);
-                    k <= last(j, picture.height(), height);
-                    k++) addRow(k, share(k, j, picture.height(), height));
+            for (int k = rows.first[j]; k <= rows.last[j]; k++) addRow(k, rows.share(k, j));
             for (int i = 0; i < width; i++) argb[j * width + i] = rounded(i);
         }
         return new TextureLevel(width, height, argb);
@@ -53,11 +53,9 @@ final class Reduction {
 
     /** Adds row {@code k} of level 0 with that share. */
     private void addRow(int k, double part) {
-        for (int i = 0; i < width; i++)
-            for (int x = first(i, picture.width(), width);
-                    x <= last(i, picture.width(), width);
-                    x++) {
-                double share = part * share(x, i, picture.width(), width);
+        for (int i = 0; i < columns.first.length; i++)
+            for (int x = columns.first[i]; x <= columns.last[i]; x++) {
+                double share = part * columns.share(x, i);
                 int texel = picture.texel(x, k);
                 row[i * CHANNELS] += share * (texel >>> 24);
                 row[i * CHANNELS + 1] += share * (texel >> 16 & 255);
@@ -66,20 +64,39 @@ final class Reduction {
             }
     }
 
-    /** The first of {@code from} texels that texel {@code i} of {@code to} covers. */
-    private static int first(int i, int from, int to) {
-        return i * from / to;
-    }
+    /**
+     * Which of n texels of a line each of m covers, and with what share.
+     *
+     * @param first the first one that each covers
+     * @param last the last one that each covers
+     * @param firstShare of the first one in the mean
+     * @param lastShare of the last one in the mean
+     * @param inner share of every other
+     */
+    private record Cover(
+            int[] first, int[] last, double[] firstShare, double[] lastShare, double inner) {
+        static Cover of(int n, int m) {
+            var cover =
+                    new Cover(new int[m], new int[m], new double[m], new double[m], m / (double) n);
+            for (int i = 0; i < m; i++) {
+                cover.first[i] = i * n / m;
+                cover.last[i] = ((i + 1) * n - 1) / m;
+                cover.firstShare[i] = common(cover.first[i], i, n, m);
+                cover.lastShare[i] = common(cover.last[i], i, n, m);
+            }
+            return cover;
+        }
 
-    private static int last(int i, int from, int to) {
-        return ((i + 1) * from - 1) / to;
-    }
+        /** What share of texel {@code i} of m is texel {@code x} of n. */
+        private static double common(int x, int i, int n, int m) {
+            int begin = Math.max(i * n, x * m);
+            int end = Math.min((i + 1) * n, (x + 1) * m);
+            return (end - begin) / (double) n;
+        }
 
-    /** What share of texel {@code i} of {@code to} is texel {@code x} of {@code from}. */
-    private static double share(int x, int i, int from, int to) {
-        int begin = Math.max(i * from, x * to);
-        int end = Math.min((i + 1) * from, (x + 1) * to);
-        return (end - begin) / (double) from;
+        double share(int x, int i) {
+            return x == first[i] ? firstShare[i] : x == last[i] ? lastShare[i] : inner;
+        }
     }
 
     private int rounded(int i) {
