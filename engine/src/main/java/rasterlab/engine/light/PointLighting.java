@@ -1,6 +1,7 @@
 package rasterlab.engine.light;
 
 import rasterlab.contract.Reflection;
+import rasterlab.contract.SurfaceMaterial;
 import rasterlab.engine.color.Levels;
 
 /**
@@ -15,7 +16,8 @@ import rasterlab.engine.color.Levels;
  * says. Points, normals, lights and the eye share one space without a perspective division: the
  * world's or the eye's.
  *
- * <p>An object serves one thread at a time; {@link #forThread} gives another one.
+ * <p>An object serves one thread at a time; {@link #forThread} gives another one, so that {@code
+ * ThreadLocal.withInitial(lighting::forThread)} serves a team.
  *
  * <p>Source: M. Segal, K. Akeley, The OpenGL Graphics System: A Specification, version 2.1, 2006,
  * section 2.14.1; Phong's and Lambert's terms alone are ours to choose.
@@ -84,19 +86,26 @@ public final class PointLighting {
             boolean seenFromBehind,
             float[] rgba,
             int at) {
-        boolean own = seenFromBehind && model.twoSided();
-        Material material = own ? back : front;
-        var surface = material.surface();
-        gather(x, y, z, nx, ny, nz, own ? -1 : 1, surface.shininess());
+        Material material = gather(x, y, z, nx, ny, nz, seenFromBehind);
         for (int c = 0; c < 3; c++)
-            rgba[at + c] =
-                    (float)
-                            Levels.cut(
-                                    surface.emission()[c]
-                                            + surface.ambient()[c] * fallen[c]
-                                            + surface.diffuse()[c] * fallen[3 + c]
-                                            + surface.specular()[c] * fallen[6 + c]);
+            rgba[at + c] = (float) Levels.cut(channel(material.surface(), c));
         rgba[at + 3] = (float) material.alpha();
+    }
+
+    /** The colour of a point by its material, as {@link #shade} finds it, as 0xAARRGGBB. */
+    public int argb(
+            double x, double y, double z, double nx, double ny, double nz, boolean seenFromBehind) {
+        Material material = gather(x, y, z, nx, ny, nz, seenFromBehind);
+        SurfaceMaterial surface = material.surface();
+        return Levels.argb(
+                channel(surface, 0), channel(surface, 1), channel(surface, 2), material.alpha());
+    }
+
+    private double channel(SurfaceMaterial surface, int c) {
+        return surface.emission()[c]
+                + surface.ambient()[c] * fallen[c]
+                + surface.diffuse()[c] * fallen[3 + c]
+                + surface.specular()[c] * fallen[6 + c];
     }
 
     /**
@@ -115,9 +124,7 @@ public final class PointLighting {
             boolean seenFromBehind,
             float[] rgba,
             int at) {
-        boolean own = seenFromBehind && model.twoSided();
-        var surface = (own ? back : front).surface();
-        gather(x, y, z, nx, ny, nz, own ? -1 : 1, surface.shininess());
+        SurfaceMaterial surface = gather(x, y, z, nx, ny, nz, seenFromBehind).surface();
         for (int c = 0; c < 3; c++)
             rgba[at + c] =
                     (float)
@@ -133,16 +140,12 @@ public final class PointLighting {
                 < 0;
     }
 
-    private void gather(
-            double x,
-            double y,
-            double z,
-            double nx,
-            double ny,
-            double nz,
-            int side,
-            double shininess) {
-        double normal = side * inverse(nx * nx + ny * ny + nz * nz);
+    /** Sums up what falls on a point, and says which material lies there. */
+    private Material gather(
+            double x, double y, double z, double nx, double ny, double nz, boolean behind) {
+        boolean own = behind && model.twoSided();
+        Material material = own ? back : front;
+        double normal = (own ? -1 : 1) * inverse(nx * nx + ny * ny + nz * nz);
         double vx = eyeX - eyeNear * x;
         double vy = eyeY - eyeNear * y;
         double vz = eyeZ - eyeNear * z;
@@ -162,8 +165,9 @@ public final class PointLighting {
                     vy * view,
                     vz * view,
                     model.reflection(),
-                    shininess,
+                    material.surface().shininess(),
                     fallen);
+        return material;
     }
 
     private static double inverse(double square) {

@@ -95,6 +95,12 @@ class PointLightingTest {
     }
 
     @Test
+    void packedColourIsTheSharesRounded() {
+        var lighting = lighting(dark(SUN), new Material(RED.surface(), 0.25));
+        assertEquals(0x40800000, lighting.argb(0, 0, 0, 0, 0, 1, false));
+    }
+
+    @Test
     void backIsSeenFromItsOwnSide() {
         var lighting = lighting(dark(SUN).withLocalViewer(), WHITE);
         lighting.eye(0, 0, 5, 0, 0, 1);
