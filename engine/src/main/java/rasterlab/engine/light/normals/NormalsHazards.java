@@ -5,6 +5,7 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
@@ -18,6 +19,10 @@ final class NormalsHazards {
     private NormalsHazards() {}
 
     static List<Hazard<Triangles>> all() {
+        return Stream.of(solids(), degenerate()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<Triangles>> solids() {
         return List.of(
                 hazard(
                         "flat",
@@ -45,7 +50,11 @@ final class NormalsHazards {
                                 new int[] {0, 2, 3, 0, 3, 1, 0, 1, 5, 0, 5, 4}),
                         WRONG,
                         EXACT,
-                        WRONG),
+                        WRONG));
+    }
+
+    private static List<Hazard<Triangles>> degenerate() {
+        return List.of(
                 hazard(
                         "zero-area-face",
                         "A face with two corners in one place has no normal to give.",

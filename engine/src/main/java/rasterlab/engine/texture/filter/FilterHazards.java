@@ -7,6 +7,7 @@ import static rasterlab.engine.study.Verdict.Kind.WRONG;
 
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
@@ -15,6 +16,10 @@ final class FilterHazards {
     private FilterHazards() {}
 
     static List<Hazard<FilteredPixels>> all() {
+        return Stream.of(smaller(), shaped()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<FilteredPixels>> smaller() {
         return List.of(
                 hazard(
                         "one-to-one",
@@ -42,7 +47,11 @@ final class FilterHazards {
                         WRONG,
                         WRONG,
                         DEGRADED,
-                        EXACT),
+                        EXACT));
+    }
+
+    private static List<Hazard<FilteredPixels>> shaped() {
+        return List.of(
                 hazard(
                         "long-and-narrow",
                         "Upright stripes on a floor: 16 texels deep, one wide.",
