@@ -6,8 +6,12 @@ import rasterlab.engine.circle.EllipseTopic;
 import rasterlab.engine.clip.polygon.PolygonClipTopic;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.clip.volume.VolumeClipTopic;
+import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.fill.FillTopic;
 import rasterlab.engine.geometry.meeting.LinePlaneTopic;
+import rasterlab.engine.light.face.FaceTopic;
+import rasterlab.engine.light.normals.NormalsTopic;
+import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.polygon.inside.PointInPolygonTopic;
@@ -17,6 +21,8 @@ import rasterlab.engine.polygon.triangulation.TriangulateTopic;
 import rasterlab.engine.spline.CurveTopic;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.texture.filter.FilterTopic;
+import rasterlab.engine.texture.mapping.MappingTopic;
 import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
@@ -48,7 +54,13 @@ public final class Topics {
                 new RotateTopic(),
                 new AxisTopic(),
                 new SplineFunctionTopic(),
-                new CurveTopic());
+                new CurveTopic(),
+                new ShadeTopic(),
+                new NormalsTopic(),
+                new FaceTopic(),
+                new ColorTopic(),
+                new MappingTopic(),
+                new FilterTopic());
     }
 
     /**

@@ -53,7 +53,32 @@ final class RunExamples {
                     Map.entry(
                             "curve",
                             "{\"kind\":\"bezier\",\"points\":[[0,0],[0,8],[8,8],[8,0]],"
-                                    + "\"flatness\":0.25}"));
+                                    + "\"flatness\":0.25}"),
+                    Map.entry(
+                            "shade",
+                            "{\"normal\":[0,0,2],\"to-light\":[3,0,4],\"to-eye\":[0,1,1],"
+                                    + "\"material\":{\"ambient\":0.2,\"diffuse\":[0.5,0.4,0.3],"
+                                    + "\"specular\":0.3,\"emission\":0.1,\"shininess\":9},"
+                                    + "\"light\":{\"ambient\":0.1,\"attenuation\":[1,0,1],"
+                                    + "\"spot\":{\"direction\":[0,0,-1],\"cutoff\":60,"
+                                    + "\"exponent\":2}},\"distance\":2,\"global-ambient\":0.2}"),
+                    Map.entry(
+                            "vertex-normals",
+                            "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],"
+                                    + "\"triangles\":[[0,1,2],[0,3,1]]}"),
+                    Map.entry(
+                            "shade-face",
+                            "{\"corners\":[[0,0,0],[1,0,0],[0,1,0]],"
+                                    + "\"normals\":[[0,0,1],[1,0,2],[0,1,2]],\"lamp\":[2,2,4],"
+                                    + "\"eye\":[0,0,5],\"material\":{\"diffuse\":0.5},"
+                                    + "\"light\":{\"diffuse\":1},\"global-ambient\":0.2,"
+                                    + "\"points\":[[1,0,0],[0.5,0.25,0.25]]}"),
+                    Map.entry("color", "{\"rgb\":[1,0.5,0.25]}"),
+                    Map.entry("texture-mapping", "{\"from\":[0,0,1],\"to\":[1,2,3],\"pixels\":5}"),
+                    Map.entry(
+                            "texture-filter",
+                            "{\"picture\":[[0,255],[128,64]],"
+                                    + "\"pixels\":[[0.3,0.6,0.5,0,0,0.25]]}"));
 
     private RunExamples() {}
 

@@ -1,8 +1,10 @@
 /**
- * How bright a face is: one intensity for the whole face, from its normal before any perspective
- * division.
+ * How bright a surface is, from its normal before any perspective division.
  *
- * <p>Vectors are in eye space: x right, y up, z forward from the eye. Start with {@link
- * rasterlab.engine.light.Shading}.
+ * <p>{@link rasterlab.engine.light.Shading} gives a flat face one intensity, in eye space (x right,
+ * y up, z forward). {@link rasterlab.engine.light.PointLighting} is the whole formula with
+ * materials and lights, per vertex or per pixel, in any space without a division; start with it.
+ * The packages below hold the topics: {@code shade} one point, {@code face} a triangle, {@code
+ * normals} the normals of vertices.
  */
 package rasterlab.engine.light;

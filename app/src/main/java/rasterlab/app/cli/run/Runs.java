@@ -38,7 +38,13 @@ public final class Runs {
                         new RotateRun(watch),
                         new AxisRun(watch),
                         new SplineFunctionRun(watch),
-                        new CurveRun(watch));
+                        new CurveRun(watch),
+                        new ShadeRun(watch),
+                        new VertexNormalsRun(watch),
+                        new ShadeFaceRun(watch),
+                        new ColorRun(watch),
+                        new TextureMappingRun(watch),
+                        new TextureFilterRun(watch));
         try {
             return Named.find("topic", topic, all, run -> run.topic().name());
         } catch (IllegalArgumentException e) {

@@ -133,6 +133,10 @@ public final class StrictJson {
         return parser.currentToken() == JsonToken.VALUE_STRING;
     }
 
+    public boolean isNull() {
+        return parser.currentToken() == JsonToken.VALUE_NULL;
+    }
+
     /**
      * Reads an array of {@code least} to {@code most} values.
      *
@@ -200,11 +204,7 @@ public final class StrictJson {
 
     /** Reads a finite number; one too small for a double is 0 or the smallest double. */
     public double number() throws IOException {
-        String allowed = "a number from -1.7976931348623157E308 to 1.7976931348623157E308";
-        requireNumber(allowed);
-        double value = Double.parseDouble(parser.getText());
-        if (!Double.isFinite(value)) throw expected(allowed);
-        return value;
+        return numberFrom(-Double.MAX_VALUE, Double.MAX_VALUE);
     }
 
     /** Reads a whole number in the range of int. */
@@ -249,6 +249,15 @@ public final class StrictJson {
         String text = parser.getText();
         if (text.length() < least || text.length() > most) throw expected(expected);
         return text;
+    }
+
+    /** Reads a number from {@code least} to {@code most}. */
+    public double numberFrom(double least, double most) throws IOException {
+        String allowed = "a number from " + least + " to " + most;
+        requireNumber(allowed);
+        double value = Double.parseDouble(parser.getText());
+        if (!(value >= least && value <= most)) throw expected(allowed);
+        return value;
     }
 
     /** Reads a finite number above {@code least}, up to {@code most}. */

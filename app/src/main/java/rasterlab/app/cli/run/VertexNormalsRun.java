@@ -1,0 +1,70 @@
+package rasterlab.app.cli.run;
+
+import java.util.Arrays;
+import java.util.List;
+import rasterlab.app.cli.run.json.Given;
+import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.JsonNumbers;
+import rasterlab.app.cli.run.json.StrictJson;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.contract.VertexNormals;
+import rasterlab.engine.light.normals.NormalsTopic;
+import rasterlab.engine.light.normals.Triangles;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.transform.Images;
+
+/** Topic {@code vertex-normals}: {@code vertices}, {@code triangles}; {@code normals} out. */
+final class VertexNormalsRun implements TopicRun {
+    private static final JsonField<double[]> VERTICES =
+            JsonField.required("vertices", json -> json.points(3, 0, PointJson.MOST));
+    private static final JsonField<List<int[]>> TRIANGLES =
+            JsonField.required(
+                    "triangles",
+                    json -> json.list("triangles", each -> each.integers(3), 0, PointJson.MOST));
+
+    private final Topic<VertexNormals, Triangles, Images> topic = new NormalsTopic();
+    private final Watch watch;
+
+    /**
+     * @param watch gives up a method that does not end
+     */
+    VertexNormalsRun(Watch watch) {
+        this.watch = watch;
+    }
+
+    @Override
+    public Topic<?, ?, ?> topic() {
+        return topic;
+    }
+
+    @Override
+    public Form form() {
+        return new Form(
+                """
+                {"vertices":[[x,y,z],...], "triangles":[[i,j,k],...]}, vertex numbers from 0, \
+                counter-clockwise seen from outside""",
+                """
+                {"normals":[[x,y,z],...]}, [0,0,0] where there is none""");
+    }
+
+    @Override
+    public Answer answer(String method, byte[] text, int length, boolean steps) {
+        if (steps) throw Steps.none(method);
+        Triangles surface = surface(StrictJson.object(text, length, VERTICES, TRIANGLES));
+        VertexNormals normals = topic.method(method).implementation();
+        Images images = watch.call(method, () -> topic.record(normals, surface, Integer.MAX_VALUE));
+        return json -> {
+            json.writeFieldName("normals");
+            JsonNumbers.writePoints(json, images.coordinates(), 3);
+        };
+    }
+
+    private static Triangles surface(Given given) {
+        int[] corners = given.get(TRIANGLES).stream().flatMapToInt(Arrays::stream).toArray();
+        try {
+            return new Triangles(given.get(VERTICES), corners);
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput("/: " + e.getMessage());
+        }
+    }
+}

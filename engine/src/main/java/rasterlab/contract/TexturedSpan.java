@@ -1,0 +1,43 @@
+package rasterlab.contract;
+
+/**
+ * A row of pixels across a textured face.
+ *
+ * @param fromS s at the first pixel's centre, −1000 to 1000, as are the next three
+ * @param fromT t there
+ * @param fromDepth its distance from the eye along the line of sight, 10⁻⁶ to 10⁶
+ * @param toS s at the last pixel's centre
+ * @param toT t there
+ * @param toDepth its distance from the eye, 10⁻⁶ to 10⁶
+ * @param pixels how many, 1 to 8192; a single one stands at the first centre
+ */
+public record TexturedSpan(
+        double fromS,
+        double fromT,
+        double fromDepth,
+        double toS,
+        double toT,
+        double toDepth,
+        int pixels) {
+    /** The most pixels. */
+    public static final int MOST_PIXELS = 8192;
+
+    private static final double LARGEST = 1000;
+
+    public TexturedSpan {
+        require("s of the first pixel", fromS, -LARGEST, LARGEST);
+        require("t of the first pixel", fromT, -LARGEST, LARGEST);
+        require("depth of the first pixel", fromDepth, 1e-6, 1e6);
+        require("s of the last pixel", toS, -LARGEST, LARGEST);
+        require("t of the last pixel", toT, -LARGEST, LARGEST);
+        require("depth of the last pixel", toDepth, 1e-6, 1e6);
+        if (pixels < 1 || pixels > MOST_PIXELS)
+            throw new IllegalArgumentException("pixels must be from 1 to 8192, got " + pixels);
+    }
+
+    private static void require(String name, double value, double least, double most) {
+        if (!(value >= least && value <= most))
+            throw new IllegalArgumentException(
+                    "%s must be from %s to %s, got %s".formatted(name, least, most, value));
+    }
+}

@@ -1,0 +1,146 @@
+package rasterlab.engine.light.face;
+
+import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
+import static rasterlab.engine.study.Verdict.Kind.REFUSED;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
+
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import rasterlab.contract.LitFace;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+
+/** Faces on which saving work shows. */
+final class FaceHazards {
+    private static final double[] ABOVE = {0, 0, 5};
+    private static final double[] FAR = {0, 0, 1e6};
+    private static final int ROWS = 6;
+
+    private FaceHazards() {}
+
+    static List<Hazard<FacePoints>> all() {
+        return Stream.of(curved(), degenerate()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<FacePoints>> curved() {
+        double[] tilted = {0, 0, 0, 4, 0, 3, 0, 3, 0};
+        double[] across = {-9, 0, 12, -9, 0, 12, -9, 0, 12};
+        return List.of(
+                hazard(
+                        "dull-and-flat",
+                        "A flat dull face, lamp and eye far: one intensity is enough.",
+                        Faces.face(
+                                new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
+                                new double[] {0, 0, 1, 0, 0, 1, 0, 0, 1},
+                                FAR,
+                                FAR,
+                                Faces.grey(0.5, 0, 0)),
+                        EXACT,
+                        EXACT,
+                        EXACT,
+                        EXACT),
+                hazard(
+                        "highlight-inside",
+                        "A highlight in the middle of a face, far from its corners.",
+                        Faces.dome(0.5, ABOVE, ABOVE, Faces.grey(0.4, 0.5, 60)),
+                        WRONG,
+                        WRONG,
+                        WRONG,
+                        WRONG),
+                hazard(
+                        "curved",
+                        "Corners' normals diverge by 60°: their mean is short.",
+                        Faces.dome(0.6, FAR, FAR, Faces.grey(0.8, 0, 0)),
+                        WRONG,
+                        WRONG,
+                        WRONG,
+                        WRONG),
+                hazard(
+                        "sum-above-1-at-the-corners",
+                        "Corners brighter than white are cut before they are mixed.",
+                        Faces.face(
+                                new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
+                                new double[] {0, 0, 1, 1, 0, 0.2, 0, 1, 0.2},
+                                FAR,
+                                FAR,
+                                Faces.grey(1, 0.5, 1)),
+                        WRONG,
+                        WRONG,
+                        WRONG,
+                        WRONG),
+                hazard(
+                        "close-and-slanted",
+                        "A slanted face before the eye: its normal turns in the division.",
+                        Faces.face(tilted, across, FAR, ABOVE, Faces.grey(0.6, 0, 0)),
+                        WRONG,
+                        DEGRADED,
+                        EXACT,
+                        EXACT));
+    }
+
+    private static List<Hazard<FacePoints>> degenerate() {
+        double[] up = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+        return List.of(
+                hazard(
+                        "zero-area-face",
+                        "Three corners on a line: the face has no normal, its corners have.",
+                        Faces.face(
+                                new double[] {0, 0, 0, 1, 0, 0, 2, 0, 0},
+                                up,
+                                FAR,
+                                FAR,
+                                Faces.grey(0.5, 0, 0)),
+                        REFUSED,
+                        REFUSED,
+                        EXACT,
+                        EXACT),
+                new Hazard<>(
+                        "normals-cancel",
+                        "Half way between two opposite normals there is none.",
+                        new FacePoints(
+                                Faces.face(
+                                        new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0},
+                                        new double[] {1, 0, 0, -1, 0, 0, 0, 0, 1},
+                                        ABOVE,
+                                        ABOVE,
+                                        Faces.grey(0.5, 0, 0)),
+                                new double[] {0.5, 0.5, 0}),
+                        recorded(WRONG, WRONG, WRONG, WRONG, REFUSED)));
+    }
+
+    private static Hazard<FacePoints> hazard(
+            String name,
+            String description,
+            LitFace face,
+            Verdict.Kind flatTextbook,
+            Verdict.Kind flat,
+            Verdict.Kind gouraud,
+            Verdict.Kind phongTextbook) {
+        return new Hazard<>(
+                name,
+                description,
+                FacePoints.grid(face, ROWS),
+                recorded(flatTextbook, flat, gouraud, phongTextbook, EXACT));
+    }
+
+    private static Map<String, Verdict.Kind> recorded(
+            Verdict.Kind flatTextbook,
+            Verdict.Kind flat,
+            Verdict.Kind gouraud,
+            Verdict.Kind phongTextbook,
+            Verdict.Kind phong) {
+        return Map.of(
+                "flat-textbook",
+                flatTextbook,
+                "flat",
+                flat,
+                "gouraud",
+                gouraud,
+                "phong-textbook",
+                phongTextbook,
+                "phong",
+                phong);
+    }
+}

@@ -1,0 +1,104 @@
+package rasterlab.engine.light.face;
+
+import java.util.Arrays;
+import java.util.List;
+import rasterlab.contract.FaceShader;
+import rasterlab.engine.color.Levels;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+
+/**
+ * Shading a face.
+ *
+ * <p>The error is the largest difference of a channel in levels of a picture. Up to 10⁻⁹ levels
+ * count as exact, for rounding that the highest shininess makes 200 times as large. An output is
+ * usable within one level.
+ */
+public final class FaceTopic implements Topic<FaceShader, FacePoints, double[]> {
+    private static final double CORRECT = 1e-9;
+    private static final double USABLE = 1;
+
+    @Override
+    public String name() {
+        return "shade-face";
+    }
+
+    @Override
+    public List<Method<FaceShader>> methods() {
+        return FaceMethods.all();
+    }
+
+    @Override
+    public List<Hazard<FacePoints>> hazards() {
+        return FaceHazards.all();
+    }
+
+    @Override
+    public List<Workload<FacePoints>> workloads() {
+        return FaceWorkloads.all();
+    }
+
+    @Override
+    public double[] record(FaceShader method, FacePoints points, int limit) {
+        double[] shades = method.shade(points.face(), points.weights().clone());
+        if (shades.length != points.weights().length)
+            throw new IllegalStateException(
+                    "%d shares were asked for, got %d"
+                            .formatted(points.weights().length, shades.length));
+        return Arrays.copyOf(shades, (int) Math.min(3L * limit, shades.length));
+    }
+
+    @Override
+    public long spend(FaceShader method, FacePoints points) {
+        return method.shade(points.face(), points.weights()).length / 3;
+    }
+
+    @Override
+    public double[] exact(FacePoints points, int limit) {
+        double[] shades = ExactFace.shade(points);
+        return Arrays.copyOf(shades, (int) Math.min(3L * limit, shades.length));
+    }
+
+    @Override
+    public Deviation compare(FacePoints points, double[] exact, double[] actual) {
+        double worst = 0;
+        String first = "";
+        for (int i = 0; i < exact.length; i++) {
+            double error = Math.abs(exact[i] - actual[i]) * Levels.HIGHEST;
+            if (Double.isNaN(error)) error = Double.POSITIVE_INFINITY;
+            if (error > CORRECT && first.isEmpty())
+                first =
+                        "%s of point %d is %s, right is %s"
+                                .formatted(
+                                        List.of("red", "green", "blue").get(i % 3),
+                                        i / 3,
+                                        actual[i],
+                                        Double.isNaN(exact[i]) ? "no answer" : "" + exact[i]);
+            worst = Math.max(worst, error);
+        }
+        return new Deviation(worst, 0, 0, exact.length / 3, first);
+    }
+
+    @Override
+    public boolean correct(Deviation deviation) {
+        return deviation.worst() <= CORRECT;
+    }
+
+    @Override
+    public boolean usable(Deviation deviation) {
+        return deviation.worst() <= USABLE;
+    }
+
+    @Override
+    public String item() {
+        return "pixel";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "levels";
+    }
+}

@@ -1,0 +1,32 @@
+package rasterlab.engine.light.face;
+
+import rasterlab.contract.FaceShader;
+import rasterlab.contract.LitFace;
+import rasterlab.contract.Reflection;
+import rasterlab.engine.light.shade.FormulaShader;
+
+/**
+ * The formula at every point, with the corners' unit normals mixed and brought to length 1 again.
+ *
+ * <p>Source: B. T. Phong, Illumination for computer generated pictures, Communications of the ACM
+ * 18(6), 1975, pp. 311–317.
+ */
+final class PhongFace implements FaceShader {
+    private final FormulaShader formula = new FormulaShader(Reflection.PHONG);
+
+    @Override
+    public double[] shade(LitFace face, double[] weights) {
+        FacePoint.requireWeights(weights);
+        var shades = new double[weights.length];
+        double[] normals = FacePoint.unit(face.normals());
+        for (int i = 0; i < weights.length; i += 3) {
+            double a = weights[i];
+            double b = weights[i + 1];
+            double c = weights[i + 2];
+            double[] place = FacePoint.mixed(face.corners(), a, b, c);
+            double[] normal = FacePoint.mixed(normals, a, b, c);
+            System.arraycopy(formula.intensity(FacePoint.of(face, place, normal)), 0, shades, i, 3);
+        }
+        return shades;
+    }
+}

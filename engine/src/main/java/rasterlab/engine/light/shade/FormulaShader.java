@@ -1,0 +1,90 @@
+package rasterlab.engine.light.shade;
+
+import rasterlab.contract.LitPoint;
+import rasterlab.contract.PointShader;
+import rasterlab.contract.Reflection;
+import rasterlab.contract.SpotCone;
+import rasterlab.engine.light.Mirror;
+import rasterlab.engine.light.Powers;
+import rasterlab.engine.light.UnitVector;
+import rasterlab.engine.transform.Angle;
+
+/** The formula with every direction brought to length 1 first and every cosine cut at 0. */
+public final class FormulaShader implements PointShader, TermShader {
+    private final Reflection reflection;
+
+    public FormulaShader(Reflection reflection) {
+        this.reflection = reflection;
+    }
+
+    @Override
+    public Reflection reflection() {
+        return reflection;
+    }
+
+    @Override
+    public double[] intensity(LitPoint point) {
+        return terms(point).intensity();
+    }
+
+    @Override
+    public Terms terms(LitPoint point) {
+        double[] n = unit("normal", point.normal());
+        double[] l = unit("to-light", point.toLight());
+        double attenuation = attenuation(point);
+        double cone = cone(point.light().cone(), l);
+        double strength = attenuation * cone;
+        double cosine = Math.max(0, n[0] * l[0] + n[1] * l[1] + n[2] * l[2]);
+        double mirrored = cosine > 0 ? mirrored(point, n, l) : 0;
+        var material = point.material();
+        var light = point.light();
+        return new Terms(
+                material.emission(),
+                product(point.globalAmbient(), material.ambient(), 1),
+                product(light.ambient(), material.ambient(), strength),
+                product(light.diffuse(), material.diffuse(), strength * cosine),
+                product(light.specular(), material.specular(), strength * mirrored),
+                attenuation,
+                cone);
+    }
+
+    private double mirrored(LitPoint point, double[] n, double[] l) {
+        if (reflection == Reflection.LAMBERT) return 0;
+        double[] v = unit("to-eye", point.toEye());
+        double cosine =
+                Mirror.cosine(reflection, n[0], n[1], n[2], l[0], l[1], l[2], v[0], v[1], v[2]);
+        return Powers.of(cosine, point.material().shininess());
+    }
+
+    private static double attenuation(LitPoint point) {
+        double factor = point.light().attenuation().factor(point.distance());
+        if (factor == Double.POSITIVE_INFINITY)
+            throw new IllegalArgumentException(
+                    "distance must be above 0 where the attenuation has no constant, got "
+                            + point.distance());
+        return factor;
+    }
+
+    private static double cone(SpotCone cone, double[] l) {
+        if (cone.shinesAllAround()) return 1;
+        double[] axis = unit("spot direction", cone.direction());
+        double cosine = -(axis[0] * l[0] + axis[1] * l[1] + axis[2] * l[2]);
+        if (cosine < Angle.ofDegrees(cone.cutoff()).cos()) return 0;
+        return Powers.of(cosine, cone.exponent());
+    }
+
+    private static double[] unit(String name, double[] vector) {
+        double[] unit = vector.clone();
+        if (!UnitVector.normalise(unit))
+            throw new IllegalArgumentException(name + " must have a direction, got (0, 0, 0)");
+        return unit;
+    }
+
+    private static double[] product(double[] light, double[] surface, double factor) {
+        return new double[] {
+            light[0] * surface[0] * factor,
+            light[1] * surface[1] * factor,
+            light[2] * surface[2] * factor
+        };
+    }
+}

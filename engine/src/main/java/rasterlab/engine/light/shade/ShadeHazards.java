@@ -1,0 +1,172 @@
+package rasterlab.engine.light.shade;
+
+import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
+import static rasterlab.engine.study.Verdict.Kind.REFUSED;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
+
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import rasterlab.contract.Attenuation;
+import rasterlab.contract.LightSource;
+import rasterlab.contract.LitPoint;
+import rasterlab.contract.SpotCone;
+import rasterlab.contract.SurfaceMaterial;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+
+/** Points for which a printed formula has no right answer. */
+final class ShadeHazards {
+    private static final double[] UP = {0, 0, 1};
+    private static final double[] SLANTED = {0.6, 0, 0.8};
+    private static final double[] BELOW = {0.6, 0, -0.8};
+    private static final SurfaceMaterial DIM = material(0.1, 0.5, 0.3, 10);
+
+    private ShadeHazards() {}
+
+    static List<Hazard<LitPoints>> all() {
+        return Stream.of(signs(), lengths(), sums(), lights()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<LitPoints>> signs() {
+        return List.of(
+                hazard(
+                        "facing",
+                        "Light and eye before the surface.",
+                        EXACT,
+                        EXACT,
+                        lit(UP, SLANTED, UP)),
+                hazard(
+                        "light-behind",
+                        "The light is behind the surface: the cosine is negative.",
+                        WRONG,
+                        EXACT,
+                        lit(UP, BELOW, UP)),
+                hazard(
+                        "eye-against-the-mirror",
+                        "The eye is away from the mirrored light, and an even power hides the sign.",
+                        WRONG,
+                        EXACT,
+                        lit(UP, SLANTED, new double[] {0.96, 0, 0.28}, material(0.1, 0.5, 0.3, 2))),
+                hazard(
+                        "eye-opposite-the-light",
+                        "The eye looks at the light through the surface: h has no direction.",
+                        DEGRADED,
+                        EXACT,
+                        lit(UP, SLANTED, new double[] {-0.6, 0, -0.8})),
+                hazard(
+                        "grazing",
+                        "The light is a hair above the surface.",
+                        EXACT,
+                        EXACT,
+                        lit(UP, new double[] {1, 0, 1e-17}, UP)));
+    }
+
+    private static List<Hazard<LitPoints>> lengths() {
+        return List.of(
+                hazard(
+                        "interpolated-normal",
+                        "Half way between two normals 90° apart: its length is 0.71.",
+                        WRONG,
+                        EXACT,
+                        lit(new double[] {0.5, 0, 0.5}, SLANTED, UP)),
+                hazard(
+                        "zero-area-face",
+                        "A face without area has no normal.",
+                        WRONG,
+                        REFUSED,
+                        lit(new double[3], SLANTED, UP)),
+                hazard(
+                        "huge-normal",
+                        "A cross product of long edges, whose square is no double.",
+                        WRONG,
+                        EXACT,
+                        lit(new double[] {3e200, 0, 4e200}, SLANTED, UP)),
+                hazard(
+                        "tiny-normal",
+                        "A cross product of short edges, whose square is 0.",
+                        WRONG,
+                        EXACT,
+                        lit(new double[] {3e-200, 0, 4e-200}, SLANTED, UP)));
+    }
+
+    private static List<Hazard<LitPoints>> sums() {
+        return List.of(
+                hazard(
+                        "sum-above-1",
+                        "The terms add up to more than a screen can show.",
+                        WRONG,
+                        EXACT,
+                        lit(UP, UP, UP, material(0.5, 0.9, 0.9, 10))),
+                hazard(
+                        "sharp-highlight",
+                        "Shininess 200: rounding of the cosine counts 200 times.",
+                        EXACT,
+                        EXACT,
+                        lit(
+                                UP,
+                                SLANTED,
+                                new double[] {-0.6, 0, 0.8},
+                                material(0.1, 0.2, 0.6, 200))));
+    }
+
+    private static List<Hazard<LitPoints>> lights() {
+        LightSource square = LightSource.white().attenuated(new Attenuation(0, 0, 1));
+        LightSource spot = LightSource.white().through(new SpotCone(BELOW, 20, 8));
+        return List.of(
+                hazard(
+                        "light-in-the-point",
+                        "Distance 0 and 1/d²: no number.",
+                        WRONG,
+                        REFUSED,
+                        new LitPoint(UP, SLANTED, UP, 0, DIM, square, new double[3])),
+                hazard(
+                        "outside-the-cone",
+                        "A spot light that shines past the point, which the printed formula has not.",
+                        WRONG,
+                        EXACT,
+                        new LitPoint(UP, SLANTED, UP, 1, DIM, spot, new double[3])));
+    }
+
+    private static LitPoint lit(double[] normal, double[] toLight, double[] toEye) {
+        return lit(normal, toLight, toEye, DIM);
+    }
+
+    private static LitPoint lit(
+            double[] normal, double[] toLight, double[] toEye, SurfaceMaterial material) {
+        return new LitPoint(
+                normal, toLight, toEye, 1, material, LightSource.white(), new double[3]);
+    }
+
+    private static SurfaceMaterial material(
+            double ambient, double diffuse, double specular, double shininess) {
+        return new SurfaceMaterial(
+                grey(ambient), grey(diffuse), grey(specular), grey(0), shininess);
+    }
+
+    private static double[] grey(double share) {
+        return new double[] {share, share, share};
+    }
+
+    private static Hazard<LitPoints> hazard(
+            String name,
+            String description,
+            Verdict.Kind printed,
+            Verdict.Kind right,
+            LitPoint point) {
+        return new Hazard<>(
+                name,
+                description,
+                new LitPoints(List.of(point)),
+                Map.of(
+                        "lambert",
+                        right,
+                        "phong-textbook",
+                        printed,
+                        "phong",
+                        right,
+                        "blinn-phong",
+                        right));
+    }
+}

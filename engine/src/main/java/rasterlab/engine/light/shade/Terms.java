@@ -1,0 +1,38 @@
+package rasterlab.engine.light.shade;
+
+import rasterlab.engine.color.Levels;
+
+/**
+ * What the terms of the formula add to red, green and blue, all factors multiplied in.
+ *
+ * @param emission light of its own
+ * @param globalAmbient light from everywhere
+ * @param ambient what the source adds to it
+ * @param diffuse scattered light
+ * @param specular mirrored light
+ * @param attenuation the factor of the distance, already in the source's terms
+ * @param cone the factor of the spot's cone, already in the source's terms
+ */
+public record Terms(
+        double[] emission,
+        double[] globalAmbient,
+        double[] ambient,
+        double[] diffuse,
+        double[] specular,
+        double attenuation,
+        double cone) {
+    /** Red, green and blue of all terms together, not cut. */
+    public double[] sum() {
+        var sum = new double[3];
+        for (int c = 0; c < 3; c++)
+            sum[c] = emission[c] + globalAmbient[c] + ambient[c] + diffuse[c] + specular[c];
+        return sum;
+    }
+
+    /** The sum cut to [0, 1]. */
+    public double[] intensity() {
+        double[] intensity = sum();
+        for (int c = 0; c < 3; c++) intensity[c] = Levels.cut(intensity[c]);
+        return intensity;
+    }
+}

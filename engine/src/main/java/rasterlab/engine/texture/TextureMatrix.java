@@ -1,0 +1,59 @@
+package rasterlab.engine.texture;
+
+import org.joml.Matrix4d;
+
+/**
+ * Moves texture coordinates: [s t 0 1] · M, divided by the last number of the product.
+ *
+ * <p>The matrix is in the textbook's layout, points as rows, as {@link
+ * rasterlab.engine.transform.MatrixStack} keeps it in its TEXTURE mode.
+ */
+public final class TextureMatrix {
+    private final double[] s = new double[3];
+    private final double[] t = new double[3];
+    private final double[] q = new double[3];
+
+    /**
+     * @param matrix JOML's rows are the textbook's columns, so its constructor takes the numbers in
+     *     the textbook's reading order
+     */
+    public TextureMatrix(Matrix4d matrix) {
+        if (!matrix.isFinite())
+            throw new IllegalArgumentException("texture matrix must be finite, got " + matrix);
+        set(s, matrix.m00(), matrix.m10(), matrix.m30());
+        set(t, matrix.m01(), matrix.m11(), matrix.m31());
+        set(q, matrix.m03(), matrix.m13(), matrix.m33());
+    }
+
+    private static void set(double[] row, double ofS, double ofT, double constant) {
+        row[0] = ofS;
+        row[1] = ofT;
+        row[2] = constant;
+    }
+
+    /**
+     * Replaces pairs of coordinates.
+     *
+     * @param st s and t of each point, one after the other
+     * @throws IllegalArgumentException if a point goes to infinity; the message names it
+     */
+    public void transform(double[] st) {
+        if (st.length % 2 != 0)
+            throw new IllegalArgumentException(
+                    "texture coordinates must be pairs, got " + st.length + " in all");
+        for (int i = 0; i < st.length; i += 2) {
+            double divisor = of(q, st[i], st[i + 1]);
+            if (divisor == 0)
+                throw new IllegalArgumentException(
+                        "texture coordinates %d, (%s, %s), go to infinity"
+                                .formatted(i / 2, st[i], st[i + 1]));
+            double newS = of(s, st[i], st[i + 1]) / divisor;
+            st[i + 1] = of(t, st[i], st[i + 1]) / divisor;
+            st[i] = newS;
+        }
+    }
+
+    private static double of(double[] row, double s, double t) {
+        return s * row[0] + t * row[1] + row[2];
+    }
+}

@@ -1,0 +1,158 @@
+package rasterlab.engine.texture.filter;
+
+import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
+import static rasterlab.engine.study.Verdict.Kind.REFUSED;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
+
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+
+/** Footprints that show what a filter leaves out. */
+final class FilterHazards {
+    private FilterHazards() {}
+
+    static List<Hazard<FilteredPixels>> all() {
+        return Stream.of(smaller(), shaped()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<FilteredPixels>> smaller() {
+        return List.of(
+                hazard(
+                        "one-to-one",
+                        "Each pixel is one texel.",
+                        row(checkers(16), 1, 1, 0),
+                        EXACT,
+                        EXACT,
+                        EXACT,
+                        EXACT,
+                        EXACT),
+                hazard(
+                        "aliasing",
+                        "Stripes three texels wide made eight times smaller: nearly even grey.",
+                        row(thirds(), 8, 8, 0.1),
+                        WRONG,
+                        WRONG,
+                        DEGRADED,
+                        DEGRADED,
+                        EXACT),
+                hazard(
+                        "between-levels",
+                        "Stairs of grey made three times smaller, between levels 1 and 2.",
+                        row(stairs(), 3, 3, 0.3),
+                        WRONG,
+                        WRONG,
+                        WRONG,
+                        DEGRADED,
+                        EXACT));
+    }
+
+    private static List<Hazard<FilteredPixels>> shaped() {
+        return List.of(
+                hazard(
+                        "long-and-narrow",
+                        "Upright stripes on a floor: 16 texels deep, one wide.",
+                        row(stripes(64), 1, 16, 0),
+                        EXACT,
+                        EXACT,
+                        WRONG,
+                        WRONG,
+                        EXACT),
+                hazard(
+                        "magnified",
+                        "An edge made eight times larger: a linear filter makes it soft.",
+                        row(stripes(4), 0.125, 0.125, 0),
+                        EXACT,
+                        WRONG,
+                        EXACT,
+                        WRONG,
+                        EXACT),
+                hazard(
+                        "turned",
+                        "A footprint turned by 45°.",
+                        new FilteredPixels(
+                                48,
+                                48,
+                                thirds().argb(),
+                                new double[] {0.51, 0.5, 0.1, 0.1, -0.1, 0.1}),
+                        WRONG,
+                        WRONG,
+                        DEGRADED,
+                        DEGRADED,
+                        REFUSED));
+    }
+
+    /** Sixteen pixels side by side. */
+    private static FilteredPixels row(
+            FilteredPixels picture, double wide, double high, double offset) {
+        double stepS = wide / picture.width();
+        double stepT = high / picture.height();
+        var footprints = new double[16 * FilteredPixels.NUMBERS];
+        for (int i = 0; i < 16; i++) {
+            int at = i * FilteredPixels.NUMBERS;
+            footprints[at] = (i + 0.5) * stepS + offset / picture.width();
+            footprints[at + 1] = 0.5 * stepT;
+            footprints[at + 2] = stepS;
+            footprints[at + 5] = stepT;
+        }
+        return new FilteredPixels(picture.width(), picture.height(), picture.argb(), footprints);
+    }
+
+    private static FilteredPixels checkers(int size) {
+        return picture(size, (i, j) -> (i + j) % 2 == 0 ? 255 : 0);
+    }
+
+    private static FilteredPixels stripes(int size) {
+        return picture(size, (i, j) -> i % 2 == 0 ? 255 : 0);
+    }
+
+    private static FilteredPixels stairs() {
+        return picture(32, (i, j) -> 64 * (i / 8));
+    }
+
+    private static FilteredPixels thirds() {
+        return picture(48, (i, j) -> i % 3 == 0 ? 255 : 0);
+    }
+
+    /** A grey level for each texel. */
+    @FunctionalInterface
+    private interface Grey {
+        int at(int i, int j);
+    }
+
+    private static FilteredPixels picture(int size, Grey grey) {
+        var argb = new int[size * size];
+        for (int k = 0; k < argb.length; k++)
+            argb[k] = 0xFF000000 | 0x010101 * grey.at(k % size, k / size);
+        return new FilteredPixels(size, size, argb, new double[0]);
+    }
+
+    private static Hazard<FilteredPixels> hazard(
+            String name,
+            String description,
+            FilteredPixels pixels,
+            Verdict.Kind nearest,
+            Verdict.Kind linear,
+            Verdict.Kind mipmap,
+            Verdict.Kind trilinear,
+            Verdict.Kind summed) {
+        return new Hazard<>(
+                name,
+                description,
+                pixels,
+                Map.of(
+                        "nearest",
+                        nearest,
+                        "linear",
+                        linear,
+                        "mipmap-nearest",
+                        mipmap,
+                        "trilinear",
+                        trilinear,
+                        "summed-area",
+                        summed));
+    }
+}

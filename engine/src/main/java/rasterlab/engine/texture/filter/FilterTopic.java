@@ -1,0 +1,137 @@
+package rasterlab.engine.texture.filter;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import rasterlab.contract.TextureFilter;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+
+/**
+ * Colours of pixels that show a picture.
+ *
+ * <p>An output is alpha, red, green and blue of each pixel, 0 to 255. The error is the largest
+ * difference in levels. Up to half a level counts as exact, since colours are whole levels. An
+ * output is usable within 8 levels.
+ */
+public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, double[]> {
+    private static final double CORRECT = 0.5 + 1e-6;
+    private static final double USABLE = 8;
+    private static final long SEED = 1983;
+
+    @Override
+    public String name() {
+        return "texture-filter";
+    }
+
+    @Override
+    public List<Method<TextureFilter>> methods() {
+        return FilterMethods.all();
+    }
+
+    @Override
+    public List<Hazard<FilteredPixels>> hazards() {
+        return FilterHazards.all();
+    }
+
+    /** Pictures of noise made smaller by 1, 4 and 16; the size is the number of pixels. */
+    @Override
+    public List<Workload<FilteredPixels>> workloads() {
+        var workloads = new ArrayList<Workload<FilteredPixels>>();
+        for (int pixels : new int[] {64, 256, 1024}) {
+            var random = new Random(SEED);
+            int[] argb = random.ints(64 * 64).map(level -> level | 0xFF000000).toArray();
+            var footprints = new double[pixels * FilteredPixels.NUMBERS];
+            for (int i = 0; i < footprints.length; i += FilteredPixels.NUMBERS) {
+                footprints[i] = random.nextDouble();
+                footprints[i + 1] = random.nextDouble();
+                footprints[i + 2] = random.nextDouble(1, 16) / 64;
+                footprints[i + 5] = random.nextDouble(1, 16) / 64;
+            }
+            workloads.add(
+                    new Workload<>(
+                            "pixels-" + pixels,
+                            pixels,
+                            List.of(new FilteredPixels(64, 64, argb, footprints))));
+        }
+        return workloads;
+    }
+
+    @Override
+    public double[] record(TextureFilter method, FilteredPixels pixels, int limit) {
+        var lookup = method.prepare(pixels.width(), pixels.height(), pixels.argb().clone());
+        var levels = new double[4 * Math.min(limit, pixels.count())];
+        for (int i = 0; i < levels.length / 4; i++) {
+            int argb = look(lookup, pixels.footprints(), i * FilteredPixels.NUMBERS);
+            for (int c = 0; c < 4; c++) levels[4 * i + c] = argb >>> 24 - 8 * c & 255;
+        }
+        return levels;
+    }
+
+    private static int look(TextureFilter.Lookup lookup, double[] f, int at) {
+        return lookup.color(f[at], f[at + 1], f[at + 2], f[at + 3], f[at + 4], f[at + 5]);
+    }
+
+    /** With the time to make the picture ready, spread over the pixels. */
+    @Override
+    public long spend(TextureFilter method, FilteredPixels pixels) {
+        var lookup = method.prepare(pixels.width(), pixels.height(), pixels.argb());
+        long colours = 0;
+        for (int i = 0; i < pixels.count(); i++)
+            colours += look(lookup, pixels.footprints(), i * FilteredPixels.NUMBERS);
+        return colours == Long.MIN_VALUE ? 0 : pixels.count();
+    }
+
+    @Override
+    public double[] exact(FilteredPixels pixels, int limit) {
+        var exact = new ExactFootprint(pixels);
+        var levels = new double[4 * Math.min(limit, pixels.count())];
+        for (int i = 0; i < levels.length / 4; i++)
+            System.arraycopy(exact.mean(i), 0, levels, 4 * i, 4);
+        return levels;
+    }
+
+    @Override
+    public Deviation compare(FilteredPixels pixels, double[] exact, double[] actual) {
+        double worst = 0;
+        String first = "";
+        for (int i = 0; i < exact.length; i += 4) {
+            double error = 0;
+            for (int c = i; c < i + 4; c++) error = Math.max(error, Math.abs(exact[c] - actual[c]));
+            if (error > CORRECT && first.isEmpty())
+                first =
+                        "pixel %d is %s, right is %s"
+                                .formatted(i / 4, text(actual, i), text(exact, i));
+            worst = Math.max(worst, error);
+        }
+        return new Deviation(worst, 0, 0, exact.length / 4, first);
+    }
+
+    private static String text(double[] levels, int at) {
+        return Arrays.toString(Arrays.copyOfRange(levels, at, at + 4));
+    }
+
+    @Override
+    public boolean correct(Deviation deviation) {
+        return deviation.worst() <= CORRECT;
+    }
+
+    @Override
+    public boolean usable(Deviation deviation) {
+        return deviation.worst() <= USABLE;
+    }
+
+    @Override
+    public String item() {
+        return "pixel";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "levels";
+    }
+}

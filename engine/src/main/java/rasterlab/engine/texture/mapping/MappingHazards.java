@@ -1,0 +1,77 @@
+package rasterlab.engine.texture.mapping;
+
+import static rasterlab.engine.study.Verdict.Kind.DEGRADED;
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
+
+import java.util.List;
+import java.util.Map;
+import rasterlab.contract.TexturedSpan;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+
+/** Rows along which saved divisions or digits show. */
+final class MappingHazards {
+    private MappingHazards() {}
+
+    static List<Hazard<TexturedSpan>> all() {
+        return List.of(
+                hazard(
+                        "parallel",
+                        "A wall parallel to the picture: no perspective at all.",
+                        new TexturedSpan(0, 0.25, 4, 1, 0.25, 4, 200),
+                        EXACT,
+                        EXACT,
+                        DEGRADED),
+                hazard(
+                        "floor",
+                        "A floor that runs away from the eye.",
+                        new TexturedSpan(0, 0, 2, 0.5, 1, 10, 300),
+                        WRONG,
+                        WRONG,
+                        DEGRADED),
+                hazard(
+                        "at-the-near-plane",
+                        "A face from next to the eye into the distance.",
+                        new TexturedSpan(0, 0, 0.01, 1, 1, 10, 300),
+                        WRONG,
+                        WRONG,
+                        DEGRADED),
+                hazard(
+                        "long-row",
+                        "8192 pixels: float sums drift.",
+                        new TexturedSpan(0, 0, 1, 8, 8, 50, 8192),
+                        WRONG,
+                        WRONG,
+                        WRONG),
+                hazard(
+                        "single-pixel",
+                        "A row of one pixel: its length is 0.",
+                        new TexturedSpan(0.5, 0.25, 1, 0.75, 1, 2, 1),
+                        EXACT,
+                        EXACT,
+                        EXACT));
+    }
+
+    private static Hazard<TexturedSpan> hazard(
+            String name,
+            String description,
+            TexturedSpan span,
+            Verdict.Kind affine,
+            Verdict.Kind pieces,
+            Verdict.Kind stepped) {
+        return new Hazard<>(
+                name,
+                description,
+                span,
+                Map.of(
+                        "affine",
+                        affine,
+                        "affine-16",
+                        pieces,
+                        "stepped-float",
+                        stepped,
+                        "perspective",
+                        EXACT));
+    }
+}

@@ -1,0 +1,27 @@
+package rasterlab.engine.texture.mapping;
+
+import rasterlab.contract.TextureMapper;
+import rasterlab.contract.TexturedSpan;
+
+/** s/d, t/d and 1/d are added up in float from pixel to pixel: every sum rounds, and they drift. */
+final class SteppedMapper implements TextureMapper {
+    @Override
+    public double[] coordinates(TexturedSpan span) {
+        var st = new double[2 * span.pixels()];
+        float steps = Math.max(1, span.pixels() - 1);
+        float d = (float) (1 / span.fromDepth());
+        float s = (float) (span.fromS() / span.fromDepth());
+        float t = (float) (span.fromT() / span.fromDepth());
+        float stepD = ((float) (1 / span.toDepth()) - d) / steps;
+        float stepS = ((float) (span.toS() / span.toDepth()) - s) / steps;
+        float stepT = ((float) (span.toT() / span.toDepth()) - t) / steps;
+        for (int i = 0; i < span.pixels(); i++) {
+            st[2 * i] = s / d;
+            st[2 * i + 1] = t / d;
+            d += stepD;
+            s += stepS;
+            t += stepT;
+        }
+        return st;
+    }
+}
