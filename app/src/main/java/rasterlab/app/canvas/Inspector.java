@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Rectangle;
+import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -21,9 +22,7 @@ public final class Inspector extends JPanel implements Scrollable {
     public Inspector(Texts texts) {
         super(
                 new MigLayout(
-                        "insets 0 2 4 0, gap 6 5, wrap 2, hidemode 3",
-                        "[pref!]8[grow,fill,0::]",
-                        ""));
+                        "insets 0 2 4 0, gap 6 5, wrap 2, hidemode 3", "[pref!]8[grow,fill]", ""));
         this.texts = texts;
     }
 
@@ -36,7 +35,10 @@ public final class Inspector extends JPanel implements Scrollable {
         add(label, "span 2, growx, wmin 0");
     }
 
-    /** A control behind its label, whose mnemonic goes to the control. */
+    /**
+     * A control behind its label, whose mnemonic goes to the control. A list of choices is never
+     * narrower than its longest one; other controls give way.
+     */
     public void row(String key, JComponent control) {
         var label = new JLabel(texts.label(key));
         label.setName(key);
@@ -46,7 +48,7 @@ public final class Inspector extends JPanel implements Scrollable {
             label.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
         }
         add(label);
-        add(control, "wmin 0");
+        add(control, control instanceof JComboBox ? "wmin pref" : "wmin 0");
     }
 
     /** A number that changes while the lab works. */

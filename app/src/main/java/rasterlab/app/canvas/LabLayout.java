@@ -1,10 +1,12 @@
 package rasterlab.app.canvas;
 
+import com.formdev.flatlaf.util.UIScale;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -14,7 +16,7 @@ import net.miginfocom.swing.MigLayout;
 public final class LabLayout extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** Width of the inspector in view units, enough for the longest Russian row. */
+    /** Width of the inspector at 100 %; more where a list of choices needs more. */
     public static final int INSPECTOR = 352;
 
     /**
@@ -29,12 +31,18 @@ public final class LabLayout extends JPanel {
         super(
                 new MigLayout(
                         "insets 8 10 10 0, gap 10 8",
-                        "[grow,fill][" + INSPECTOR + "!,fill]",
+                        "[grow,fill][" + INSPECTOR + ":" + needed(inspector) + "px,fill,shrink 0]",
                         "[][grow,fill][]"));
         add(chips, "wmin 0, growx");
         add(column(inspector, actions), "spany 3, growy, wrap, hmin 0");
         add(stage, "wmin 100, hmin 100, wrap");
         add(timeline, "wmin 0, growx");
+    }
+
+    /** In view units as they are, where INSPECTOR still grows with the font. */
+    private static int needed(Inspector inspector) {
+        int bar = UIScale.scale(UIManager.getInt("ScrollBar.width"));
+        return inspector.getMinimumSize().width + bar;
     }
 
     private static JPanel column(Inspector inspector, JComponent actions) {

@@ -29,9 +29,23 @@ public final class MethodColours {
     public static final Color INDIGO = new Color(0x332288);
     public static final Color OLIVE = new Color(0x999933);
 
+    /** P. Tol, Colour schemes, 2021, palette "dark". */
+    public static final Color DARK_GREEN = new Color(0x225522);
+
     /** What methods without a colour of their own are given, those first that differ most. */
     private static final List<Color> PALETTE =
-            List.of(BLUE, ORANGE, GREEN, PURPLE, SKY_BLUE, WINE, GREY, YELLOW, INDIGO, OLIVE);
+            List.of(
+                    BLUE,
+                    ORANGE,
+                    GREEN,
+                    PURPLE,
+                    SKY_BLUE,
+                    WINE,
+                    GREY,
+                    YELLOW,
+                    INDIGO,
+                    OLIVE,
+                    DARK_GREEN);
 
     private static final Map<String, Color> OWN =
             Map.ofEntries(
@@ -39,9 +53,12 @@ public final class MethodColours {
                     Map.entry("naive-textbook", SKY_BLUE),
                     Map.entry("dda", GREEN),
                     Map.entry("dda-float", GREY),
+                    Map.entry("bresenham-first-textbook", INDIGO),
+                    Map.entry("bresenham-pascal-textbook", OLIVE),
                     Map.entry("bresenham-textbook", PURPLE),
                     Map.entry("bresenham", BLUE),
                     Map.entry("midpoint", YELLOW),
+                    Map.entry("clip-first-textbook", DARK_GREEN),
                     Map.entry("wu", WINE),
                     Map.entry("painter-textbook", PURPLE),
                     Map.entry("painter", ORANGE),

@@ -50,10 +50,11 @@ final class MethodsCommand implements Callable<Integer> {
         out.println();
         for (Method<?> method : topic.methods()) {
             out.println("  method " + method.name());
-            out.println("    computes: " + method.about().formula());
-            out.println("    fails:    " + method.about().failures());
+            printWrapped("    computes: ", method.about().formula());
+            printWrapped("    costs:    ", method.about().cost());
+            printWrapped("    fails:    ", method.about().failures());
+            out.println();
         }
-        out.println();
         if (!topic.vocabulary().isEmpty()) printVocabulary(topic);
         var hazards = new TextTable("hazard", "what is special");
         for (Hazard<?> hazard : topic.hazards())

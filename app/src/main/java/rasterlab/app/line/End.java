@@ -15,10 +15,15 @@ public enum End {
         return this == A ? segment.y0() : segment.y1();
     }
 
-    /** The segment with this end at (x, y). */
+    /**
+     * The segment with this end at (x, y). Its window stays as long as the lab draws the whole
+     * segment, so that nobody waits for the pixels outside.
+     */
     public Segment moved(Segment segment, int x, int y) {
-        return this == A
-                ? new Segment(x, y, segment.x1(), segment.y1())
-                : new Segment(segment.x0(), segment.y0(), x, y);
+        Segment whole =
+                this == A
+                        ? new Segment(x, y, segment.x1(), segment.y1())
+                        : new Segment(segment.x0(), segment.y0(), x, y);
+        return whole.steps() < LineDrawing.LIMIT ? whole.in(segment.window()) : whole;
     }
 }

@@ -3,10 +3,11 @@ package rasterlab.app.line;
 import java.awt.Rectangle;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelWindow;
 
 /** Chooses which part of the pixel grid the stage shows when the user has not zoomed. */
 final class LineFraming {
-    /** Pixels around the segment, so that a wrong pixel beside it is seen. */
+    /** Pixels around the segment and its window, so that a wrong pixel beside it is seen. */
     private static final int MARGIN = 3;
 
     /** Pixels shown at least, so that a single point does not fill the stage. */
@@ -27,14 +28,18 @@ final class LineFraming {
     }
 
     private static Rectangle whole(Segment segment) {
-        int left = Math.min(segment.x0(), segment.x1());
-        int top = Math.min(segment.y0(), segment.y1());
-        int width = Math.max(segment.x0(), segment.x1()) - left + 1;
-        int height = Math.max(segment.y0(), segment.y1()) - top + 1;
-        int marginX = Math.max(MARGIN, (LEAST - width + 1) / 2);
-        int marginY = Math.max(MARGIN, (LEAST - height + 1) / 2);
+        Rectangle shown = pixels(segment.x0(), segment.y0(), segment.x1(), segment.y1());
+        PixelWindow w = segment.window();
+        if (!segment.isWhole()) shown.add(pixels(w.xmin(), w.ymin(), w.xmax(), w.ymax()));
+        shown.grow(
+                Math.max(MARGIN, (LEAST - shown.width + 1) / 2),
+                Math.max(MARGIN, (LEAST - shown.height + 1) / 2));
+        return shown;
+    }
+
+    private static Rectangle pixels(int x0, int y0, int x1, int y1) {
         return new Rectangle(
-                left - marginX, top - marginY, width + 2 * marginX, height + 2 * marginY);
+                Math.min(x0, x1), Math.min(y0, y1), Math.abs(x1 - x0) + 1, Math.abs(y1 - y0) + 1);
     }
 
     private static Rectangle beginning(Segment segment) {

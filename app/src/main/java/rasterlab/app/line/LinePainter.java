@@ -12,6 +12,7 @@ import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelMark;
+import rasterlab.engine.raster.PixelWindow;
 
 /** Draws what the methods drew onto a zoomed pixel grid. */
 final class LinePainter {
@@ -49,7 +50,20 @@ final class LinePainter {
         drawing.marks().missing(step, (x, y) -> mark(PixelMark.MISSING, x, y));
         drawing.marks().extra(step, (x, y) -> mark(PixelMark.EXTRA, x, y));
         paintExactLine(drawings.choice().segment());
+        if (!drawings.choice().segment().isWhole())
+            paintWindow(drawings.choice().segment().window());
         if (step > 0) paintCurrent(drawing, step);
+    }
+
+    /** A thin frame around the pixels of the window. */
+    private void paintWindow(PixelWindow window) {
+        double left = grid.viewX(window.xmin() - 0.5);
+        double top = grid.viewY(window.ymin() - 0.5);
+        g.setColor(colours.ink());
+        g.setStroke(new BasicStroke(1.2f));
+        g.draw(
+                new Rectangle2D.Double(
+                        left, top, grid.cell() * window.width(), grid.cell() * window.height()));
     }
 
     private void requireUse() {

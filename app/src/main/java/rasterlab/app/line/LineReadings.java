@@ -19,10 +19,18 @@ final class LineReadings {
                 : "(" + drawing().x(state.step()) + ", " + drawing().y(state.step()) + ")";
     }
 
+    /** The decision variable and which pixel it is about. */
     String decision() {
         var decisions = drawing().trace().decisions();
         if (state.step() == 0 || decisions.isEmpty()) return "–";
         double value = decisions.get(state.step() - 1);
+        return switch (drawing().trace().decides()) {
+            case THIS_PIXEL -> texts.text("decides.this", number(value));
+            case NEXT_PIXEL -> texts.text("decides.next", number(value));
+        };
+    }
+
+    private String number(double value) {
         if (!Double.isFinite(value)) return Double.toString(value);
         NumberFormat format = NumberFormat.getInstance(texts.locale());
         format.setMaximumFractionDigits(4);

@@ -3,6 +3,7 @@ package rasterlab.app.line;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.LineWalk;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
@@ -10,14 +11,19 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.LimitReached;
 
 /**
- * The steps of one method on one segment, in order.
+ * The steps of one method on one segment, in order; of a segment with a window, those inside.
  *
  * @param pixels every pixel that was lit, in order
  * @param decisions the decision variable at each pixel; empty when the method does not show it
+ * @param decides which pixel a decision is about, where there are any
  * @param message what the method said when it refused or crashed; else empty
  */
 public record LineTrace(
-        PixelRecording pixels, List<Double> decisions, Ending ending, String message) {
+        PixelRecording pixels,
+        List<Double> decisions,
+        SteppedLine.Decides decides,
+        Ending ending,
+        String message) {
     /** How the drawing came to its end. */
     public enum Ending {
         /** The method reached its own end. */
@@ -45,25 +51,45 @@ public record LineTrace(
         try {
             if (method instanceof SteppedLine stepped) walk(stepped, segment, pixels, decisions);
             else draw(method, segment, pixels);
-            return new LineTrace(pixels, decisions, Ending.ENDED, "");
+            return ended(method, pixels, decisions, Ending.ENDED, "");
         } catch (LimitReached e) {
             boolean longer = segment.steps() >= limit;
-            return new LineTrace(
-                    pixels, decisions, longer ? Ending.CUT : Ending.ENDLESS, e.getMessage());
+            Ending ending = longer ? Ending.CUT : Ending.ENDLESS;
+            return ended(method, pixels, decisions, ending, e.getMessage());
         } catch (IllegalArgumentException e) {
-            return new LineTrace(pixels, decisions, Ending.REFUSED, e.getMessage());
+            return ended(method, pixels, decisions, Ending.REFUSED, e.getMessage());
         } catch (RuntimeException e) {
-            return new LineTrace(pixels, decisions, Ending.CRASHED, e.toString());
+            return ended(method, pixels, decisions, Ending.CRASHED, e.toString());
         }
     }
 
+    private static LineTrace ended(
+            LineRasterizer method,
+            PixelRecording pixels,
+            List<Double> decisions,
+            Ending ending,
+            String message) {
+        SteppedLine.Decides decides =
+                method instanceof SteppedLine stepped
+                        ? stepped.decides()
+                        : SteppedLine.Decides.NEXT_PIXEL;
+        return new LineTrace(pixels, decisions, decides, ending, message);
+    }
+
     private static void draw(LineRasterizer method, Segment segment, PixelRecording pixels) {
-        method.draw(segment.x0(), segment.y0(), segment.x1(), segment.y1(), pixels);
+        method.draw(
+                segment.x0(),
+                segment.y0(),
+                segment.x1(),
+                segment.y1(),
+                (x, y) -> {
+                    if (segment.window().contains(x, y)) pixels.plot(x, y);
+                });
     }
 
     private static void walk(
             SteppedLine method, Segment segment, PixelRecording pixels, List<Double> decisions) {
-        LineWalk walk = method.walk(segment.x0(), segment.y0(), segment.x1(), segment.y1());
+        LineWalk walk = LineTopic.walk(method, segment);
         while (walk.advance()) {
             pixels.plot(walk.x(), walk.y());
             decisions.add(walk.decision());

@@ -10,7 +10,7 @@ import rasterlab.app.canvas.MethodColours;
 
 /** How a method looks in a chart; no two methods of one chart have both in common. */
 record MethodLook(Color colour, Marker marker) {
-    /** Seven, which has no divisor in common with the palette's ten colours. */
+    /** Seven, which has no divisor in common with the palette's eleven colours. */
     private static final List<Marker> MARKERS =
             List.of(
                     SeriesMarkers.CIRCLE,

@@ -21,6 +21,9 @@ final class SizeLabels extends Annotation {
     /** Half the side of a point's marker and a little more, in pixels. */
     private static final int POINT = 7;
 
+    /** Between two labels in a row, in pixels, so that they are not read as one number. */
+    private static final int GAP = 3;
+
     /** Distances from the point that are tried, in pixels. */
     private static final int[] DISTANCES = {4, 12, 22};
 
@@ -75,7 +78,9 @@ final class SizeLabels extends Annotation {
                 int x = x(label.at()) + direction[0] * (POINT + distance + width / 2);
                 int y = y(label.at()) + direction[1] * (POINT + distance + height / 2);
                 var box = new Rectangle(x - width / 2, y - height / 2, width, height);
-                if (inside(box) && taken.stream().noneMatch(box::intersects))
+                var free = new Rectangle(box);
+                free.grow(GAP, 0);
+                if (inside(box) && taken.stream().noneMatch(free::intersects))
                     return Optional.of(box);
             }
         return Optional.empty();

@@ -118,6 +118,14 @@ class LabTest {
     }
 
     @Test
+    void methodsShowsWhatEachMethodCosts() {
+        String view = Ran.lab("methods", "view").out();
+        assertTrue(view.contains("\n    costs:    "), view);
+        assertTrue(view.replaceAll("\\s+", " ").contains("17"), view);
+        assertTrue(view.lines().allMatch(line -> line.length() <= 110), view);
+    }
+
+    @Test
     void methodsSaysWhatRunReadsAndItsHelpFitsAScreen() {
         String curve = Ran.lab("methods", "curve").out();
         assertTrue(curve.contains("\n  reads:   {\"kind\":KIND, \"points\":[[x,y],...]}"), curve);

@@ -73,12 +73,12 @@ class RunPropertyTest {
                     topic.name());
     }
 
-    @Property(tries = 700)
+    @Property(tries = 200)
     void changedValuesNeverCrashAMethod(@ForAll("inputsWithOtherValues") Input input) {
         assertAnsweredOrComplains(input);
     }
 
-    @Property(tries = 400)
+    @Property(tries = 150)
     void damagedTextNeverCrashesTheParser(@ForAll("damagedInputs") Input input) {
         assertAnsweredOrComplains(input);
     }
@@ -160,7 +160,7 @@ class RunPropertyTest {
                     "two\nlines",
                     "é");
 
-    @Property(tries = 400)
+    @Property(tries = 150)
     void argumentsNeverCrashTheCommandLine(@ForAll("arguments") List<String> arguments) {
         assertEnded(Ran.lab(arguments.toArray(String[]::new)), List.of(0, 2, 3));
     }
@@ -173,7 +173,7 @@ class RunPropertyTest {
     }
 
     /** These would go to work; an option that nobody knows keeps them from it. */
-    @Property(tries = 100)
+    @Property(tries = 50)
     void argumentsNeverStartALongCommand(
             @ForAll("longCommands") String command, @ForAll("arguments") List<String> arguments) {
         var all = new ArrayList<>(List.of(command, "--unknown"));

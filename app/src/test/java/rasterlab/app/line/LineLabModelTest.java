@@ -22,10 +22,15 @@ import rasterlab.engine.line.LineWalk;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Verdict;
 
 @Timeout(60)
 class LineLabModelTest {
+    private static final Segment WINDOWED =
+            new Segment(-20, -3, 41, 14).in(new PixelWindow(0, 0, 20, 20));
+
     private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     private final LineLabModel model =
@@ -150,6 +155,31 @@ class LineLabModelTest {
                     });
     }
 
+    @ParameterizedTest(
+            name = "the lab calls right what the engine calls wrong, or the reverse: {0}")
+    @MethodSource("methods")
+    void judgesWindowsAsTheEngineDoes(Method<?> method) {
+        model.chooseMethod(method.name());
+        for (var hazard : model.hazards()) {
+            if (hazard.input().isWhole()) continue;
+            model.show(hazard.input());
+            settle();
+            assertEquals(
+                    hazard.recorded().get(method.name()) == Verdict.Kind.EXACT,
+                    model.state().drawing().deviation().exact(),
+                    hazard.name());
+        }
+    }
+
+    @Test
+    void windowStaysWhileAnEndMovesUnlessTheLineIsTooLongToWait() {
+        model.show(WINDOWED);
+        model.moveEnd(End.B, 41, 15);
+        assertEquals(WINDOWED.window(), model.state().choice().segment().window());
+        model.moveEnd(End.B, Integer.MAX_VALUE, 15);
+        assertTrue(model.state().choice().segment().isWhole());
+    }
+
     @Test
     void saysHowADrawingEnded() {
         var huge = new Segment(-1_200_000_000, 0, 1_200_000_000, 7);
@@ -205,6 +235,15 @@ class LineLabModelTest {
     void commandRepeatsWhatIsShown() {
         assertEquals(
                 "echo '{\"from\": [2, 3], \"to\": [17, 9]}' | ./lab run line bresenham",
+                LineCommand.of(model.state().choice()));
+    }
+
+    @Test
+    void commandRepeatsTheWindowToo() {
+        model.show(WINDOWED);
+        assertEquals(
+                "echo '{\"from\": [-20, -3], \"to\": [41, 14], \"window\": [0, 0, 20, 20]}'"
+                        + " | ./lab run line bresenham",
                 LineCommand.of(model.state().choice()));
     }
 

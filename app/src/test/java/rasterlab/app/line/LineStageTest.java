@@ -1,10 +1,12 @@
 package rasterlab.app.line;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Font;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.concurrent.CancellationException;
@@ -18,6 +20,7 @@ import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelWindow;
 
 @Timeout(30)
 class LineStageTest {
@@ -57,6 +60,30 @@ class LineStageTest {
             int y = (int) ((60 + 20 * 6 + 6) * scale);
             assertEquals(BLUE, image.getRGB(x, y), "scale " + scale);
         }
+    }
+
+    @Test
+    void windowHasAFrame() throws InterruptedException {
+        var whole = new Segment(2, 2, 6, 6);
+        assertNotEquals(
+                aboveTheWindow(whole), aboveTheWindow(whole.in(new PixelWindow(3, 1, 9, 7))));
+    }
+
+    /** A dot on the upper edge of the window's pixel (8, 1), between two lines of the grid. */
+    private int aboveTheWindow(Segment segment) throws InterruptedException {
+        model.show(segment);
+        model.settle();
+        return frame(model.state().drawings(), 1)
+                .painted(() -> false)
+                .getRGB(100 + 20 * 8, 60 + 20 - 10);
+    }
+
+    @Test
+    void windowFarFromTheSegmentIsInSight() {
+        model.show(new Segment(0, 0, 5, 2).in(new PixelWindow(30, 40, 50, 60)));
+        PixelGrid grid = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
+        assertTrue(grid.viewX(50) < 500 && grid.viewY(60) < 300, grid.toString());
+        assertTrue(grid.viewX(0) > 0 && grid.viewY(0) > 0, grid.toString());
     }
 
     @Test

@@ -3,6 +3,8 @@ package rasterlab.app.study;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Font;
+import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
@@ -18,21 +20,38 @@ import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
 
 class SizeLabelsTest {
-    /** Two methods at one place, of sizes found nowhere else in the picture. */
     @Test
     void labelsOfMethodsAtOnePlaceStandApart() {
+        List<MatchResult> labels = labels(3, 3);
+        int across = distance(labels, 1);
+        int down = distance(labels, 2);
+        assertTrue(across >= 35 || down >= 11, "labels are " + across + ", " + down + " apart");
+    }
+
+    @Test
+    void labelsOfNeighboursAreNotReadAsOneNumber() {
+        int width = widthOfALabel();
+        for (double cost = 3.1; cost < 3.3; cost += 0.003) {
+            List<MatchResult> labels = labels(3, cost);
+            int across = distance(labels, 1);
+            assertTrue(
+                    across >= width + 3 || distance(labels, 2) >= 11,
+                    "a gap of " + (across - width) + " at cost " + cost);
+        }
+    }
+
+    private static int widthOfALabel() {
+        var image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+        return image.createGraphics()
+                .getFontMetrics(new Font(Font.SANS_SERIF, Font.PLAIN, 12))
+                .stringWidth("77777");
+    }
+
+    /** Two methods' labels, of sizes found nowhere else in the picture. */
+    private static List<MatchResult> labels(double... costs) {
         List<Measurement> points =
-                IntStream.range(0, 2)
-                        .mapToObj(
-                                i ->
-                                        new Measurement(
-                                                "method" + i,
-                                                "w",
-                                                77_777,
-                                                new Cost(3, 3, 3, Map.of()),
-                                                new Deviation(2, 0, 0, 1, ""),
-                                                Verdict.Kind.WRONG,
-                                                ""))
+                IntStream.range(0, costs.length)
+                        .mapToObj(i -> measured("m" + i, costs[i]))
                         .toList();
         var study = new Study("line", "pixel", "pixels", points);
         String svg = new String(StudyChart.svg(study, Language.ENGLISH), StandardCharsets.UTF_8);
@@ -42,9 +61,18 @@ class SizeLabelsTest {
                         .results()
                         .toList();
         assertEquals(2, labels.size(), "both labels are drawn");
-        int across = distance(labels, 1);
-        int down = distance(labels, 2);
-        assertTrue(across >= 35 || down >= 11, "labels are " + across + ", " + down + " apart");
+        return labels;
+    }
+
+    private static Measurement measured(String method, double cost) {
+        return new Measurement(
+                method,
+                "w",
+                77_777,
+                new Cost(cost, cost, cost, Map.of()),
+                new Deviation(2, 0, 0, 1, ""),
+                Verdict.Kind.WRONG,
+                "");
     }
 
     private static int distance(List<MatchResult> labels, int group) {

@@ -29,7 +29,8 @@ public record Segment(int x0, int y0, int x1, int y1, PixelWindow window) {
         return new Segment(x1, y1, x0, y0, window);
     }
 
-    boolean isWhole() {
+    /** Whether nothing is cut off. */
+    public boolean isWhole() {
         return window.equals(PixelWindow.EVERYTHING);
     }
 

@@ -1,0 +1,44 @@
+package rasterlab.app.line;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.line.Segment;
+
+@Timeout(30)
+class LineReadingsTest {
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final LineLabModel model =
+            new LineLabModel(new LineTopic(), Runnable::run, failures::add);
+
+    @AfterEach
+    void close() {
+        model.close();
+        assertEquals(List.of(), failures);
+    }
+
+    @ParameterizedTest(name = "the decision seems to be about the other pixel: {0}, {1}")
+    @CsvSource({
+        "naive, ENGLISH, 1 (this pixel)",
+        "naive, RUSSIAN, 1 (этот пиксель)",
+        "bresenham, ENGLISH, −1 (next pixel)",
+        "bresenham, RUSSIAN, −1 (следующий пиксель)"
+    })
+    void saysWhichPixelTheDecisionIsAbout(String method, Language language, String reading)
+            throws InterruptedException {
+        model.chooseMethod(method);
+        model.show(new Segment(0, 0, 8, 4));
+        model.settle();
+        model.goTo(3);
+        var readings = new LineReadings(model.state(), Texts.of("line", language));
+        assertEquals(reading, readings.decision());
+    }
+}
