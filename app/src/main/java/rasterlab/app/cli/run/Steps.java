@@ -34,6 +34,17 @@ final class Steps {
         return Complaint.badInput("--steps: method '" + method + "' has no steps");
     }
 
+    /**
+     * Passes where the steps of an answer are few enough to be kept.
+     *
+     * @param what is counted, in the plural
+     * @throws Complaint if they are too many
+     */
+    static void requireAtMost(long most, String what, long count) {
+        if (count > most)
+            throw Complaint.badInput("--steps: at most " + most + " " + what + ", got " + count);
+    }
+
     /** Writes {@code decision} and {@code steps}. */
     static <T> void write(JsonGenerator json, String formula, List<T> steps, Fields<T> fields)
             throws IOException {
@@ -47,6 +58,12 @@ final class Steps {
             JsonGenerator json, String formula, List<List<T>> lists, Fields<T> fields)
             throws IOException {
         json.writeStringField("decision", formula);
+        writeLists(json, lists, fields);
+    }
+
+    /** Writes {@code steps} that decide nothing, a list for each thing that was walked for. */
+    static <T> void writeLists(JsonGenerator json, List<List<T>> lists, Fields<T> fields)
+            throws IOException {
         json.writeArrayFieldStart("steps");
         for (List<T> steps : lists) writeArray(json, steps, fields);
         json.writeEndArray();
