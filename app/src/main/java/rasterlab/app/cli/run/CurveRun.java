@@ -81,9 +81,9 @@ public final class CurveRun implements TopicRun {
         Curve curve = curve(given.get(KIND), given.get(POINTS));
         CurveTracer tracer = topic.method(method).implementation();
         if (!steps) return watch.call(method, () -> traced(tracer, curve, given));
-        SteppedCurve stepped = Steps.of(method, tracer, SteppedCurve.class);
         if (given.has("at"))
-            throw Complaint.badInput("--steps: points at given t have none; give a flatness");
+            return CurvePointSteps.answer(watch, method, tracer, curve, given.get(AT));
+        SteppedCurve stepped = Steps.of(method, tracer, SteppedCurve.class);
         return watch.call(method, () -> stepped(stepped, curve, given.get(FLATNESS)));
     }
 
@@ -118,12 +118,12 @@ public final class CurveRun implements TopicRun {
         return json -> writePoints(json, points);
     }
 
-    private static void add(Doubles points, double x, double y) {
+    static void add(Doubles points, double x, double y) {
         points.add(x);
         points.add(y);
     }
 
-    private static void writePoints(JsonGenerator json, Doubles points) throws IOException {
+    static void writePoints(JsonGenerator json, Doubles points) throws IOException {
         PointJson.write(json, points.toArray(), 2);
         json.writeNumberField("segments", points.size() / 2 - 1);
     }

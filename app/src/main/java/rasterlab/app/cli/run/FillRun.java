@@ -12,9 +12,8 @@ import rasterlab.contract.Pixels;
 import rasterlab.contract.SeedFiller;
 import rasterlab.engine.fill.FillTask;
 import rasterlab.engine.fill.FillTopic;
-import rasterlab.engine.fill.FillWalk;
-import rasterlab.engine.fill.SteppedFill;
 import rasterlab.engine.fill.TextPicture;
+import rasterlab.engine.fill.TracedFill;
 import rasterlab.engine.fill.WatchedPicture;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Topic;
@@ -24,7 +23,6 @@ import rasterlab.engine.study.Topic;
  * picture} out.
  */
 final class FillRun implements TopicRun {
-    private static final String DECISION = "how many places wait on the stack to be looked at";
     private static final int SIDE = Raster.LARGEST_SIDE;
     private static final JsonField<List<String>> PICTURE =
             JsonField.required(
@@ -120,21 +118,28 @@ final class FillRun implements TopicRun {
         var text = new TextPicture(task.rows());
         var picture = new WatchedPicture(text, new Endless(method, text));
         var walked = new ArrayList<Step>();
-        if (steps) {
-            FillWalk walk =
-                    Steps.of(method, filler, SteppedFill.class)
-                            .walk(picture, task.x(), task.y(), task.with(), task.connectivity());
-            while (walk.advance())
-                walked.add(new Step(walk.y(), walk.from(), walk.to(), walk.waiting()));
-        } else {
+        if (!steps) {
             filler.fill(picture, task.x(), task.y(), task.with(), task.connectivity());
+            return json -> write(json, text);
         }
+        TracedFill traced = Steps.of(method, filler, TracedFill.class);
+        traced.trace(
+                picture,
+                task.x(),
+                task.y(),
+                task.with(),
+                task.connectivity(),
+                (y, from, to, waiting) -> walked.add(new Step(y, from, to, waiting)));
         return json -> {
-            json.writeArrayFieldStart("picture");
-            for (String row : text.rows()) json.writeString(row);
-            json.writeEndArray();
-            if (steps) Steps.write(json, DECISION, walked, (out, step) -> step.write(out));
+            write(json, text);
+            Steps.write(json, traced.waitingMeans(), walked, (out, step) -> step.write(out));
         };
+    }
+
+    private static void write(JsonGenerator json, TextPicture picture) throws IOException {
+        json.writeArrayFieldStart("picture");
+        for (String row : picture.rows()) json.writeString(row);
+        json.writeEndArray();
     }
 
     /** Stops a method that writes more than twice as many pixels as the picture has. */
