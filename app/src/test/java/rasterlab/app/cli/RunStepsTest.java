@@ -243,6 +243,16 @@ class RunStepsTest {
                                 + "],\"theta\":1,\"phi\":2,\"rho\":3}",
                         "at most 100000 points, got 100001"),
                 argumentSet(
+                        "points after each of many matrices",
+                        "transform",
+                        "double",
+                        "{\"matrices\":["
+                                + repeated(101, "{\"name\":\"IDENTITY\"}")
+                                + "],\"points\":["
+                                + repeated(9901, "[1,2,3]")
+                                + "]}",
+                        "at most 1000000 points times matrices, got 1000001"),
+                argumentSet(
                         "points judged",
                         "point-in-triangle",
                         "simplex",

@@ -75,7 +75,9 @@ public final class CurveRun implements TopicRun {
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, KIND, POINTS, AT, FLATNESS);
         if (given.has("at") == given.has("flatness"))
-            throw Complaint.badInput("/: expected either at or flatness, got both or none");
+            throw Complaint.badInput(
+                    "/: expected either at or flatness, got "
+                            + (given.has("at") ? "both" : "neither"));
         given.find(AT).ifPresent(CurveRun::requireInside);
         given.find(FLATNESS).ifPresent(CurveRun::requireFlatness);
         Curve curve = curve(given.get(KIND), given.get(POINTS));
@@ -107,7 +109,7 @@ public final class CurveRun implements TopicRun {
             Curve.Kind kind = Curve.Kind.values()[kinds().indexOf(code)];
             return new Curve(kind, points.xs(), points.ys());
         } catch (IllegalArgumentException e) {
-            throw Complaint.badInput("/" + e.getMessage());
+            throw Complaint.badInput("/" + e.getMessage().replaceFirst("\\[(\\d+)]", "/$1"));
         }
     }
 

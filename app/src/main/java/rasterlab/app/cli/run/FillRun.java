@@ -24,13 +24,15 @@ import rasterlab.engine.study.Topic;
  */
 final class FillRun implements TopicRun {
     private static final int SIDE = Raster.LARGEST_SIDE;
+    private static final String ROW = "a text of 1 to " + SIDE + " characters";
     private static final JsonField<List<String>> PICTURE =
             JsonField.required(
-                    "picture", json -> json.list("rows", row -> row.text(1, 2 * SIDE), 1, SIDE));
+                    "picture",
+                    json -> json.list("rows", row -> row.text(ROW, 1, 2 * SIDE), 1, SIDE));
     private static final JsonField<int[]> SEED =
             JsonField.required("seed", json -> json.integers(2));
     private static final JsonField<String> WITH =
-            JsonField.required("with", json -> json.text(1, 2));
+            JsonField.required("with", json -> json.text("a text of one character", 1, 2));
     private static final JsonField<Integer> CONNECTIVITY =
             JsonField.required("connectivity", StrictJson::integer);
 
@@ -129,7 +131,7 @@ final class FillRun implements TopicRun {
                 task.y(),
                 task.with(),
                 task.connectivity(),
-                (y, from, to, waiting) -> walked.add(new Step(y, from, to, waiting)));
+                (y, from, to, waiting) -> Steps.add(walked, new Step(y, from, to, waiting)));
         return json -> {
             write(json, text);
             Steps.write(json, traced.waitingMeans(), walked, (out, step) -> step.write(out));

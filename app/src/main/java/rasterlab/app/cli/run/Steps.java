@@ -12,6 +12,8 @@ import rasterlab.app.outcome.Complaint;
  * written: one that crashes must not leave half an answer behind.
  */
 final class Steps {
+    private static final int MOST = 1_000_000;
+
     private Steps() {}
 
     /** Writes the fields of one step. */
@@ -43,6 +45,18 @@ final class Steps {
     static void requireAtMost(long most, String what, long count) {
         if (count > most)
             throw Complaint.badInput("--steps: at most " + most + " " + what + ", got " + count);
+    }
+
+    /**
+     * Adds a step to those of one answer.
+     *
+     * @throws Complaint if there are too many
+     */
+    static <T> void add(List<T> steps, T step) {
+        if (steps.size() == MOST)
+            throw Complaint.gaveUp(
+                    "--steps: more than " + MOST + " steps, the most that one answer may have");
+        steps.add(step);
     }
 
     /** Writes {@code decision} and {@code steps}. */

@@ -26,7 +26,10 @@ record WindowJson(Optional<ClipWindow> rectangle, double[] corners) {
     private static WindowJson read(StrictJson json) throws IOException {
         List<double[]> parts =
                 json.list(
-                        "numbers, or points of 2 numbers each", WindowJson::part, 3, MOST_CORNERS);
+                        "points of 2 numbers each, or [xmin,ymin,xmax,ymax]",
+                        WindowJson::part,
+                        3,
+                        MOST_CORNERS);
         int width = parts.get(0).length;
         if (parts.stream().anyMatch(part -> part.length != width)
                 || width == 1 && parts.size() != 4)

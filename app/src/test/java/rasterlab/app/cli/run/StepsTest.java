@@ -6,9 +6,12 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -52,6 +55,17 @@ class StepsTest {
                 assertThrows(Complaint.class, () -> run.answer("broken", text, text.length, true));
         assertEquals(
                 "broken crashed: java.lang.IllegalStateException: torn", complaint.getMessage());
+        assertEquals(ExitCode.GAVE_UP, complaint.exitCode());
+    }
+
+    @Test
+    void stepsAreNotKeptBeyondTheMostOfOneAnswer() {
+        var steps = new ArrayList<Integer>(Collections.nCopies(999_999, 7));
+        Steps.add(steps, 7);
+        Complaint complaint = assertThrows(Complaint.class, () -> Steps.add(steps, 7));
+        assertEquals(
+                "--steps: more than 1000000 steps, the most that one answer may have",
+                complaint.getMessage());
         assertEquals(ExitCode.GAVE_UP, complaint.exitCode());
     }
 
