@@ -54,8 +54,8 @@ public final class ClipSegmentRun implements TopicRun {
     public Form form() {
         return new Form(
                 """
-                {"window":[xmin,ymin,xmax,ymax], "segments":[[x0,y0,x1,y1],...]}, and for \
-                cyrus-beck for a window the corners of a convex polygon, too""",
+                {"window":[xmin,ymin,xmax,ymax], "segments":[[x0,y0,x1,y1],...]}; cyrus-beck \
+                also takes the corners of a convex polygon as window""",
                 """
                 {"segments":[...]} in their order, null where nothing is left""");
     }
