@@ -26,7 +26,7 @@ import rasterlab.app.outcome.ExitCode;
             "0:answered; with --lines, all input was read",
             "2:unknown topic or method, or the input is wrong",
             "3:the method refuses this input",
-            "4:the method crashed, did not end, or has more pixels than one answer may have"
+            "4:the method crashed, did not end, or has more to say than one answer may have"
         },
         footer = {
             "",

@@ -110,6 +110,31 @@ class RunClipTest {
     }
 
     @Test
+    void onlyCyrusAndBeckClipSegmentsByAConvexPolygon() {
+        String in = "{\"window\":[[0,4],[4,0],[0,0]],\"segments\":[[1,1,5,1],[4,4,5,4]]}";
+        Ran ran = Ran.labReading(in, "run", "clip-segment", "cyrus-beck");
+        assertEquals("{\"segments\":[[1.0,1.0,3.0,1.0],null]}\n", ran.out());
+        Ran.labReading(in, "run", "clip-segment", "liang-barsky")
+                .assertComplains(
+                        3,
+                        "./lab run: liang-barsky refuses: window must be [xmin,ymin,xmax,ymax]; the"
+                                + " corners of a convex polygon are taken by cyrus-beck");
+    }
+
+    @Test
+    void aWindowThatIsNotConvexIsRefusedEvenWithoutSegments() {
+        Ran.labReading(
+                        "{\"window\":[[0,0],[4,0],[1,1],[0,4]],\"segments\":[]}",
+                        "run",
+                        "clip-segment",
+                        "cyrus-beck")
+                .assertComplains(
+                        3,
+                        "./lab run: cyrus-beck refuses: window must be convex, but turns the other"
+                                + " way at its corner (1.0, 1.0)");
+    }
+
+    @Test
     void aSubjectThatCrossesItselfIsRefused() {
         Ran.labReading(
                         WINDOW + "\"polygon\":[[1,1],[9,9],[9,1],[1,9]]}",

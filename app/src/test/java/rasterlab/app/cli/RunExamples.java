@@ -18,6 +18,9 @@ final class RunExamples {
                             "{\"polygon\":[[0,0],[8,1],[3.5,7]],\"rule\":\"evenodd\","
                                     + "\"size\":[9,8]}"),
                     Map.entry(
+                            "line-plane",
+                            "{\"line\":[[1,2,0],[2,2,3]],\"plane\":[[0,0,1],[4,0,1],[0,4,2]]}"),
+                    Map.entry(
                             "point-in-triangle",
                             "{\"triangle\":[[0,0],[8,0],[0,8]],\"points\":[[1,1],[9,9]]}"),
                     Map.entry(

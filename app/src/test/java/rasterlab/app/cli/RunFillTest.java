@@ -133,6 +133,20 @@ class RunFillTest {
                         2,
                         "/with: expected characters, got half of a surrogate pair"),
                 argumentSet(
+                        "a colour of three characters might have had two",
+                        fill,
+                        "span",
+                        "{\"picture\":[\".\"],\"seed\":[0,0],\"with\":\"abc\",\"connectivity\":4}",
+                        2,
+                        "/with: expected a text of one character, got the string \"abc\""),
+                argumentSet(
+                        "a row may be twice as long as a picture",
+                        fill,
+                        "span",
+                        "{\"picture\":[\"\"],\"seed\":[0,0],\"with\":\"*\",\"connectivity\":4}",
+                        2,
+                        "/picture/0: expected a text of 1 to 8192 characters, got the string \"\""),
+                argumentSet(
                         "connectivity is taken for 4",
                         fill,
                         "span",

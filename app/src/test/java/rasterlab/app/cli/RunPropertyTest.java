@@ -48,6 +48,9 @@ class RunPropertyTest {
     private static final List<String> PIECES =
             List.of("", "[", "]", "{", "}", ",", ":", "\"", "-", "e", "\u0000", "é", "1");
 
+    /** As printed, the text's program reads before the first corner of every polygon. */
+    private static final String CRASHES = "shortest-diagonal-printed-textbook";
+
     /** A method, JSON for it, and the options. */
     record Input(String topic, String method, String json, List<String> options) {
         Ran run() {
@@ -88,7 +91,9 @@ class RunPropertyTest {
         ran.out().lines().forEach(RunPropertyTest::read);
         // Faulty methods are known to be endless, and right ones may have too much to say.
         boolean gaveUp =
-                ran.err().contains(" does not end: ") || ran.err().contains(" the most that one ");
+                ran.err().contains(" does not end: ")
+                        || ran.err().contains(" the most that one ")
+                        || ran.err().startsWith("./lab run: " + CRASHES + " crashed: ");
         assertEnded(ran, gaveUp ? List.of(0, 2, 3, 4) : List.of(0, 2, 3));
     }
 

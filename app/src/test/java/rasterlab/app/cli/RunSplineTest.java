@@ -104,7 +104,19 @@ class RunSplineTest {
                         "curve",
                         "horner",
                         ARCH.substring(0, ARCH.length() - 1) + "}",
-                        "/: expected either at or flatness, got both or none"),
+                        "/: expected either at or flatness, got neither"),
+                argumentSet(
+                        "flatness wins over t",
+                        "curve",
+                        "horner",
+                        ARCH + "\"at\":[0],\"flatness\":1}",
+                        "/: expected either at or flatness, got both"),
+                argumentSet(
+                        "point beyond the range has no place",
+                        "curve",
+                        "horner",
+                        "{\"kind\":\"bezier\",\"points\":[[0,0],[1,1e200]],\"at\":[0]}",
+                        "/points/1: y must be in ±1.0E100, got 1.0E200"),
                 argumentSet(
                         "t beyond the end goes on",
                         "curve",

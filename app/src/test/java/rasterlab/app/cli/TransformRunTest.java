@@ -168,6 +168,22 @@ class TransformRunTest {
                         "{\"name\":\"GL_ORTHO\",\"left\":1,\"right\":1,\"bottom\":0,\"top\":1,\"near\":0,\"far\":1}",
                         "formula refuses: right must differ from left, got both 1.0"),
                 argumentSet(
+                        "a number in place of a matrix might have been rows only",
+                        2,
+                        "transform",
+                        "double",
+                        "{\"matrices\":[7],\"points\":[]}",
+                        "/matrices/0: expected a matrix: an object with its name, or an array of 3 or"
+                                + " 4 rows"),
+                argumentSet(
+                        "a distance in words might have been negative",
+                        2,
+                        "view",
+                        "taken-apart",
+                        "{\"points\":[],\"theta\":1,\"phi\":2,\"rho\":\"far\"}",
+                        "/rho: expected a number above 0.0, up to 1.0715086071862673E301, got the"
+                                + " string \"far\""),
+                argumentSet(
                         "a bad matrix in a list has no place",
                         2,
                         "transform",

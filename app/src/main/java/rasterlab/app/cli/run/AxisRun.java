@@ -27,6 +27,9 @@ final class AxisRun implements TopicRun {
     private static final JsonField<Double> DEGREES =
             JsonField.required("degrees", StrictJson::number);
 
+    /** The most points whose steps one answer has. */
+    private static final int MOST_STEPPED = 1_000_000;
+
     private final Topic<AxisRotation, AxisTurn, Images> topic = new AxisTopic();
     private final Watch watch;
 
@@ -73,6 +76,7 @@ final class AxisRun implements TopicRun {
 
     private Answer stepped(String method, AxisRotation rotation, Given given) {
         SteppedAxisRotation stepped = Steps.of(method, rotation, SteppedAxisRotation.class);
+        Steps.requireAtMost(MOST_STEPPED, "points", given.get(POINTS).length / 3);
         List<Step> steps = watch.call(method, () -> steps(stepped, given));
         return json -> {
             PointJson.write(json, steps.get(steps.size() - 1).points(), 3);

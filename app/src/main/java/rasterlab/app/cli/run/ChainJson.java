@@ -58,6 +58,9 @@ final class ChainJson {
 
     private static double[][] matrix(StrictJson json) throws IOException {
         if (json.startsObject()) return named(json);
+        if (!json.startsArray())
+            throw json.complaint(
+                    "expected a matrix: an object with its name, or an array of 3 or 4 rows");
         List<double[]> rows = json.list("rows of 3 or 4 numbers", row -> row.numbers(3, 4), 3, 4);
         for (int i = 0; i < rows.size(); i++)
             if (rows.get(i).length != rows.size())

@@ -3,19 +3,16 @@ package rasterlab.app.cli.run;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.cli.run.json.StrictJson;
-import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.PolygonClipper;
 import rasterlab.engine.clip.polygon.PolygonClipTopic;
 import rasterlab.engine.clip.polygon.PolygonInWindow;
 import rasterlab.engine.clip.polygon.PolygonWalk;
 import rasterlab.engine.clip.polygon.SteppedPolygonClipper;
-import rasterlab.engine.clip.segment.ClipWindow;
 import rasterlab.engine.study.Topic;
 
 /**
@@ -23,10 +20,8 @@ import rasterlab.engine.study.Topic;
  * polygon, {@code polygon}; {@code polygons} out.
  */
 public final class ClipPolygonRun implements TopicRun {
-    private static final int MOST_WINDOW_CORNERS = 1_000;
     private static final String DECISION = "how many corners the step leaves";
-    private static final JsonField<double[]> WINDOW =
-            JsonField.required("window", json -> json.checked(ClipPolygonRun::window));
+    private static final JsonField<WindowJson> WINDOW = WindowJson.field();
     private static final JsonField<double[]> POLYGON =
             JsonField.required("polygon", json -> json.points(2, 0, ClipRun.MOST));
 
@@ -55,35 +50,10 @@ public final class ClipPolygonRun implements TopicRun {
                 {"polygons":[[[x,y],...],...]}, counter-clockwise""");
     }
 
-    private static double[] window(StrictJson json) throws IOException {
-        List<double[]> parts =
-                json.list(
-                        "numbers, or points of 2 numbers each",
-                        part ->
-                                part.startsArray()
-                                        ? part.numbers(2, 2)
-                                        : new double[] {part.number()},
-                        3,
-                        MOST_WINDOW_CORNERS);
-        int width = parts.get(0).length;
-        if (parts.stream().anyMatch(part -> part.length != width)
-                || width == 1 && parts.size() != 4)
-            throw new IllegalArgumentException(
-                    "expected [xmin,ymin,xmax,ymax] or an array of points of 2 numbers each");
-        double[] numbers = parts.stream().flatMapToDouble(Arrays::stream).toArray();
-        return width == 2 ? numbers : rectangle(numbers);
-    }
-
-    private static double[] rectangle(double[] sides) {
-        var window = new ClipWindow(sides[0], sides[1], sides[2], sides[3]);
-        return PolygonInWindow.rectangle(
-                window.xmin(), window.ymin(), window.xmax(), window.ymax());
-    }
-
     @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, WINDOW, POLYGON);
-        var input = new PolygonInWindow(given.get(WINDOW), given.get(POLYGON));
+        var input = new PolygonInWindow(given.get(WINDOW).corners(), given.get(POLYGON));
         PolygonClipper clipper = topic.method(method).implementation();
         return watch.call(method, () -> clipped(method, clipper, input, steps));
     }
@@ -111,12 +81,7 @@ public final class ClipPolygonRun implements TopicRun {
     }
 
     private static List<Step> steps(SteppedPolygonClipper method, PolygonInWindow input) {
-        if (input.subject().length > 2 * ClipRun.MOST_STEPPED)
-            throw Complaint.badInput(
-                    "--steps: at most "
-                            + ClipRun.MOST_STEPPED
-                            + " corners, got "
-                            + input.subject().length / 2);
+        Steps.requireAtMost(ClipRun.MOST_STEPPED, "corners", input.subject().length / 2);
         var steps = new ArrayList<Step>();
         PolygonWalk walk = method.walk(input.window(), input.subject());
         while (walk.advance()) steps.add(new Step(walk.at(), walk.polygon()));

@@ -7,10 +7,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
-import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.outcome.Complaint;
-import rasterlab.engine.clip.segment.ClipWindow;
 import rasterlab.engine.study.LimitReached;
 
 /** What the clipping topics' inputs and answers share. */
@@ -50,9 +48,7 @@ final class ClipRun {
     }
 
     static void requireFewStepped(int segments) {
-        if (segments > MOST_STEPPED)
-            throw Complaint.badInput(
-                    "--steps: at most " + MOST_STEPPED + " segments, got " + segments);
+        Steps.requireAtMost(MOST_STEPPED, "segments", segments);
     }
 
     static List<double[]> rows(double[] numbers, int width) {
@@ -78,15 +74,5 @@ final class ClipRun {
             json.writeFieldName("segment");
             JsonNumbers.write(json, left);
         }
-    }
-
-    /** The window of the sides xmin, ymin, xmax, ymax. */
-    static JsonField.Reader<ClipWindow> window() {
-        return json ->
-                json.checked(
-                        array -> {
-                            double[] sides = array.numbers(4, 4);
-                            return new ClipWindow(sides[0], sides[1], sides[2], sides[3]);
-                        });
     }
 }

@@ -75,15 +75,17 @@ public final class CurveRun implements TopicRun {
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Given given = StrictJson.object(text, length, KIND, POINTS, AT, FLATNESS);
         if (given.has("at") == given.has("flatness"))
-            throw Complaint.badInput("/: expected either at or flatness, got both or none");
+            throw Complaint.badInput(
+                    "/: expected either at or flatness, got "
+                            + (given.has("at") ? "both" : "neither"));
         given.find(AT).ifPresent(CurveRun::requireInside);
         given.find(FLATNESS).ifPresent(CurveRun::requireFlatness);
         Curve curve = curve(given.get(KIND), given.get(POINTS));
         CurveTracer tracer = topic.method(method).implementation();
         if (!steps) return watch.call(method, () -> traced(tracer, curve, given));
-        SteppedCurve stepped = Steps.of(method, tracer, SteppedCurve.class);
         if (given.has("at"))
-            throw Complaint.badInput("--steps: points at given t have none; give a flatness");
+            return CurvePointSteps.answer(watch, method, tracer, curve, given.get(AT));
+        SteppedCurve stepped = Steps.of(method, tracer, SteppedCurve.class);
         return watch.call(method, () -> stepped(stepped, curve, given.get(FLATNESS)));
     }
 
@@ -107,7 +109,7 @@ public final class CurveRun implements TopicRun {
             Curve.Kind kind = Curve.Kind.values()[kinds().indexOf(code)];
             return new Curve(kind, points.xs(), points.ys());
         } catch (IllegalArgumentException e) {
-            throw Complaint.badInput("/" + e.getMessage());
+            throw Complaint.badInput("/" + e.getMessage().replaceFirst("\\[(\\d+)]", "/$1"));
         }
     }
 
@@ -118,12 +120,12 @@ public final class CurveRun implements TopicRun {
         return json -> writePoints(json, points);
     }
 
-    private static void add(Doubles points, double x, double y) {
+    static void add(Doubles points, double x, double y) {
         points.add(x);
         points.add(y);
     }
 
-    private static void writePoints(JsonGenerator json, Doubles points) throws IOException {
+    static void writePoints(JsonGenerator json, Doubles points) throws IOException {
         PointJson.write(json, points.toArray(), 2);
         json.writeNumberField("segments", points.size() / 2 - 1);
     }

@@ -12,9 +12,8 @@ import rasterlab.contract.Pixels;
 import rasterlab.contract.SeedFiller;
 import rasterlab.engine.fill.FillTask;
 import rasterlab.engine.fill.FillTopic;
-import rasterlab.engine.fill.FillWalk;
-import rasterlab.engine.fill.SteppedFill;
 import rasterlab.engine.fill.TextPicture;
+import rasterlab.engine.fill.TracedFill;
 import rasterlab.engine.fill.WatchedPicture;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Topic;
@@ -24,15 +23,16 @@ import rasterlab.engine.study.Topic;
  * picture} out.
  */
 final class FillRun implements TopicRun {
-    private static final String DECISION = "how many places wait on the stack to be looked at";
     private static final int SIDE = Raster.LARGEST_SIDE;
+    private static final String ROW = "a text of 1 to " + SIDE + " characters";
     private static final JsonField<List<String>> PICTURE =
             JsonField.required(
-                    "picture", json -> json.list("rows", row -> row.text(1, 2 * SIDE), 1, SIDE));
+                    "picture",
+                    json -> json.list("rows", row -> row.text(ROW, 1, 2 * SIDE), 1, SIDE));
     private static final JsonField<int[]> SEED =
             JsonField.required("seed", json -> json.integers(2));
     private static final JsonField<String> WITH =
-            JsonField.required("with", json -> json.text(1, 2));
+            JsonField.required("with", json -> json.text("a text of one character", 1, 2));
     private static final JsonField<Integer> CONNECTIVITY =
             JsonField.required("connectivity", StrictJson::integer);
 
@@ -120,21 +120,28 @@ final class FillRun implements TopicRun {
         var text = new TextPicture(task.rows());
         var picture = new WatchedPicture(text, new Endless(method, text));
         var walked = new ArrayList<Step>();
-        if (steps) {
-            FillWalk walk =
-                    Steps.of(method, filler, SteppedFill.class)
-                            .walk(picture, task.x(), task.y(), task.with(), task.connectivity());
-            while (walk.advance())
-                walked.add(new Step(walk.y(), walk.from(), walk.to(), walk.waiting()));
-        } else {
+        if (!steps) {
             filler.fill(picture, task.x(), task.y(), task.with(), task.connectivity());
+            return json -> write(json, text);
         }
+        TracedFill traced = Steps.of(method, filler, TracedFill.class);
+        traced.trace(
+                picture,
+                task.x(),
+                task.y(),
+                task.with(),
+                task.connectivity(),
+                (y, from, to, waiting) -> Steps.add(walked, new Step(y, from, to, waiting)));
         return json -> {
-            json.writeArrayFieldStart("picture");
-            for (String row : text.rows()) json.writeString(row);
-            json.writeEndArray();
-            if (steps) Steps.write(json, DECISION, walked, (out, step) -> step.write(out));
+            write(json, text);
+            Steps.write(json, traced.waitingMeans(), walked, (out, step) -> step.write(out));
         };
+    }
+
+    private static void write(JsonGenerator json, TextPicture picture) throws IOException {
+        json.writeArrayFieldStart("picture");
+        for (String row : picture.rows()) json.writeString(row);
+        json.writeEndArray();
     }
 
     /** Stops a method that writes more than twice as many pixels as the picture has. */

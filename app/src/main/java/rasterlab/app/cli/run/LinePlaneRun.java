@@ -54,7 +54,8 @@ final class LinePlaneRun implements TopicRun {
                 """
                 {"mu":m, "point":[x,y,z], "part":"behind", "between" or "beyond", \
                 "angle":degrees, "cosines":[...] of the line, \
-                "projection": its length along the normal}""");
+                "projection": its length along the normal}; where mu is no number, it is null and \
+                point and part are missing""");
     }
 
     @Override

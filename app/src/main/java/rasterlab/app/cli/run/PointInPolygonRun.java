@@ -7,7 +7,6 @@ import java.util.List;
 import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.StrictJson;
-import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.PointInPolygon;
 import rasterlab.engine.polygon.Membership;
 import rasterlab.engine.polygon.Points;
@@ -85,7 +84,8 @@ public final class PointInPolygonRun implements TopicRun {
 
     private Answer stepped(String method, PointInPolygon judge, Points polygon, Points points) {
         SteppedPolygonTest stepped = Steps.of(method, judge, SteppedPolygonTest.class);
-        requireFew((long) polygon.size() * points.size());
+        Steps.requireAtMost(
+                MOST_STEPS, "corners times points", (long) polygon.size() * points.size());
         double[] polygonX = polygon.xs();
         double[] polygonY = polygon.ys();
         var steps = new ArrayList<List<Step>>();
@@ -105,15 +105,6 @@ public final class PointInPolygonRun implements TopicRun {
             InsideJson.write(json, inside);
             Steps.writeLists(json, stepped.countFormula(), steps, (out, step) -> step.write(out));
         };
-    }
-
-    private static void requireFew(long most) {
-        if (most > MOST_STEPS)
-            throw Complaint.badInput(
-                    "--steps: corners times points must be at most "
-                            + MOST_STEPS
-                            + ", got "
-                            + most);
     }
 
     private static List<Step> drained(EdgeWalk walk) {

@@ -106,7 +106,7 @@ final class PolygonFillRun implements TopicRun {
         var steps = new ArrayList<Step>();
         SpanWalk walk = filler.walk(task.x(), task.y(), task.rule(), task.width(), task.height());
         while (walk.advance())
-            steps.add(new Step(walk.y(), walk.from(), walk.to(), walk.crossings()));
+            Steps.add(steps, new Step(walk.y(), walk.from(), walk.to(), walk.crossings()));
         return steps;
     }
 }

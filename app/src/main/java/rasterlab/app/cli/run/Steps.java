@@ -12,6 +12,8 @@ import rasterlab.app.outcome.Complaint;
  * written: one that crashes must not leave half an answer behind.
  */
 final class Steps {
+    private static final int MOST = 1_000_000;
+
     private Steps() {}
 
     /** Writes the fields of one step. */
@@ -34,6 +36,29 @@ final class Steps {
         return Complaint.badInput("--steps: method '" + method + "' has no steps");
     }
 
+    /**
+     * Passes where the steps of an answer are few enough to be kept.
+     *
+     * @param what is counted, in the plural
+     * @throws Complaint if they are too many
+     */
+    static void requireAtMost(long most, String what, long count) {
+        if (count > most)
+            throw Complaint.badInput("--steps: at most " + most + " " + what + ", got " + count);
+    }
+
+    /**
+     * Adds a step to those of one answer.
+     *
+     * @throws Complaint if there are too many
+     */
+    static <T> void add(List<T> steps, T step) {
+        if (steps.size() == MOST)
+            throw Complaint.gaveUp(
+                    "--steps: more than " + MOST + " steps, the most that one answer may have");
+        steps.add(step);
+    }
+
     /** Writes {@code decision} and {@code steps}. */
     static <T> void write(JsonGenerator json, String formula, List<T> steps, Fields<T> fields)
             throws IOException {
@@ -47,6 +72,12 @@ final class Steps {
             JsonGenerator json, String formula, List<List<T>> lists, Fields<T> fields)
             throws IOException {
         json.writeStringField("decision", formula);
+        writeLists(json, lists, fields);
+    }
+
+    /** Writes {@code steps} that decide nothing, a list for each thing that was walked for. */
+    static <T> void writeLists(JsonGenerator json, List<List<T>> lists, Fields<T> fields)
+            throws IOException {
         json.writeArrayFieldStart("steps");
         for (List<T> steps : lists) writeArray(json, steps, fields);
         json.writeEndArray();

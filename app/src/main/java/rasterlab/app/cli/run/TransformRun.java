@@ -17,6 +17,9 @@ import rasterlab.engine.transform.chain.TransformTopic.Output;
  * {@code h} out. A point with h = 0 has no image and is null.
  */
 final class TransformRun implements TopicRun {
+    /** The most points after each of the matrices in one answer. */
+    private static final int MOST_STEPPED = 1_000_000;
+
     private final Topic<PointTransformer, Chain, Output> topic = new TransformTopic();
     private final Watch watch;
 
@@ -46,6 +49,11 @@ final class TransformRun implements TopicRun {
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Chain chain = ChainJson.read(text, length);
         PointTransformer transformer = topic.method(method).implementation();
+        if (steps)
+            Steps.requireAtMost(
+                    MOST_STEPPED,
+                    "points times matrices",
+                    (long) chain.points().length / chain.dimension() * chain.matrices().length);
         if (steps) return stepped(watch.call(method, () -> stages(transformer, chain)));
         Output output = watch.call(method, () -> run(transformer, chain));
         return json -> write(json, output);

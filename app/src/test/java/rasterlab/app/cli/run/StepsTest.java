@@ -6,9 +6,12 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -24,14 +27,24 @@ import rasterlab.engine.clip.volume.SteppedVolumeClipper;
 import rasterlab.engine.clip.volume.VolumeWalk;
 import rasterlab.engine.polygon.inside.EdgeWalk;
 import rasterlab.engine.polygon.inside.SteppedPolygonTest;
+import rasterlab.engine.polygon.triangle.SideWalk;
+import rasterlab.engine.polygon.triangle.SteppedTriangleTest;
 import rasterlab.engine.spline.CurveWalk;
+import rasterlab.engine.spline.PointStep;
 import rasterlab.engine.spline.SplineWalk;
 import rasterlab.engine.spline.SteppedCurve;
+import rasterlab.engine.spline.SteppedPoint;
 import rasterlab.engine.spline.SteppedSpline;
+import rasterlab.engine.transform.Images;
+import rasterlab.engine.transform.rotate.SteppedRotation;
+import rasterlab.engine.transform.rotate.TurnWalk;
+import rasterlab.engine.transform.view.SteppedView;
+import rasterlab.engine.transform.view.ViewStep;
 
 /** Methods that answer, and whose walk crashes. */
 class StepsTest {
     private static final Watch WATCH = new Watch(Duration.ofSeconds(60));
+    private static final Images IMAGES = new Images(new double[3], 3);
     private static final ClippedEnds ENDS = new ClippedEnds(List.of(Optional.of(new double[6])), 0);
 
     @ParameterizedTest(name = "half an answer is written before a walk crashes: {argumentSetName}")
@@ -45,12 +58,39 @@ class StepsTest {
         assertEquals(ExitCode.GAVE_UP, complaint.exitCode());
     }
 
+    @Test
+    void stepsAreNotKeptBeyondTheMostOfOneAnswer() {
+        var steps = new ArrayList<Integer>(Collections.nCopies(999_999, 7));
+        Steps.add(steps, 7);
+        Complaint complaint = assertThrows(Complaint.class, () -> Steps.add(steps, 7));
+        assertEquals(
+                "--steps: more than 1000000 steps, the most that one answer may have",
+                complaint.getMessage());
+        assertEquals(ExitCode.GAVE_UP, complaint.exitCode());
+    }
+
     static Stream<Arguments> brokenWalks() {
         return Stream.of(
                 argumentSet(
                         "point-in-polygon",
                         new PointInPolygonRun(WATCH, new OneMethod<>(new BrokenTest(), null)),
                         "{\"polygon\":[[0,0],[1,0],[0,1]],\"points\":[[0,0]]}"),
+                argumentSet(
+                        "point-in-triangle",
+                        new PointInTriangleRun(WATCH, new OneMethod<>(new BrokenSides(), null)),
+                        "{\"triangle\":[[0,0],[1,0],[0,1]],\"points\":[[0,0]]}"),
+                argumentSet(
+                        "rotate",
+                        new RotateRun(WATCH, new OneMethod<>(new BrokenTurn(), null)),
+                        "{\"points\":[[0,0]],\"degrees\":9}"),
+                argumentSet(
+                        "view",
+                        new ViewRun(WATCH, new OneMethod<>(new BrokenView(), IMAGES)),
+                        "{\"points\":[[0,0,0]],\"theta\":1,\"phi\":2,\"rho\":3}"),
+                argumentSet(
+                        "curve at t",
+                        new CurveRun(WATCH, new OneMethod<>(new BrokenPoint(), null)),
+                        "{\"kind\":\"bezier\",\"points\":[[0,0],[1,0]],\"at\":[0.5]}"),
                 argumentSet(
                         "curve",
                         new CurveRun(WATCH, new OneMethod<>(new BrokenCurve(), null)),
@@ -83,6 +123,77 @@ class StepsTest {
         @Override
         public String countFormula() {
             return "";
+        }
+    }
+
+    private static final class BrokenSides implements SteppedTriangleTest {
+        @Override
+        public SideWalk walk(
+                double ax,
+                double ay,
+                double bx,
+                double by,
+                double cx,
+                double cy,
+                double x,
+                double y) {
+            throw new IllegalStateException("torn");
+        }
+
+        @Override
+        public boolean contains(
+                double ax,
+                double ay,
+                double bx,
+                double by,
+                double cx,
+                double cy,
+                double x,
+                double y) {
+            return true;
+        }
+
+        @Override
+        public String valueFormula() {
+            return "";
+        }
+    }
+
+    private static final class BrokenTurn implements SteppedRotation {
+        @Override
+        public TurnWalk walk(double degrees, int times, double x, double y) {
+            throw new IllegalStateException("torn");
+        }
+
+        @Override
+        public void rotate(double degrees, int times, double[] points) {}
+    }
+
+    private static final class BrokenView implements SteppedView {
+        @Override
+        public List<ViewStep> steps(
+                double theta, double phi, double rho, double x, double y, double z) {
+            throw new IllegalStateException("torn");
+        }
+
+        @Override
+        public void view(double theta, double phi, double rho, double[] points) {}
+    }
+
+    private static final class BrokenPoint implements SteppedPoint {
+        @Override
+        public List<PointStep> stepsAt(Curve curve, double t) {
+            throw new IllegalStateException("torn");
+        }
+
+        @Override
+        public void at(Curve curve, double[] t, CurvePoints out) {
+            out.point(0, 0);
+        }
+
+        @Override
+        public void flatten(Curve curve, double flatness, CurvePoints out) {
+            throw new UnsupportedOperationException("only single points");
         }
     }
 

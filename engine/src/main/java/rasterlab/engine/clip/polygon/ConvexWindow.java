@@ -21,7 +21,7 @@ public final class ConvexWindow {
             if (ring.turn(i) <= 0)
                 throw new IllegalArgumentException(
                         "window must be convex, but turns the other way at its corner "
-                                + place(ring, i));
+                                + ring.place(i));
         requireOnce(ring);
         return ring;
     }
@@ -46,7 +46,7 @@ public final class ConvexWindow {
                             && isBetween(ring.y(before), ring.y(i), ring.y(i + 1));
             if (ring.turn(i) == 0 && !between)
                 throw new IllegalArgumentException(
-                        "window must be convex, but turns back at its corner " + place(ring, i));
+                        "window must be convex, but turns back at its corner " + ring.place(i));
         }
     }
 
@@ -68,9 +68,5 @@ public final class ConvexWindow {
         double from = ring.x(edge);
         double to = ring.x(edge + 1);
         return from < to || from == to && ring.y(edge) < ring.y(edge + 1);
-    }
-
-    private static String place(Ring ring, int corner) {
-        return "(" + ring.x(corner) + ", " + ring.y(corner) + ")";
     }
 }

@@ -1,12 +1,14 @@
 package rasterlab.engine.clip.polygon;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import rasterlab.engine.geometry.Finite;
 import rasterlab.engine.geometry.Orientation;
+import rasterlab.engine.polygon.MeetingEdges;
 
 /**
  * A closed polygon as corners, none equal to the one before, in either direction; {@link
- * ConvexWindow} and {@link SimpleSubject} turn theirs counter-clockwise (y grows up).
+ * ConvexWindow} and {@link #simple} turn theirs counter-clockwise (y grows up).
  *
  * @param xy x and y of each corner in turn
  */
@@ -61,6 +63,40 @@ public record Ring(double[] xy) {
                             + " different corners, got "
                             + distinct.length / 2);
         return new Ring(distinct);
+    }
+
+    /**
+     * A polygon whose edges meet only at the corner they share, counter-clockwise.
+     *
+     * @throws IllegalArgumentException as {@link #of}, or if edges meet elsewhere; names them
+     */
+    static Ring simple(double[] corners) {
+        Ring ring = of("subject", corners);
+        MeetingEdges.of(ring.axis(0), ring.axis(1))
+                .ifPresent(
+                        pair -> {
+                            throw ring.meeting(pair);
+                        });
+        return ring.turn(ring.lowest()) < 0 ? ring.reversed() : ring;
+    }
+
+    private double[] axis(int axis) {
+        return IntStream.range(0, size()).mapToDouble(i -> xy[2 * i + axis]).toArray();
+    }
+
+    private IllegalArgumentException meeting(MeetingEdges.Pair pair) {
+        String one = place(pair.one());
+        String other = place(pair.other());
+        return new IllegalArgumentException(
+                "subject must be simple, but "
+                        + (one.equals(other)
+                                ? "corner " + one + " is there twice"
+                                : "the edges from corners " + one + " and " + other + " meet"));
+    }
+
+    /** A corner, for messages. */
+    String place(int corner) {
+        return "(" + x(corner) + ", " + y(corner) + ")";
     }
 
     private static void requireFinite(String name, double[] corners) {

@@ -26,7 +26,7 @@ import rasterlab.contract.PolygonSink;
 public final class SutherlandHodgman implements SteppedPolygonClipper {
     @Override
     public PolygonWalk walk(double[] window, double[] subject) {
-        return new Walk(ConvexWindow.of(window), SimpleSubject.of(subject));
+        return new Walk(ConvexWindow.of(window), Ring.simple(subject));
     }
 
     private static final class Walk implements PolygonWalk {

@@ -45,7 +45,7 @@ final class PolygonCases {
         boolean accepted;
         try {
             ConvexWindow.of(window);
-            SimpleSubject.of(subject);
+            Ring.simple(subject);
             accepted = true;
         } catch (IllegalArgumentException refusal) {
             accepted = false;

@@ -159,6 +159,10 @@ class PolygonClipTest {
                 Arguments.of(
                         TEN, new double[] {1, 1, 9, 9, 9, 1, 1, 9}, "(1.0, 1.0) and (9.0, 1.0)"),
                 Arguments.of(TEN, new double[] {1, 1, 9, 1, 1, 1, 5, 5}, "is there twice"),
+                Arguments.of(
+                        TEN,
+                        new double[] {-0.0, 1, 5, 5, 0, 1, -5, 5},
+                        "corner (0.0, 1.0) is there twice"),
                 Arguments.of(TEN, new double[] {1, 1, 9, 1, 5, 1, 5, 5}, "meet"),
                 Arguments.of(
                         TEN,

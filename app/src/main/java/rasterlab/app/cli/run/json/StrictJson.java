@@ -204,7 +204,14 @@ public final class StrictJson {
 
     /** Reads a finite number; one too small for a double is 0 or the smallest double. */
     public double number() throws IOException {
-        return numberFrom(-Double.MAX_VALUE, Double.MAX_VALUE);
+        return number("a number from -1.7976931348623157E308 to 1.7976931348623157E308");
+    }
+
+    private double number(String allowed) throws IOException {
+        requireNumber(allowed);
+        double value = Double.parseDouble(parser.getText());
+        if (!Double.isFinite(value)) throw expected(allowed);
+        return value;
     }
 
     /** Reads a whole number in the range of int. */
@@ -242,9 +249,13 @@ public final class StrictJson {
         return parser.getText();
     }
 
-    /** Reads a text of {@code least} to {@code most} characters. */
-    public String text(int least, int most) throws IOException {
-        String expected = "a text of " + least + " to " + most + " characters";
+    /**
+     * Reads a text of {@code least} to {@code most} 16-bit units, of which a character takes 1 or
+     * 2.
+     *
+     * @param expected the text in words, for complaints
+     */
+    public String text(String expected, int least, int most) throws IOException {
         if (!startsText()) throw expected(expected);
         String text = parser.getText();
         if (text.length() < least || text.length() > most) throw expected(expected);
@@ -254,17 +265,16 @@ public final class StrictJson {
     /** Reads a number from {@code least} to {@code most}. */
     public double numberFrom(double least, double most) throws IOException {
         String allowed = "a number from " + least + " to " + most;
-        requireNumber(allowed);
-        double value = Double.parseDouble(parser.getText());
+        double value = number(allowed);
         if (!(value >= least && value <= most)) throw expected(allowed);
         return value;
     }
 
     /** Reads a finite number above {@code least}, up to {@code most}. */
     public double numberAbove(double least, double most) throws IOException {
-        double value = number();
-        if (!(value > least && value <= most))
-            throw expected("a number above " + least + ", up to " + most);
+        String allowed = "a number above " + least + ", up to " + most;
+        double value = number(allowed);
+        if (!(value > least && value <= most)) throw expected(allowed);
         return value;
     }
 

@@ -23,7 +23,7 @@ class StrictJsonTest {
             JsonField.optional("count", json -> json.integer(1, 9));
     private static final JsonField<Double> SIZE = JsonField.optional("size", StrictJson::number);
     private static final JsonField<String> NAME =
-            JsonField.optional("name", json -> json.text(1, 4));
+            JsonField.optional("name", json -> json.text("a name of 1 to 4 letters", 1, 4));
     private static final JsonField<List<Given>> ITEMS =
             JsonField.optional(
                     "items",
@@ -90,7 +90,7 @@ class StrictJsonTest {
                 argumentSet(
                         "a text is too long",
                         good + "\"name\":\"abcde\"",
-                        "/name: expected a text of 1 to 4 characters, got the string \"abcde\""),
+                        "/name: expected a name of 1 to 4 letters, got the string \"abcde\""),
                 argumentSet(
                         "an inner object lacks a field",
                         good + "\"items\":[{\"count\":1}]",
