@@ -22,6 +22,7 @@ import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.view.ViewTopic;
+import rasterlab.engine.visibility.faces.VisibleFacesTopic;
 
 /** The list of every topic there is. */
 public final class Topics {
@@ -47,6 +48,7 @@ public final class Topics {
                 new ViewTopic(),
                 new RotateTopic(),
                 new AxisTopic(),
+                new VisibleFacesTopic(),
                 new SplineFunctionTopic(),
                 new CurveTopic());
     }

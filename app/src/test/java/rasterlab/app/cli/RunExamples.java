@@ -32,6 +32,10 @@ final class RunExamples {
                             "{\"window\":[0,0,10,10],\"polygon\":[[2,2],[14,2],[14,8],[2,8]]}"),
                     Map.entry("clip-volume", "{\"zmin\":0.25,\"segments\":[[0,0,0.125,0.25,0,1]]}"),
                     Map.entry(
+                            "visible-faces",
+                            "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],\"faces\":"
+                                    + "[[0,2,1],[0,1,3],[0,3,2],[1,2,3]],\"eye\":[2,3,4]}"),
+                    Map.entry(
                             "matrix",
                             "{\"name\":\"ROTAXIS\",\"through\":[1,2,3],\"direction\":[1,2,2],"
                                     + "\"angle\":37}"),

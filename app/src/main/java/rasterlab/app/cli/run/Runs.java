@@ -37,6 +37,7 @@ public final class Runs {
                         new ViewRun(watch),
                         new RotateRun(watch),
                         new AxisRun(watch),
+                        new VisibleFacesRun(watch),
                         new SplineFunctionRun(watch),
                         new CurveRun(watch));
         try {
