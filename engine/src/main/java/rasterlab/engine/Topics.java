@@ -23,6 +23,7 @@ import rasterlab.engine.transform.matrix.MatrixTopic;
 import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.view.ViewTopic;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
+import rasterlab.engine.visibility.order.DepthOrderTopic;
 
 /** The list of every topic there is. */
 public final class Topics {
@@ -49,6 +50,7 @@ public final class Topics {
                 new RotateTopic(),
                 new AxisTopic(),
                 new VisibleFacesTopic(),
+                new DepthOrderTopic(),
                 new SplineFunctionTopic(),
                 new CurveTopic());
     }

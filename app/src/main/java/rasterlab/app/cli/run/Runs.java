@@ -38,6 +38,7 @@ public final class Runs {
                         new RotateRun(watch),
                         new AxisRun(watch),
                         new VisibleFacesRun(watch),
+                        new DepthOrderRun(watch),
                         new SplineFunctionRun(watch),
                         new CurveRun(watch));
         try {
