@@ -28,6 +28,8 @@ import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.view.ViewTopic;
+import rasterlab.engine.visibility.faces.VisibleFacesTopic;
+import rasterlab.engine.visibility.order.DepthOrderTopic;
 
 /** The list of every topic there is. */
 public final class Topics {
@@ -53,6 +55,8 @@ public final class Topics {
                 new ViewTopic(),
                 new RotateTopic(),
                 new AxisTopic(),
+                new VisibleFacesTopic(),
+                new DepthOrderTopic(),
                 new SplineFunctionTopic(),
                 new CurveTopic(),
                 new ShadeTopic(),

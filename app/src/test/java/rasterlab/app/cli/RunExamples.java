@@ -35,6 +35,14 @@ final class RunExamples {
                             "{\"window\":[0,0,10,10],\"polygon\":[[2,2],[14,2],[14,8],[2,8]]}"),
                     Map.entry("clip-volume", "{\"zmin\":0.25,\"segments\":[[0,0,0.125,0.25,0,1]]}"),
                     Map.entry(
+                            "visible-faces",
+                            "{\"vertices\":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]],\"faces\":"
+                                    + "[[0,2,1],[0,1,3],[0,3,2],[1,2,3]],\"eye\":[2,3,4]}"),
+                    Map.entry(
+                            "depth-order",
+                            "{\"polygons\":[[[0,0,5],[1,0,5],[0,1,5]],"
+                                    + "[[0,0,9],[2,0,9],[2,2,9],[0,2,9]]],\"eye\":[0,0,0]}"),
+                    Map.entry(
                             "matrix",
                             "{\"name\":\"ROTAXIS\",\"through\":[1,2,3],\"direction\":[1,2,2],"
                                     + "\"angle\":37}"),

@@ -37,6 +37,8 @@ public final class Runs {
                         new ViewRun(watch),
                         new RotateRun(watch),
                         new AxisRun(watch),
+                        new VisibleFacesRun(watch),
+                        new DepthOrderRun(watch),
                         new SplineFunctionRun(watch),
                         new CurveRun(watch),
                         new ShadeRun(watch),

@@ -1,0 +1,28 @@
+package rasterlab.contract;
+
+/**
+ * Puts polygons in the order in which to paint them, the farthest first.
+ *
+ * <p>A polygon is flat and convex, given by x, y, z of its corners, at least three, which go round
+ * either way. It is seen from both sides and covers whatever was painted before it. An order is
+ * right if at no place of the picture, that is, on no ray from the eye, a farther polygon is
+ * painted over a nearer one; one that is nearer by less than 10⁻¹² of its distance is level, and of
+ * those either may come first. A polygon whose plane holds the eye covers nothing and may come
+ * anywhere.
+ *
+ * <p>Where polygons overlap in a circle or pass through each other no order of whole ones is right:
+ * then some are cut into pieces, which together cover their polygon once.
+ */
+@FunctionalInterface
+public interface DepthOrder {
+    /**
+     * Sends every polygon, whole or in pieces, back to front.
+     *
+     * @param polygons any finite coordinates, in any unit; not to be changed
+     * @param eye x, y, z
+     * @throws IllegalArgumentException if a number is not finite, a polygon is not flat, convex and
+     *     of some area, or the method cannot order these; the message names place, value and what
+     *     is allowed
+     */
+    void order(double[][] polygons, double[] eye, PieceSink out);
+}

@@ -1,0 +1,142 @@
+package rasterlab.engine.visibility.faces;
+
+import static rasterlab.engine.study.Verdict.Kind.EXACT;
+import static rasterlab.engine.study.Verdict.Kind.REFUSED;
+import static rasterlab.engine.study.Verdict.Kind.WRONG;
+
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+
+/** Bodies and eyes on which methods fail, with what each makes of them. */
+final class VisibleFacesHazards {
+    private VisibleFacesHazards() {}
+
+    static List<Hazard<Body>> all() {
+        return Stream.of(ofEyes(), ofInnerPoints(), ofNumbers()).flatMap(List::stream).toList();
+    }
+
+    private static List<Hazard<Body>> ofEyes() {
+        return List.of(
+                hazard(
+                        "cube",
+                        "A cube seen corner on: three faces of six.",
+                        Bodies.cube(5, -6, 7),
+                        recorded(EXACT, EXACT)),
+                hazard(
+                        "edge-on",
+                        "The eye lies in the plane of the top, which is seen as a line: C = 0.",
+                        Bodies.cube(5, -6, 1),
+                        recorded(EXACT, EXACT)),
+                hazard(
+                        "edge-on-by-rounding",
+                        "The eye lies in a face's plane but for the rounding of its coordinates.",
+                        nearlyEdgeOn(),
+                        recorded(WRONG, EXACT)),
+                hazard(
+                        "eye-inside",
+                        "The eye is in the cube, where every face is turned away.",
+                        Bodies.cube(0.5, 0.25, -0.5),
+                        recorded(EXACT, EXACT)));
+    }
+
+    private static List<Hazard<Body>> ofInnerPoints() {
+        return List.of(
+                hazard(
+                        "not-convex",
+                        "An L-shaped block: no mean of its corners is behind all its faces.",
+                        Bodies.corner(6, 7, 5),
+                        recorded(WRONG, REFUSED)),
+                hazard(
+                        "not-convex-but-star-shaped",
+                        "The same block with an inner point that is behind every face.",
+                        Bodies.corner(6, 7, 5).withInside(0.5, 0.5, 0.5),
+                        recorded(EXACT, EXACT)),
+                hazard(
+                        "inner-point-outside",
+                        "The point given as inner lies behind the cube, seen from the eye.",
+                        Bodies.cube(5, -6, 7).withInside(-3, 3, -3),
+                        recorded(WRONG, REFUSED)),
+                hazard(
+                        "inner-point-before-a-face",
+                        "Eye and inner point are both in front of the right face.",
+                        Bodies.cube(5, -6, 7).withInside(2, 0, 0),
+                        recorded(WRONG, REFUSED)),
+                hazard(
+                        "parallel",
+                        "The segment is parallel to the right face, in front of which it runs.",
+                        Bodies.cube(5, -6, 7).withInside(5, 0, 0),
+                        recorded(WRONG, REFUSED)),
+                hazard(
+                        "no-area",
+                        "A face whose corners lie on one line has no side to be seen.",
+                        sliver(),
+                        recorded(EXACT, REFUSED)));
+    }
+
+    private static List<Hazard<Body>> ofNumbers() {
+        return List.of(
+                hazard(
+                        "corner-on-an-edge",
+                        "The first three corners of the top lie on one line and span no plane.",
+                        cornerOnEdge(),
+                        recorded(WRONG, EXACT)),
+                hazard(
+                        "huge",
+                        "Coordinates of 10²⁰⁰, whose products overflow.",
+                        Bodies.cube(5, -6, 7).scaled(1e200),
+                        recorded(WRONG, EXACT)),
+                hazard(
+                        "tiny",
+                        "Coordinates of 10⁻²⁰⁰, whose products are 0.",
+                        Bodies.cube(5, -6, 7).scaled(1e-200),
+                        recorded(WRONG, EXACT)));
+    }
+
+    /** The slanting face of a tetrahedron passes the eye by 3·10⁻¹⁷. */
+    private static Body nearlyEdgeOn() {
+        return Body.seenFrom(
+                new double[] {0.1, 1.3, -0.4},
+                new double[] {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1},
+                new int[] {0, 2, 1},
+                new int[] {0, 1, 3},
+                new int[] {0, 3, 2},
+                new int[] {1, 2, 3});
+    }
+
+    private static Body cornerOnEdge() {
+        return Body.seenFrom(
+                new double[] {3, 4, 5},
+                new double[] {0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2, 1, 0, 2, 2, 0, 2, 0, 2, 2},
+                new int[] {0, 2, 1},
+                new int[] {3, 4, 5, 6},
+                new int[] {0, 1, 5, 4, 3},
+                new int[] {1, 2, 6, 5},
+                new int[] {2, 0, 3, 6});
+    }
+
+    private static Body sliver() {
+        return Body.seenFrom(
+                new double[] {3, 4, 5},
+                new double[] {0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2, 1, 0, 0},
+                new int[] {0, 2, 1, 4},
+                new int[] {0, 1, 4},
+                new int[] {0, 1, 3},
+                new int[] {0, 3, 2},
+                new int[] {1, 2, 3});
+    }
+
+    private static Hazard<Body> hazard(
+            String name, String text, Body body, Map<String, Verdict.Kind> recorded) {
+        return new Hazard<>(name, text, body, recorded);
+    }
+
+    private static Map<String, Verdict.Kind> recorded(Verdict.Kind textbook, Verdict.Kind segment) {
+        return Map.of(
+                "back-face", EXACT,
+                "convex-segment-textbook", textbook,
+                "convex-segment", segment);
+    }
+}

@@ -1,0 +1,76 @@
+package rasterlab.engine.visibility.order;
+
+import java.util.Map;
+
+/**
+ * The five tests of Newell, Newell and Sancha, in their order: each, if it says yes, shows that P
+ * hides nothing of Q and may be painted before it.
+ *
+ * <ol>
+ *   <li>the extents in x do not overlap on the picture;
+ *   <li>nor those in y;
+ *   <li>P is wholly on the far side of Q's plane;
+ *   <li>Q is wholly on the near side of P's plane;
+ *   <li>the outlines do not overlap: an edge of one has the other on its outer side.
+ * </ol>
+ *
+ * <p>Source: M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem,
+ * Proceedings of the ACM annual conference, 1972.
+ */
+final class FiveTests {
+    private final long[] asked = new long[5];
+    private long comparisons;
+
+    /** Whether P may hide something of Q, all tests having said no. */
+    boolean mayHide(Extent p, Extent q) {
+        comparisons++;
+        return !p.behind(q)
+                && !(yes(0, p.apartInX(q))
+                        || yes(1, p.apartInY(q))
+                        || farSide(p.facet(), q.facet())
+                        || nearSide(q.facet(), p.facet())
+                        || outlinesApart(p.facet(), q.facet()));
+    }
+
+    private boolean yes(int test, boolean answer) {
+        asked[test]++;
+        return answer;
+    }
+
+    private boolean farSide(Facet p, Facet q) {
+        asked[2]++;
+        return (q.plane().sides(p.seen()) & EyePlane.NEAR) == 0;
+    }
+
+    private boolean nearSide(Facet q, Facet p) {
+        asked[3]++;
+        return (p.plane().sides(q.seen()) & EyePlane.FAR) == 0;
+    }
+
+    private boolean outlinesApart(Facet p, Facet q) {
+        asked[4]++;
+        return edgeParts(p, q) || edgeParts(q, p);
+    }
+
+    private static boolean edgeParts(Facet one, Facet other) {
+        for (int edge = 0; edge < one.seen().length / 3; edge++)
+            if (parts(EyePlane.throughEdge(one, edge), other)) return true;
+        return false;
+    }
+
+    /** An edge that points at the eye has no plane and parts nothing. */
+    private static boolean parts(EyePlane plane, Facet other) {
+        boolean none = plane.nx() == 0 && plane.ny() == 0 && plane.nz() == 0;
+        return !none && (plane.sides(other.seen()) & EyePlane.NEAR) == 0;
+    }
+
+    Map<String, Long> operations() {
+        return Map.of(
+                "comparisons", comparisons,
+                "x extents compared", asked[0],
+                "y extents compared", asked[1],
+                "far sides asked", asked[2],
+                "near sides asked", asked[3],
+                "outlines compared", asked[4]);
+    }
+}

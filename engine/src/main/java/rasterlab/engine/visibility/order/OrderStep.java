@@ -1,0 +1,21 @@
+package rasterlab.engine.visibility.order;
+
+/**
+ * One step of a method that orders polygons.
+ *
+ * @param polygon number of the polygon that is painted, moved or cut, whole or a piece of it
+ * @param against number of the polygon it is moved before or cut because of; its own where painted
+ * @param value what decided: the method says what it is
+ */
+public record OrderStep(Kind kind, int polygon, int against, double value) {
+    /** What was done. */
+    public enum Kind {
+        PAINT,
+        MOVE,
+        CUT
+    }
+
+    static OrderStep paint(int polygon, double value) {
+        return new OrderStep(Kind.PAINT, polygon, polygon, value);
+    }
+}
