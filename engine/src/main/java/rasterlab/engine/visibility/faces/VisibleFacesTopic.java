@@ -62,7 +62,9 @@ public final class VisibleFacesTopic implements Topic<VisibleFaces, Body, SeenFa
     public Map<String, Long> operations(VisibleFaces method, Body body) {
         if (!(method instanceof SteppedVisibleFaces stepped)) return Map.of();
         FaceWalk walk = stepped.walk(body);
-        while (walk.advance()) continue;
+        boolean more;
+        do more = walk.advance();
+        while (more);
         return walk.operations();
     }
 

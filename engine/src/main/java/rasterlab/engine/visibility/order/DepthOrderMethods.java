@@ -38,8 +38,9 @@ final class DepthOrderMethods {
                                         + " it in depth one of five tests says yes; else Q before"
                                         + " P, and in a circle one is cut",
                                 "nothing painted hides anything that is left",
-                                "five tests for each two polygons that overlap in depth, more"
-                                        + " after moves and cuts: up to n² for n polygons",
+                                "up to five tests for each two polygons that overlap in depth,"
+                                        + " again after moves and cuts: up to n² for n polygons,"
+                                        + " but 15,000 of 131,000 pairs for 512 scattered ones",
                                 "none known in front of the eye; refuses what reaches behind it",
                                 "M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the"
                                         + " hidden surface problem, 1972"),

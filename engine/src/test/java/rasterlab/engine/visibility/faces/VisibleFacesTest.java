@@ -73,7 +73,7 @@ class VisibleFacesTest {
         var xyz = random.ints(15, -3, 4).mapToDouble(v -> v * 0.1).toArray();
         var eye = random.ints(3, -3, 4).mapToDouble(v -> v * 0.1).toArray();
         var body = Body.seenFrom(eye, xyz, new int[] {0, 1, 2, 3, 4}, new int[] {4, 2, 0});
-        Body scaled = body.scaled(Math.scalb(1, -26 * exponent));
+        Body scaled = body.scaled(Math.scalb(1.0, -26 * exponent));
         SeenFaces exact = TOPIC.exact(scaled, Integer.MAX_VALUE);
         assertEquals("", exact.deviation(new SeenFaces(visible("back-face", scaled))).first());
     }

@@ -29,7 +29,7 @@ class DepthOrderPropertyTest {
         };
     }
 
-    @Property(tries = 60)
+    @Property(tries = 120)
     void disjointTrianglesAreOrdered(
             @ForAll @IntRange(min = 1, max = 4) int cells, @ForAll long seed) {
         var random = new Random(seed);
@@ -37,7 +37,7 @@ class DepthOrderPropertyTest {
     }
 
     /** Long triangles from wall to wall: circles and crossings without number. */
-    @Property(tries = 100)
+    @Property(tries = 150)
     void trianglesThroughEachOtherAreCutAndOrdered(
             @ForAll @IntRange(min = 2, max = 9) int count, @ForAll long seed) {
         var random = new Random(seed);
@@ -47,7 +47,7 @@ class DepthOrderPropertyTest {
     }
 
     /** On a grid planes coincide, corners touch edges, and eyes lie in planes. */
-    @Property(tries = 200)
+    @Property(tries = 600)
     void squaresOnAGridAreOrdered(
             @ForAll @IntRange(min = 2, max = 8) int count, @ForAll long seed) {
         var random = new Random(seed);
@@ -76,7 +76,7 @@ class DepthOrderPropertyTest {
     }
 
     /** Bars of thin tilted strips round a middle: circles of any length. */
-    @Property(tries = 60)
+    @Property(tries = 120)
     void circlesOfBarsAreOrdered(@ForAll @IntRange(min = 3, max = 9) int bars, @ForAll long seed) {
         var random = new Random(seed);
         double tilt = random.nextDouble(0.5, 3);

@@ -1,0 +1,44 @@
+package rasterlab.engine.visibility.order;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import rasterlab.engine.study.Deviation;
+
+/** Very many scenes against the reference: all of them with {@code -Drasterlab.full=true}. */
+class DepthOrderFullTest {
+    private static final int SCENES = Boolean.getBoolean("rasterlab.full") ? 5_000 : 50;
+    private static final long SEED = 1972;
+
+    @Test
+    void noSceneOfManyIsPaintedWrong() {
+        var topic = new DepthOrderTopic();
+        var random = new Random(SEED);
+        for (int scene = 0; scene < SCENES; scene++) {
+            Sight sight = triangles(2 + scene % 12, random);
+            for (String name : List.of("newell", "bsp")) {
+                Painting painting =
+                        topic.record(topic.method(name).implementation(), sight, 1_000_000);
+                Deviation deviation = PaintingComparison.compare(sight, painting);
+                assertTrue(
+                        topic.correct(deviation),
+                        name + ", seed " + SEED + ", scene " + scene + ": " + deviation);
+            }
+        }
+    }
+
+    /** Through each other from wall to wall. */
+    private static Sight triangles(int count, Random random) {
+        var triangles = new double[count][];
+        for (int k = 0; k < count; k++) triangles[k] = random.doubles(9, -100, 100).toArray();
+        return new Sight(
+                triangles,
+                new double[] {
+                    random.nextDouble(300, 500),
+                    random.nextDouble(-250, 250),
+                    random.nextDouble(-250, 250)
+                });
+    }
+}
