@@ -48,8 +48,8 @@ class RunDepthOrderTest {
         Ran ran = Ran.labReading(TWO, "run", "depth-order", "mean-z", "--steps");
         assertEquals(
                 "{\"order\":[1,0],\"splits\":[],\"decision\":\"mean depth z of the corners, in units"
-                        + " of the input\",\"steps\":[{\"paint\":1,\"value\":9.0},"
-                        + "{\"paint\":0,\"value\":5.0}]}\n",
+                        + " of the input\",\"steps\":[{\"paint\":1,\"decision\":9.0},"
+                        + "{\"paint\":0,\"decision\":5.0}]}\n",
                 ran.out());
         ran.assertDone();
     }

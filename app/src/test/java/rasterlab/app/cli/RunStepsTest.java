@@ -25,7 +25,17 @@ class RunStepsTest {
     private static final List<String> UNDECIDED =
             List.of("transform", "rotate-axis", "rotate", "view");
 
-    /** All other methods have steps. */
+    /** One formula each: an answer lists its terms, and there is nothing to walk. */
+    private static final List<String> FORMULAS =
+            List.of(
+                    "shade",
+                    "vertex-normals",
+                    "shade-face",
+                    "color",
+                    "texture-mapping",
+                    "texture-filter");
+
+    /** All other methods have steps, but for the topics above. */
     private static final List<String> WITHOUT_STEPS =
             List.of(
                     "line-plane formula-textbook",
@@ -49,7 +59,7 @@ class RunStepsTest {
                     "clip-segment cohen-sutherland-nested-textbook", " does not end: ");
 
     static Stream<String> topics() {
-        return Topics.all().stream().map(Topic::name);
+        return Topics.all().stream().map(Topic::name).filter(name -> !FORMULAS.contains(name));
     }
 
     @Test
@@ -58,8 +68,9 @@ class RunStepsTest {
         for (Topic<?, ?, ?> topic : Topics.all())
             for (var method : topic.methods()) {
                 Ran ran = stepped(topic.name(), method.name());
-                if (ran.err().contains("has no steps"))
-                    without.add(topic.name() + " " + method.name());
+                boolean none = ran.err().contains("has no steps");
+                if (FORMULAS.contains(topic.name())) assertTrue(none, topic.name());
+                else if (none) without.add(topic.name() + " " + method.name());
             }
         assertEquals(WITHOUT_STEPS, without);
     }

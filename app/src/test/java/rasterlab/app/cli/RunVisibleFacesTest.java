@@ -49,7 +49,7 @@ class RunVisibleFacesTest {
         assertEquals(
                 "{\"visible\":[true],\"decision\":\"μ = (c − n·A) / (n·(B − A)) of the plane on the"
                         + " segment from the eye A to the inner point B, visible where A and B are"
-                        + " on two sides\",\"steps\":[{\"face\":0,\"value\":0.75,\"visible\":true}"
+                        + " on two sides\",\"steps\":[{\"face\":0,\"decision\":0.75,\"visible\":true}"
                         + "]}\n",
                 ran.out());
         ran.assertDone();

@@ -117,6 +117,6 @@ final class DepthOrderRun implements TopicRun {
         json.writeNumberField(step.kind().name().toLowerCase(Locale.ROOT), step.polygon());
         if (step.kind() == OrderStep.Kind.MOVE) json.writeNumberField("before", step.against());
         if (step.kind() == OrderStep.Kind.CUT) json.writeNumberField("by", step.against());
-        JsonNumbers.writeField(json, "value", step.value());
+        JsonNumbers.writeField(json, "decision", step.value());
     }
 }

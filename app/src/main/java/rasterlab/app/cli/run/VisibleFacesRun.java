@@ -119,7 +119,7 @@ final class VisibleFacesRun implements TopicRun {
                     all,
                     (out, step) -> {
                         out.writeNumberField("face", step.face);
-                        JsonNumbers.writeField(out, "value", step.value);
+                        JsonNumbers.writeField(out, "decision", step.value);
                         out.writeBooleanField("visible", step.visible);
                     });
         };
