@@ -37,8 +37,8 @@ final class MeanZ implements SteppedOrder {
             this.out = out;
             var frame = new EyeFrame(facets);
             depth = new double[facets.size()];
-            Arrays.setAll(
-                    depth, k -> Math.scalb(mean(frame, facets.get(k).seen()), sight.exponent()));
+            int exponent = sight.exponent();
+            Arrays.setAll(depth, k -> Math.scalb(mean(frame, facets.get(k).seen()), exponent));
             order =
                     IntStream.range(0, depth.length)
                             .boxed()

@@ -39,11 +39,12 @@ final class MeanZTextbook implements SteppedOrder {
             depth = new double[facets.size()];
             painted = new boolean[facets.size()];
             var frame = new EyeFrame(facets);
-            double rho = Math.scalb(frame.distance(), sight.exponent());
+            int exponent = sight.exponent();
+            double rho = Math.scalb(frame.distance(), exponent);
             for (int k = 0; k < depth.length; k++) {
                 double sum = 0;
                 for (int i = 0; i < 3; i++) {
-                    double z = Math.scalb(frame.z(facets.get(k).seen(), i), sight.exponent());
+                    double z = Math.scalb(frame.z(facets.get(k).seen(), i), exponent);
                     sum += Math.rint(z - rho) + rho;
                 }
                 depth[k] = sum / 3;
