@@ -3,15 +3,13 @@ package rasterlab.engine.circle;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.util.ArrayList;
 import java.util.Map;
 import java.util.regex.Pattern;
-import java.util.spi.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.CompiledCode;
 
 /** That the counted arithmetic is what the walks are made of. */
 class ArcWorkTest {
@@ -68,21 +66,6 @@ class ArcWorkTest {
     }
 
     private static String compiledWalk(String type) {
-        var out = new StringWriter();
-        String place = ArcWalk.class.getProtectionDomain().getCodeSource().getLocation().getPath();
-        var writer = new PrintWriter(out, true);
-        int code =
-                ToolProvider.findFirst("javap")
-                        .orElseThrow()
-                        .run(
-                                writer,
-                                writer,
-                                "-p",
-                                "-c",
-                                "-cp",
-                                place,
-                                "rasterlab.engine.circle." + type + "$Walk");
-        assertEquals(0, code, out.toString());
-        return out.toString();
+        return CompiledCode.of(ArcWalk.class, "rasterlab.engine.circle." + type + "$Walk");
     }
 }

@@ -3,17 +3,15 @@ package rasterlab.engine.line;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
-import java.util.spi.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.CompiledCode;
 import rasterlab.engine.raster.Work;
 
 /** That the counted arithmetic is what the walks are made of. */
@@ -74,23 +72,9 @@ class LineWorkTest {
         assertEquals(Work.NONE, new BresenhamLine().work().across());
     }
 
-    private static String compiledStep(String type) throws Exception {
-        var out = new StringWriter();
-        String place =
-                BresenhamLine.class.getProtectionDomain().getCodeSource().getLocation().getPath();
-        int code =
-                ToolProvider.findFirst("javap")
-                        .orElseThrow()
-                        .run(
-                                new PrintWriter(out, true),
-                                new PrintWriter(out, true),
-                                "-p",
-                                "-c",
-                                "-cp",
-                                place,
-                                "rasterlab.engine.line." + type + "$Walk");
-        String all = out.toString();
-        assertEquals(0, code, all);
+    private static String compiledStep(String type) {
+        String all =
+                CompiledCode.of(BresenhamLine.class, "rasterlab.engine.line." + type + "$Walk");
         int from = all.indexOf("public boolean advance()");
         assertTrue(from >= 0, all);
         return all.substring(from, all.indexOf("public int x()"));
