@@ -100,20 +100,28 @@ final class StudyCommand implements Callable<Integer> {
         row.add(number(cost.medianNanos()));
         row.add(number(cost.lowNanos()) + "–" + number(cost.highNanos()));
         counts.cells(measured).forEach(cell -> row.add(shortened(cell)));
-        row.add(String.valueOf(error.worst()));
+        row.add(rounded(error.worst()));
         row.add(String.valueOf(error.missing() + error.extra()));
         row.add(measured.kind().code());
         return row;
     }
 
-    /** Whole counts as they are, others to two places, or two digits where those would be 0. */
     private static String shortened(String count) {
-        if (!count.contains(".")) return count;
-        double value = Double.parseDouble(count);
-        return value >= 0.01 ? number(value) : String.format(Locale.ROOT, "%.1e", value);
+        return count.contains(".") ? number(Double.parseDouble(count)) : count;
     }
 
+    /** Two places, or two digits where those would be 0. */
     private static String number(double value) {
-        return String.format(Locale.ROOT, "%.2f", value);
+        String form = value == 0 || value >= 0.01 ? "%.2f" : "%.1e";
+        return String.format(Locale.ROOT, form, value);
+    }
+
+    /** Three digits; the files have all. */
+    private static String rounded(double error) {
+        if (error == 0) return "0";
+        String form = error >= 0.001 && error < 1000 ? "%.3f" : "%.2e";
+        return Double.isFinite(error)
+                ? String.format(Locale.ROOT, form, error)
+                : String.valueOf(error);
     }
 }
