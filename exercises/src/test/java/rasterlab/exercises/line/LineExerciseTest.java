@@ -39,12 +39,15 @@ class LineExerciseTest {
     }
 
     static Stream<Method<LineRasterizer>> faulty() {
-        return new LineTopic().methods().stream().filter(Method::faulty);
+        return new LineTopic()
+                .methods().stream().filter(Method::faulty).filter(LineExerciseTest::failsSomewhere);
     }
 
+    /** On a segment without a window, as the exercise's are. */
     private static boolean failsSomewhere(Method<LineRasterizer> method) {
         return new LineTopic()
                 .hazards().stream()
+                        .filter(hazard -> hazard.input().isWhole())
                         .map(hazard -> hazard.recorded().get(method.name()))
                         .anyMatch(
                                 kind -> kind != Verdict.Kind.EXACT && kind != Verdict.Kind.REFUSED);
@@ -77,7 +80,9 @@ class LineExerciseTest {
             assertTrue(
                     failed.stream().anyMatch(name -> name.startsWith("octant-")),
                     () -> method.name() + " with seed " + seed + " fails only " + failed);
-            assertTrue(failed.contains("single-point-is-skipped"), () -> method.name() + failed);
+            assertTrue(
+                    failed.stream().anyMatch(name -> !name.startsWith("octant-")),
+                    () -> method.name() + " with seed " + seed + " fails only " + failed);
         }
     }
 
