@@ -1,7 +1,12 @@
 package rasterlab.app;
 
 import java.awt.GraphicsEnvironment;
+import java.io.BufferedOutputStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
+import java.io.PrintStream;
 import rasterlab.app.cli.Lab;
+import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.shell.WindowStart;
 
 /** The desktop lab when there are no arguments, the command line when there are. */
@@ -20,6 +25,11 @@ public final class Main {
     }
 
     private static int run(String... arguments) {
-        return Lab.run(arguments, System.in, System.out, System.err);
+        var results = new WatchedOutput(new FileOutputStream(FileDescriptor.out));
+        var out = new PrintStream(new BufferedOutputStream(results, 1 << 13));
+        int code = Lab.run(arguments, System.in, out, System.err);
+        if (results.loss().isEmpty()) return code;
+        System.err.println("./lab: the output could not be written: " + results.loss().get());
+        return code == ExitCode.DONE ? ExitCode.NOT_WRITTEN : code;
     }
 }

@@ -84,9 +84,17 @@ final class RunCommand implements Callable<Integer> {
     }
 
     private void answerWhole(TopicRun run, JsonGenerator out) throws IOException {
-        byte[] text = console.in().readNBytes(LONGEST_INPUT + 1);
+        byte[] text = read();
         if (text.length > LONGEST_INPUT) throw tooLong("the input");
         writeLine(out, run.answer(method, text, text.length, steps));
+    }
+
+    private byte[] read() {
+        try {
+            return console.in().readNBytes(LONGEST_INPUT + 1);
+        } catch (IOException e) {
+            throw Complaint.badInput("standard input cannot be read: " + e.getMessage());
+        }
     }
 
     private void answerLines(TopicRun run, JsonGenerator out) throws IOException {

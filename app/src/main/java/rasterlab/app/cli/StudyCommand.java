@@ -31,6 +31,9 @@ import rasterlab.engine.study.Topic;
         },
         footer = {"", "Example: ./lab study line --out line.svg --out line.csv"})
 final class StudyCommand implements Callable<Integer> {
+    /** What a method that did not end or crashed has instead of numbers. */
+    private static final String NOT_TIMED = "–";
+
     private final Console console;
 
     @Parameters(index = "0", paramLabel = "TOPIC", description = "such as line")
@@ -97,11 +100,14 @@ final class StudyCommand implements Callable<Integer> {
         Deviation error = measured.error();
         var row = new ArrayList<String>(List.of(measured.method(), measured.workload()));
         row.add(String.valueOf(measured.size()));
-        row.add(number(cost.medianNanos()));
-        row.add(number(cost.lowNanos()) + "–" + number(cost.highNanos()));
+        row.add(cost.timed() ? number(cost.medianNanos()) : NOT_TIMED);
+        row.add(
+                cost.timed()
+                        ? number(cost.lowNanos()) + "–" + number(cost.highNanos())
+                        : NOT_TIMED);
         counts.cells(measured).forEach(cell -> row.add(shortened(cell)));
-        row.add(rounded(error.worst()));
-        row.add(String.valueOf(error.missing() + error.extra()));
+        row.add(cost.timed() ? rounded(error.worst()) : NOT_TIMED);
+        row.add(cost.timed() ? String.valueOf(error.missing() + error.extra()) : NOT_TIMED);
         row.add(measured.kind().code());
         return row;
     }

@@ -18,5 +18,8 @@ public final class ExitCode {
     /** A fault of ours; details are in the log that the message names. */
     public static final int INTERNAL = 70;
 
+    /** The work was done, but its output could not be written: a full disk. EX_IOERR, sysexits. */
+    public static final int NOT_WRITTEN = 74;
+
     private ExitCode() {}
 }

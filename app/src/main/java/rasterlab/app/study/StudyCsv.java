@@ -56,16 +56,21 @@ final class StudyCsv {
                 measured.method(),
                 measured.workload(),
                 String.valueOf(measured.size()),
-                String.valueOf(measured.cost().medianNanos()),
-                String.valueOf(measured.cost().lowNanos()),
-                String.valueOf(measured.cost().highNanos()),
-                String.valueOf(measured.error().worst()),
+                timed(measured, measured.cost().medianNanos()),
+                timed(measured, measured.cost().lowNanos()),
+                timed(measured, measured.cost().highNanos()),
+                timed(measured, measured.error().worst()),
                 study.errorUnit(),
                 String.valueOf(measured.error().missing()),
                 String.valueOf(measured.error().extra()),
                 String.valueOf(measured.error().of()),
                 measured.kind().code(),
                 measured.detail());
+    }
+
+    /** Blank for a method that did not end or crashed. */
+    private static String timed(Measurement measured, double value) {
+        return measured.cost().timed() ? String.valueOf(value) : "";
     }
 
     private static String cell(String value) {

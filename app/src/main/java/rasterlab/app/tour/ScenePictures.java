@@ -12,6 +12,7 @@ import rasterlab.engine.scene.Scenes;
 
 /** Every scene by every visibility method, each beside its difference to the exact picture. */
 final class ScenePictures implements TourPart {
+    private static final String SHADING = Renderer.shadings().get(0);
     private static final int WIDTH = 800;
     private static final int HEIGHT = 600;
 
@@ -26,7 +27,7 @@ final class ScenePictures implements TourPart {
     }
 
     private static void make(TourPage page, Scene scene) {
-        page.heading(page.texts().text("scenes.scene", scene.name()));
+        page.heading(page.texts().text("scenes.scene", scene.name(), SHADING));
         var renderer = new Renderer();
         Raster exact = renderer.render(request(scene, Renderer.REFERENCE), () -> false);
         List<List<String>> rows = new ArrayList<>();
@@ -51,7 +52,7 @@ final class ScenePictures implements TourPart {
         return new RenderRequest(
                 scene,
                 visibility,
-                Renderer.shadings().get(0),
+                SHADING,
                 Renderer.projections().get(0),
                 scene.defaultCamera(),
                 WIDTH,

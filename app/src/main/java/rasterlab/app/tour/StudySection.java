@@ -15,6 +15,9 @@ import rasterlab.engine.study.Topic;
 
 /** Every topic's study as a chart and a table. */
 final class StudySection implements TourPart {
+    /** What a method that did not end or crashed has instead of numbers. */
+    private static final String NOT_TIMED = "–";
+
     @Override
     public String key() {
         return "study";
@@ -48,6 +51,16 @@ final class StudySection implements TourPart {
     }
 
     private static List<String> row(Measurement measured, Texts texts) {
+        String verdict = texts.text("verdict." + measured.kind().code());
+        if (!measured.cost().timed())
+            return List.of(
+                    measured.method(),
+                    String.valueOf(measured.size()),
+                    NOT_TIMED,
+                    NOT_TIMED,
+                    NOT_TIMED,
+                    NOT_TIMED,
+                    verdict);
         return List.of(
                 measured.method(),
                 String.valueOf(measured.size()),
@@ -59,6 +72,6 @@ final class StudySection implements TourPart {
                         measured.cost().highNanos()),
                 String.valueOf(measured.error().worst()),
                 String.valueOf(measured.error().missing() + measured.error().extra()),
-                texts.text("verdict." + measured.kind().code()));
+                verdict);
     }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -40,6 +41,14 @@ class RunLinePlaneTest {
                         "{\"line\":[[0,0,1],[1,0,1]]," + LEVEL + "}",
                         "{\"mu\":null,\"angle\":0.0,\"cosines\":[1.0,0.0,0.0],"
                                 + "\"projection\":0.0}"));
+    }
+
+    @Test
+    void aPointBeyondTheDoublesLeavesNoHalfAnswer() {
+        String far = "{\"line\":[[0,0,0],[1.7976931348623157e308,1,1]]," + LEVEL + "}";
+        Ran ran = Ran.labReading(far, "run", "line-plane", "formula-textbook");
+        assertEquals(3, ran.exitCode(), ran.err());
+        assertEquals("", ran.out());
     }
 
     @ParameterizedTest(name = "{argumentSetName}")

@@ -16,6 +16,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.engine.study.Cost;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Study;
+import rasterlab.engine.study.Verdict;
 
 class StudyCommandTest {
     @TempDir Path folder;
@@ -48,6 +53,26 @@ class StudyCommandTest {
         assertEquals(measurements + 1, ran.out().lines().count());
         assertTrue(json.path("machine").hasNonNull("java"));
         assertTrue(Files.readString(folder.resolve("line.svg")).contains("<svg"));
+    }
+
+    @Test
+    void anEndlessMethodIsNotTheFastest() {
+        var endless =
+                new Measurement(
+                        "naive-textbook",
+                        "w",
+                        16,
+                        Cost.NONE,
+                        Deviation.NONE,
+                        Verdict.Kind.ENDLESS,
+                        "");
+        String row =
+                StudyCommand.table(new Study("line", "pixel", "pixels", List.of(endless)))
+                        .lines()
+                        .get(1);
+        assertEquals(
+                List.of("naive-textbook", "w", "16", "–", "–", "–", "–", "endless"),
+                List.of(row.trim().split(" +")));
     }
 
     /**

@@ -65,16 +65,45 @@ final class LinePlaneRun implements TopicRun {
         Line line = line(given.get(LINE));
         Plane plane = plane(given);
         LinePlane meeting = topic.method(method).implementation();
-        double mu =
-                watch.call(
-                        method,
-                        () ->
-                                meeting.meets(
-                                        numbers(plane.normal()),
-                                        plane.c(),
-                                        numbers(line.from()),
-                                        numbers(line.through())));
-        return json -> write(json, line, plane, mu);
+        Found found = watch.call(method, () -> Found.by(meeting, line, plane));
+        return found::write;
+    }
+
+    /**
+     * What the line and the plane make of each other, worked out before the first byte is written.
+     */
+    private record Found(double mu, Vector point, double angle, Vector cosines, double projection) {
+        /**
+         * @throws IllegalArgumentException if one of the numbers is out of range
+         */
+        static Found by(LinePlane meeting, Line line, Plane plane) {
+            double mu =
+                    meeting.meets(
+                            numbers(plane.normal()),
+                            plane.c(),
+                            numbers(line.from()),
+                            numbers(line.through()));
+            return new Found(
+                    mu,
+                    Double.isFinite(mu) ? line.at(mu) : null,
+                    plane.angleWith(line),
+                    line.direction().unit(),
+                    line.direction().projectedOn(plane.normal()));
+        }
+
+        /** A μ that is no number, as the textbook's can be, names no point. */
+        void write(JsonGenerator json) throws IOException {
+            JsonNumbers.writeField(json, "mu", mu);
+            if (point != null) {
+                json.writeFieldName("point");
+                JsonNumbers.write(json, numbers(point));
+                json.writeStringField("part", Line.part(mu).name().toLowerCase(Locale.ROOT));
+            }
+            JsonNumbers.writeField(json, "angle", angle);
+            json.writeFieldName("cosines");
+            JsonNumbers.write(json, numbers(cosines));
+            JsonNumbers.writeField(json, "projection", projection);
+        }
     }
 
     private static Line line(double[] ends) {
@@ -107,20 +136,5 @@ final class LinePlaneRun implements TopicRun {
 
     private static double[] numbers(Vector v) {
         return new double[] {v.x(), v.y(), v.z()};
-    }
-
-    /** A μ that is no number, as the textbook's can be, names no point. */
-    private static void write(JsonGenerator json, Line line, Plane plane, double mu)
-            throws IOException {
-        JsonNumbers.writeField(json, "mu", mu);
-        if (Double.isFinite(mu)) {
-            json.writeFieldName("point");
-            JsonNumbers.write(json, numbers(line.at(mu)));
-            json.writeStringField("part", Line.part(mu).name().toLowerCase(Locale.ROOT));
-        }
-        JsonNumbers.writeField(json, "angle", plane.angleWith(line));
-        json.writeFieldName("cosines");
-        JsonNumbers.write(json, numbers(line.direction().unit()));
-        JsonNumbers.writeField(json, "projection", line.direction().projectedOn(plane.normal()));
     }
 }
