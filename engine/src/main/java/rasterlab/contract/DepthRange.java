@@ -16,8 +16,8 @@ public record DepthRange(double near, double far) {
             throw new IllegalArgumentException("near must be from 1E-100 to 1E100, got " + near);
         if (!(far >= LEAST_RATIO * near && (far <= LARGEST || far == Double.POSITIVE_INFINITY)))
             throw new IllegalArgumentException(
-                    "far must be at least %s times near, that is %s, up to 1E100, or infinite, got %s"
-                            .formatted(LEAST_RATIO, LEAST_RATIO * near, far));
+                    "far must be at least %s·near and at most 1E100, or infinite, got %s with near %s"
+                            .formatted(LEAST_RATIO, far, near));
     }
 
     /** 1/near, the greatest nearness. */

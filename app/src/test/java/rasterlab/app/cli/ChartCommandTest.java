@@ -47,11 +47,55 @@ class ChartCommandTest {
         assertTrue(lines.contains("4.0,1.5,calm"), lines.toString());
     }
 
+    @Test
+    void depthPrecisionIsMeasuredBesideItsFormula() throws Exception {
+        Path png = folder.resolve("d.png");
+        Path csv = folder.resolve("d.csv");
+        Ran ran =
+                Ran.lab(
+                        "chart",
+                        "depth-precision",
+                        "--out",
+                        png.toString(),
+                        "--out",
+                        csv.toString());
+        ran.assertDone();
+        List<String> rows =
+                ran.out().lines().map(row -> row.strip().replaceAll(" +", " ")).toList();
+        assertEquals("format far/near measured predicted", rows.get(0));
+        for (String row :
+                List.of(
+                        "z16 1e+03 7.576e-03 7.622e-03",
+                        "z24 1e+03 2.977e-05 2.977e-05",
+                        "reversed-z 1e+06 5.684e-08 5.684e-08"))
+            assertTrue(rows.contains(row), row + " in " + rows);
+        List<String> lines = Files.readAllLines(csv);
+        assertEquals("format,far/near,measured,predicted", lines.get(0));
+        assertEquals(1 + 6 * 17, lines.size());
+        BufferedImage picture = ImageIO.read(png.toFile());
+        assertEquals("1000×700", picture.getWidth() + "×" + picture.getHeight());
+        assertTrue(has(picture, MethodColours.of("zfloat")), "the colour of zfloat");
+    }
+
     private static boolean has(BufferedImage picture, Color colour) {
         for (int y = 0; y < picture.getHeight(); y++)
             for (int x = 0; x < picture.getWidth(); x++)
                 if (picture.getRGB(x, y) == colour.getRGB()) return true;
         return false;
+    }
+
+    @Test
+    void russianDepthPrecisionHasNoEnglishWords() throws Exception {
+        Path svg = folder.resolve("d.svg");
+        Ran.lab("chart", "depth-precision", "--lang", "ru", "--out", svg.toString()).assertDone();
+        assertTrue(Files.readString(svg).contains("измерено делением пополам"), "its marks");
+        assertEquals(
+                List.of(),
+                Pattern.compile(">([^<]*[a-zA-Z]{3}[^<]*)<")
+                        .matcher(Files.readString(svg))
+                        .results()
+                        .map(found -> found.group(1).strip())
+                        .toList());
     }
 
     @Test
@@ -72,7 +116,9 @@ class ChartCommandTest {
     @Test
     void mistakesAreFoundBeforeAnythingIsWritten() {
         Ran.lab("chart", "perspektive")
-                .assertComplains(2, "./lab chart: no chart 'perspektive'; there is perspective");
+                .assertComplains(
+                        2,
+                        "./lab chart: no chart 'perspektive'; there are perspective, depth-precision");
         Path strange = folder.resolve("g.json");
         Ran.lab("chart", "perspective", "--out", strange.toString())
                 .assertComplains(

@@ -50,7 +50,13 @@ class RunStepsTest {
                     "rotate quaternion",
                     "rotate total-angle",
                     "rotate-axis rodrigues",
-                    "rotate-axis quaternion");
+                    "rotate-axis quaternion",
+                    "depth-buffer z16",
+                    "depth-buffer z24",
+                    "depth-buffer z32",
+                    "depth-buffer zfloat",
+                    "depth-buffer reversed-z",
+                    "depth-buffer linear-16");
 
     /** What textbooks' programs do as they are printed, and how that is told. */
     private static final Map<String, String> GIVEN_UP =
@@ -194,6 +200,17 @@ class RunStepsTest {
                         "buneman",
                         "{\"points\":[[1,2]],\"degrees\":90,\"times\":0}",
                         "{\"points\":[[1.0,2.0]],\"steps\":[[]]"),
+                argumentSet(
+                        "drift is told of the first row only",
+                        "depth-buffer",
+                        "incremental-z16",
+                        "{\"near\":1,\"far\":2,\"depths\":[1,2],\"to\":[2,2],\"pixels\":3}",
+                        "\"steps\":[[{\"pixel\":0,\"sum\":0.0,\"code\":0,\"decision\":0.0},"
+                                + "{\"pixel\":1,\"sum\":32767.5,\"code\":32768,\"decision\":0.0},"
+                                + "{\"pixel\":2,\"sum\":65535.0,\"code\":65535,\"decision\":0.0}],"
+                                + "[{\"pixel\":0,\"sum\":65535.0,\"code\":65535,\"decision\":0.0},"
+                                + "{\"pixel\":1,\"sum\":65535.0,\"code\":65535,\"decision\":0.0},"
+                                + "{\"pixel\":2,\"sum\":65535.0,\"code\":65535,\"decision\":0.0}]]"),
                 argumentSet(
                         "recursive fill has no steps",
                         "fill",

@@ -20,6 +20,21 @@ public record DepthCell(double nearest, double farthest) {
         return new DepthCell(last(codes, z, range.near()), last(codes, z, far));
     }
 
+    /**
+     * The smallest distance at which something behind each surface is told apart from it, surface
+     * after surface, pixel after pixel; NaN where nothing up to the far plane is.
+     */
+    public static double[] behind(DepthFormat format, DepthRows rows) {
+        DepthRange range = rows.range();
+        DepthFormat.Codes codes = format.over(range);
+        var behind = new double[rows.count()];
+        for (int i = 0; i < behind.length; i++) {
+            double z = rows.depth(i / rows.pixels(), i % rows.pixels());
+            behind[i] = of(codes, range, z).behind(range, z);
+        }
+        return behind;
+    }
+
     /** The double that is farthest from {@code z} on the way to {@code end} and has its code. */
     private static double last(DepthFormat.Codes codes, double z, double end) {
         int code = codes.code(1 / z);

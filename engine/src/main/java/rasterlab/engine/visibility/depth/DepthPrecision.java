@@ -74,7 +74,7 @@ public final class DepthPrecision {
             case "z16" -> perWindow * 0x1p-16;
             case "z24" -> perWindow * 0x1p-24;
             case "z32" -> perWindow * 0x1p-32;
-            case "zfloat" -> perWindow * Math.ulp((float) window);
+            case "zfloat" -> perWindow * Math.ulp(Math.min(Math.nextDown(1f), (float) window));
             case "reversed-z" -> perWindow * Math.ulp((float) (1 - window));
             case "linear-16" -> 2 * (1 - 1 / ratio) * 0x1p-16;
             default ->

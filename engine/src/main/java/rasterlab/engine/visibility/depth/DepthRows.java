@@ -6,13 +6,13 @@ import rasterlab.contract.DepthRange;
  * Surfaces one behind the other along a scan line, or in a single pixel.
  *
  * <p>Pixel i of n is the share f = i/(n − 1) along the line, where surface s has the nearness (1 −
- * f)/from[s] + f/to[s].
+ * f)/depths[s] + f/to[s].
  *
- * @param from z of each surface in the first pixel, between the planes; 1 to 1000 surfaces
+ * @param depths z of each surface in the first pixel, between the planes; 1 to 1000 surfaces
  * @param to z of each surface in the last pixel, between the planes
  * @param pixels 1 to 8192; times the surfaces at most 131072; a single one is the first
  */
-public record DepthRows(DepthRange range, double[] from, double[] to, int pixels) {
+public record DepthRows(DepthRange range, double[] depths, double[] to, int pixels) {
     /** The most surfaces. */
     public static final int MOST_SURFACES = 1000;
 
@@ -22,14 +22,14 @@ public record DepthRows(DepthRange range, double[] from, double[] to, int pixels
     static final int MOST_DEPTHS = 131_072;
 
     public DepthRows {
-        require("number of surfaces", from.length, MOST_SURFACES);
-        if (to.length != from.length)
+        require("number of surfaces", depths.length, MOST_SURFACES);
+        if (to.length != depths.length)
             throw new IllegalArgumentException(
-                    "to must have as many depths as from, %d, got %d"
-                            .formatted(from.length, to.length));
+                    "to must have as many depths as depths, %d, got %d"
+                            .formatted(depths.length, to.length));
         require("pixels", pixels, MOST_PIXELS);
-        require("surfaces times pixels", from.length * pixels, MOST_DEPTHS);
-        from = between("from", range, from);
+        require("surfaces times pixels", depths.length * pixels, MOST_DEPTHS);
+        depths = between("depths", range, depths);
         to = between("to", range, to);
     }
 
@@ -39,22 +39,29 @@ public record DepthRows(DepthRange range, double[] from, double[] to, int pixels
     }
 
     public int surfaces() {
-        return from.length;
+        return depths.length;
     }
 
     /** How many depths there are, those of all surfaces and pixels. */
     public int count() {
-        return from.length * pixels;
+        return depths.length * pixels;
     }
 
     /** 1/z of a surface in the first pixel. */
     public double nearness(int surface) {
-        return 1 / from[surface];
+        return 1 / depths[surface];
     }
 
     /** How much 1/z of a surface grows from pixel to pixel. */
     public double perPixel(int surface) {
-        return pixels == 1 ? 0 : (1 / to[surface] - 1 / from[surface]) / (pixels - 1);
+        return pixels == 1 ? 0 : (1 / to[surface] - 1 / depths[surface]) / (pixels - 1);
+    }
+
+    /** z of a surface in a pixel, between the planes whatever was rounded. */
+    double depth(int surface, int pixel) {
+        if (pixel == 0) return depths[surface];
+        double z = 1 / (nearness(surface) + pixel * perPixel(surface));
+        return Math.max(range.near(), Math.min(range.far(), z));
     }
 
     private static void require(String name, int value, int most) {

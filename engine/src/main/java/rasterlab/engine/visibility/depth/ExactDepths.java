@@ -47,7 +47,7 @@ final class ExactDepths {
         return IntStream.range(0, rows.surfaces())
                 .mapToObj(
                         s -> {
-                            BigDecimal a = new BigDecimal(rows.from()[s]);
+                            BigDecimal a = new BigDecimal(rows.depths()[s]);
                             BigDecimal b = new BigDecimal(rows.to()[s]);
                             BigDecimal i = BigDecimal.valueOf(pixel);
                             BigDecimal j = BigDecimal.valueOf(whole - pixel);

@@ -192,20 +192,18 @@ class DepthFormatTest {
         refused("near must be from 1E-100 to 1E100, got 0.0", () -> new DepthRange(0, 1));
         refused("near must be from 1E-100 to 1E100, got NaN", () -> new DepthRange(0 / 0.0, 1));
         refused(
-                "far must be at least 1.000001 times near, that is 5.000005, up to 1E100, or"
-                        + " infinite, got 5.0",
+                "far must be at least 1.000001·near and at most 1E100, or infinite, got 5.0 with near 5.0",
                 () -> new DepthRange(5, 5));
         refused(
-                "far must be at least 1.000001 times near, that is 5.000005, up to 1E100, or"
-                        + " infinite, got 4.0",
+                "far must be at least 1.000001·near and at most 1E100, or infinite, got 4.0 with near 5.0",
                 () -> new DepthRange(5, 4));
         var range = new DepthRange(1, 10);
         refused(
-                "from[1] must be finite and from near to far, 1.0 to 10.0, got 10.5",
+                "depths[1] must be finite and from near to far, 1.0 to 10.0, got 10.5",
                 () -> DepthRows.pixel(range, 1, 10.5));
         refused("number of surfaces must be from 1 to 1000, got 0", () -> DepthRows.pixel(range));
         refused(
-                "to must have as many depths as from, 2, got 1",
+                "to must have as many depths as depths, 2, got 1",
                 () -> new DepthRows(range, new double[] {1, 2}, new double[] {1}, 3));
         refused(
                 "pixels must be from 1 to 8192, got 8193",
