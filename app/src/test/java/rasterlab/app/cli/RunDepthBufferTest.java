@@ -30,7 +30,8 @@ class RunDepthBufferTest {
     void withoutFarThereIsNoFarPlane() {
         Ran.labReading("{\"near\":1,\"depths\":[4]}", "run", "depth-buffer", "linear-16")
                 .assertComplains(
-                        3, "./lab run: far must be finite for equal steps of depth, got Infinity");
+                        3,
+                        "./lab run: linear-16 refuses: far must be finite for equal steps of depth, got Infinity");
         Ran ran =
                 Ran.labReading("{\"near\":1,\"depths\":[4]}", "run", "depth-buffer", "reversed-z");
         assertEquals(
