@@ -36,7 +36,7 @@ class RunDepthBufferTest {
                 Ran.labReading("{\"near\":1,\"depths\":[4]}", "run", "depth-buffer", "reversed-z");
         assertEquals(
                 "{\"codes\":[-1048576000],\"stored\":[0.25],\"z\":[4.0],"
-                        + "\"separable\":[2.3841858620153516E-7],\"front\":[0]}\n",
+                        + "\"separable\":[1.1920929399167335E-7],\"front\":[0]}\n",
                 ran.out());
         ran.assertDone();
     }
