@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Rays against equations without rounding; 100,000 with {@code -Drasterlab.full=true}. */
 class RandomRaysTest {
-    private static final int RAYS = Boolean.getBoolean("rasterlab.full") ? 100_000 : 400;
+    private static final int RAYS = Boolean.getBoolean("rasterlab.full") ? 100_000 : 100;
     private static final int STEPS = 300;
 
     /** World units about a place found in which the exact place lies, where the ray is no graze. */
