@@ -57,8 +57,8 @@ class ObjModelTest {
                 read("a face without area is let in", "f 1 2 2\nf 1 2 3", "0 1 2"),
                 argumentSet(
                         "a byte order mark is a keyword",
-                        "\uFEFF" + Texts.SQUARE + "f 1 2 3",
-                        "0 1 2"),
+                        "\uFEFF" + Texts.SQUARE + "f 2 3 4",
+                        "1 2 3"),
                 argumentSet("a bent face is let in", bent + "f 1 2 3 4", "3 0 1 | 3 1 2"),
                 argumentSet("a face is cut outside", arrow + "f 1 2 3 4", "0 1 2 | 0 2 3"),
                 argumentSet("cutting turns a face over", arrow + "f 4 3 2 1", "0 3 2 | 0 2 1"));

@@ -11,9 +11,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Rays against equations without rounding; 100,000 with {@code -Drasterlab.full=true}. */
+/** Rays against equations without rounding; 5,000 with {@code -Drasterlab.full=true}. */
 class RandomRaysTest {
-    private static final int RAYS = Boolean.getBoolean("rasterlab.full") ? 100_000 : 100;
+    private static final int RAYS = Boolean.getBoolean("rasterlab.full") ? 5_000 : 100;
     private static final int STEPS = 300;
 
     /** World units about a place found in which the exact place lies, where the ray is no graze. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.stream.Stream;
+import org.joml.Matrix4d;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,6 +35,7 @@ class RayTest {
         Shape cube = new Cube(2);
         Shape spindle = Shapes.spindle();
         Shape vase = Revolution.vase();
+        Shape egg = new Placed(sphere, new Matrix4d().translate(0, 0, 5).scale(1, 1, 3));
         return Stream.of(
                 met("the far side of a sphere is taken", 2, sphere, -3, 0, 0, 1, 0, 0),
                 met("from inside a sphere nothing is seen", 1, sphere, 0, 0, 0, 1, 0, 0),
@@ -65,6 +67,8 @@ class RayTest {
                 met("a spindle's tip lets rays in", 1, spindle, 0, 0, 3, 0, 0, -1),
                 met("a level ray misses the spindle's knot", 2, spindle, -3, 0, 0, 1, 0, 0),
                 met("a slanting ray misses the spindle's knot", 1, spindle, 2, 0, 1, -1, 0, -1),
+                met("a placed shape is met where it was", 7, egg, 0, 0, 9 + 6, 0, 0, -1),
+                met("stretching changes t", 3.5, egg, 0, 0, 9 + 6, 0, 0, -2),
                 met("the vase has a lid", 325, vase, 0, 0, 200, 0, 0, -1),
                 met("the vase has no bottom", 75, vase, 0, 0, -200, 0, 0, 1),
                 met("from inside the vase nothing is seen", 94, vase, 0, 0, -50, 0, -1, 0));

@@ -3,6 +3,7 @@ package rasterlab.engine.scene.shape;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.stream.Stream;
+import org.joml.Matrix4d;
 import org.junit.jupiter.params.provider.Arguments;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.geometry.Vector;
@@ -40,6 +41,12 @@ final class Shapes {
                 new TexturePlace(0, 1));
     }
 
+    static Placed leaningCan() {
+        return new Placed(
+                Cylinder.closed(1, 2),
+                new Matrix4d().translate(3, -1, 2).rotateX(0.7).scale(1, 2, 0.5).rotateY(0.3));
+    }
+
     static Stream<Arguments> closed() {
         return Stream.of(
                 argumentSet("sphere", new Sphere(2)),
@@ -48,7 +55,8 @@ final class Shapes {
                 argumentSet("thin torus", new Torus(3, 0.05)),
                 argumentSet("cube", new Cube(3)),
                 argumentSet("spindle", spindle()),
-                argumentSet("bottle", bottle()));
+                argumentSet("bottle", bottle()),
+                argumentSet("leaning, stretched can", leaningCan()));
     }
 
     static Stream<Arguments> all() {

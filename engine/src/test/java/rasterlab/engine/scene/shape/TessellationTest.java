@@ -8,6 +8,7 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.joml.Matrix4d;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
@@ -49,6 +50,12 @@ class TessellationTest {
                         (Executable) () -> new Sphere(1).triangles(100_000, 100_000),
                         "100000×100000 steps make 20000000000 triangles, at most 67108864 are"
                                 + " allowed"),
+                argumentSet(
+                        "a mirror image is placed",
+                        (Executable)
+                                () -> new Placed(new Sphere(1), new Matrix4d().scaling(-1, 1, 1)),
+                        "toWorld must be affine with a finite determinant above 0, got -1.0 and\n"
+                                + new Matrix4d().scaling(-1, 1, 1)),
                 argumentSet(
                         "NaN is a radius",
                         (Executable) () -> new Sphere(Double.NaN),
