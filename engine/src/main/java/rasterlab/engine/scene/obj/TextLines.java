@@ -74,7 +74,7 @@ final class TextLines {
             text.append((char) c);
         }
         int last = text.length() - 1;
-        boolean joined = !comment && last >= 0 && text.charAt(last) == '\\';
+        boolean joined = last >= 0 && text.charAt(last) == '\\';
         if (joined) text.setCharAt(last, ' ');
         return joined;
     }

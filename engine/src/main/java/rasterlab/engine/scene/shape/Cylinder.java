@@ -67,8 +67,8 @@ public record Cylinder(double radius, double height, boolean bottom, boolean top
     @Override
     public void meet(Ray ray) {
         meetSide(ray);
-        if (bottom) new Disc(-height / 2, radius, false).meet(ray);
-        if (top) new Disc(height / 2, radius, true).meet(ray);
+        if (bottom) Disc.meet(ray, -height / 2, radius, false);
+        if (top) Disc.meet(ray, height / 2, radius, true);
     }
 
     private void meetSide(Ray ray) {

@@ -36,16 +36,20 @@ record Disc(double height, double radius, boolean up) implements Patch {
         double round = Span.direction(u);
         double reach = radius * v;
         out.place(reach * Math.cos(round), reach * Math.sin(round), height);
-        finish(out);
+        finish(out, radius, up);
     }
 
-    private void finish(SurfacePoint out) {
+    private static void finish(SurfacePoint out, double radius, boolean up) {
         out.normal(0, 0, up ? 1 : -1);
         double half = 2 * radius;
         out.texture(0.5 + out.x / half, 0.5 + (up ? out.y : -out.y) / half);
     }
 
     void meet(Ray ray) {
+        meet(ray, height, radius, up);
+    }
+
+    static void meet(Ray ray, double height, double radius, boolean up) {
         if (ray.dz == 0) return;
         double t = (height - ray.oz) / ray.dz;
         if (!ray.takes(t)) return;
@@ -54,6 +58,6 @@ record Disc(double height, double radius, boolean up) implements Patch {
         if (x * x + y * y > BEYOND * radius * radius) return;
         SurfacePoint out = ray.take(t);
         out.z = height;
-        finish(out);
+        finish(out, radius, up);
     }
 }

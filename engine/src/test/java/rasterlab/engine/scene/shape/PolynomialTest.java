@@ -24,6 +24,8 @@ class PolynomialTest {
         return Stream.of(
                 argumentSet("x = 0 is no root", new double[] {0}, new double[] {0, 1}),
                 argumentSet("the range's end is cut off", new double[] {1}, new double[] {-1, 1}),
+                argumentSet(
+                        "the range's start is left out", new double[] {-1}, new double[] {1, 1}),
                 argumentSet("the range has no end", new double[] {}, new double[] {-2, 1}),
                 argumentSet("a touch is lost", new double[] {0.5}, new double[] {.25, -1, 1}),
                 argumentSet("a near miss touches", new double[] {}, new double[] {.250001, -1, 1}),

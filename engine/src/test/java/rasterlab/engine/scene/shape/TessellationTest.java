@@ -156,6 +156,22 @@ class TessellationTest {
         }
     }
 
+    @ParameterizedTest(name = "the texture of the {argumentSetName} is mirrored")
+    @MethodSource("rasterlab.engine.scene.shape.Shapes#all")
+    void texturesAreSeenFromTheirFront(Shape shape) {
+        var mesh = shape.triangles(24, 12);
+        float[] s = mesh.values(VertexQuantity.TEXTURE_S);
+        float[] t = mesh.values(VertexQuantity.TEXTURE_T);
+        int[] corners = mesh.triangles();
+        for (int i = 0; i < corners.length; i += 3) {
+            int a = corners[i];
+            int b = corners[i + 1];
+            int c = corners[i + 2];
+            double area = (s[b] - s[a]) * (t[c] - t[a]) - (s[c] - s[a]) * (t[b] - t[a]);
+            assertTrue(area > 0, "triangle " + i / 3);
+        }
+    }
+
     private static final class Vector3 {
         private final double x;
         private final double y;
