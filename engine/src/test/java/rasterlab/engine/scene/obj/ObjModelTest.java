@@ -60,6 +60,10 @@ class ObjModelTest {
                         "\uFEFF" + Texts.SQUARE + "f 2 3 4",
                         "1 2 3"),
                 argumentSet("a bent face is let in", bent + "f 1 2 3 4", "3 0 1 | 3 1 2"),
+                argumentSet(
+                        "a sliver that cutting makes is let in",
+                        "v 0 0 0\nv 2 -1e-12 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4 5",
+                        "0 2 3 | 0 3 4"),
                 argumentSet("a face is cut outside", arrow + "f 1 2 3 4", "0 1 2 | 0 2 3"),
                 argumentSet("cutting turns a face over", arrow + "f 4 3 2 1", "0 3 2 | 0 2 1"));
     }
@@ -104,6 +108,25 @@ class ObjModelTest {
         assertArrayEquals(new float[] {0, 1, 1, 0, 0}, red.values(VertexQuantity.TEXTURE_S));
         assertArrayEquals(new float[] {1, 1, 1, 1, 1}, red.values(VertexQuantity.NORMAL_Z));
         assertFalse(red.hasColors());
+    }
+
+    @Test
+    @DisplayName("front and back share a vertex, whose normal is that of one")
+    void cornersOfTwoNormalsAreTwoVertices() throws Exception {
+        ObjModel model =
+                Texts.read(
+                        Texts.SQUARE + "vn 0 0 1\nvn 0 0 -1\nf 1//1 2//1 3//1\nf 3//2 2//2 1//2");
+        assertEquals(6, model.parts().get(0).mesh().vertexCount());
+    }
+
+    @Test
+    @DisplayName("each of any number of unknown words makes a note")
+    void notesEndSomewhere() throws Exception {
+        var text = new StringBuilder(Texts.SQUARE + "f 1 2 3\n");
+        for (int i = 0; i < 60; i++) text.append("x").append(i).append('\n');
+        List<String> notes = Texts.read(text.toString()).notes();
+        assertEquals(51, notes.size());
+        assertEquals("a.obj:56: other unknown keywords were passed over, 10 times", notes.get(50));
     }
 
     private static List<String> names(List<ObjModel.Part> parts) {

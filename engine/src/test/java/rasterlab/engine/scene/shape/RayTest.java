@@ -13,7 +13,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.SplineEnds;
+import rasterlab.engine.geometry.Vector;
 
 class RayTest {
     private static final double NOTHING = Double.POSITIVE_INFINITY;
@@ -35,6 +37,7 @@ class RayTest {
         Shape cube = new Cube(2);
         Shape spindle = Shapes.spindle();
         Shape vase = Revolution.vase();
+        Shape quad = Quad.whole(new Vector(0, 0, 0), new Vector(1, 0, 0), new Vector(0, 1, 0));
         Shape egg = new Placed(sphere, new Matrix4d().translate(0, 0, 5).scale(1, 1, 3));
         return Stream.of(
                 met("the far side of a sphere is taken", 2, sphere, -3, 0, 0, 1, 0, 0),
@@ -63,10 +66,15 @@ class RayTest {
                 met("from inside a cube nothing is seen", 1, cube, 0, 0, 0, 0, 0, -1),
                 met("a ray in a cube's face misses", 1, cube, -2, 1, 0, 1, 0, 0),
                 met("a ray past a cube's face meets", NOTHING, cube, -2, 1.01, 0, 1, 0, 0),
+                met("a slanting ray past a cube meets it", NOTHING, cube, 0, 3, 0, 1, -1, 0),
                 met("a ray at a cube's corner misses", 2, cube, -3, -3, -3, 1, 1, 1),
                 met("a spindle's tip lets rays in", 1, spindle, 0, 0, 3, 0, 0, -1),
                 met("a level ray misses the spindle's knot", 2, spindle, -3, 0, 0, 1, 0, 0),
                 met("a slanting ray misses the spindle's knot", 1, spindle, 2, 0, 1, -1, 0, -1),
+                met("a quad has no right side", NOTHING, quad, 1.1, 0, 5, 0, 0, -1),
+                met("a quad has no lower side", NOTHING, quad, 0, -1.1, 5, 0, 0, -1),
+                met("a quad's corner is left out", 5, quad, 1, 1, 5, 0, 0, -1),
+                met("a quad is not seen from behind", 5, quad, 0.5, 0, -5, 0, 0, 1),
                 met("a placed shape is met where it was", 7, egg, 0, 0, 9 + 6, 0, 0, -1),
                 met("stretching changes t", 3.5, egg, 0, 0, 9 + 6, 0, 0, -2),
                 met("the vase has a lid", 325, vase, 0, 0, 200, 0, 0, -1),
@@ -129,6 +137,15 @@ class RayTest {
         assertEquals(2, ray.t());
         ray.aim(-5, 0, 0, -1, 0, 0, 0);
         assertFalse(ray.met());
+    }
+
+    @ParameterizedTest(name = "the tip met from z = {0} has no normal")
+    @ValueSource(ints = {-5, 5})
+    void tipsLookAlongTheAxis(int z) {
+        var ray = new Ray();
+        ray.aim(0, 0, z, 0, 0, -Math.signum(z), 0);
+        Shapes.spindle().meet(ray);
+        assertEquals(Math.signum(z), ray.point().normalZ());
     }
 
     @Test

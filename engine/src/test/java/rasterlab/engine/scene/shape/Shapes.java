@@ -38,7 +38,7 @@ final class Shapes {
                 new TexturePlace(-1, 0.2),
                 new TexturePlace(2.5, 0),
                 new TexturePlace(2, 3),
-                new TexturePlace(0, 1));
+                new TexturePlace(-0.5, 2));
     }
 
     static Placed leaningCan() {

@@ -57,6 +57,10 @@ class TessellationTest {
                         "toWorld must be affine with a finite determinant above 0, got -1.0 and\n"
                                 + new Matrix4d().scaling(-1, 1, 1)),
                 argumentSet(
+                        "0 is a radius",
+                        (Executable) () -> new Sphere(0),
+                        "sphere's radius must be from 1.0E-30 to 1.0E30, got 0.0"),
+                argumentSet(
                         "NaN is a radius",
                         (Executable) () -> new Sphere(Double.NaN),
                         "sphere's radius must be from 1.0E-30 to 1.0E30, got NaN"));
@@ -170,6 +174,16 @@ class TessellationTest {
             double area = (s[b] - s[a]) * (t[c] - t[a]) - (s[c] - s[a]) * (t[b] - t[a]);
             assertTrue(area > 0, "triangle " + i / 3);
         }
+    }
+
+    @Test
+    @DisplayName("the texture leans at the poles")
+    void polesTakeTheMiddleOfTheTexture() {
+        float[] s = new Sphere(1).triangles(4, 2).values(VertexQuantity.TEXTURE_S);
+        assertEquals(0.125f, s[0]);
+        assertEquals(0, s[1]);
+        assertEquals(0.125f, s[2]);
+        assertEquals(0.375f, s[3]);
     }
 
     private static final class Vector3 {
