@@ -120,6 +120,14 @@ class ObjModelTest {
     }
 
     @Test
+    @DisplayName("triples with one slot of the table are one")
+    void cornersKeepTheirNumbers() {
+        var table = new CornerTable();
+        for (int round = 0; round < 2; round++)
+            for (int i = 0; i < 10_000; i++) assertEquals(i, table.number(7, 7, i));
+    }
+
+    @Test
     @DisplayName("each of any number of unknown words makes a note")
     void notesEndSomewhere() throws Exception {
         var text = new StringBuilder(Texts.SQUARE + "f 1 2 3\n");

@@ -139,6 +139,16 @@ class RayTest {
         assertFalse(ray.met());
     }
 
+    @Test
+    @DisplayName("the ray stays turned behind a placed shape")
+    void placedShapesLeaveTheRayAsItWas() {
+        var ray = new Ray();
+        ray.aim(-5, 0, 0, 1, 0, 0, 0);
+        new Placed(new Sphere(1), new Matrix4d().translate(9, 0, 0)).meet(ray);
+        new Sphere(1).meet(ray);
+        assertEquals(4, ray.t());
+    }
+
     @ParameterizedTest(name = "the tip met from z = {0} has no normal")
     @ValueSource(ints = {-5, 5})
     void tipsLookAlongTheAxis(int z) {
