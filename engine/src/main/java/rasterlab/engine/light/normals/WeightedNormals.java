@@ -13,7 +13,7 @@ import rasterlab.engine.light.UnitVector;
  * 20(6), 1971 (plain); G. Thürmer, C. A. Wüthrich, Computing vertex normals from polygonal facets,
  * Journal of Graphics Tools 3(1), 1998 (angles).
  */
-final class WeightedNormals implements VertexNormals {
+public final class WeightedNormals implements VertexNormals {
     /** A sum below this share of its weights has no direction. */
     private static final double CANCELLED = 1e-9;
 
@@ -21,6 +21,11 @@ final class WeightedNormals implements VertexNormals {
 
     WeightedNormals(Weight weight) {
         this.weight = weight;
+    }
+
+    /** By the faces' angles at the vertex: the mean that no cut of a flat face changes. */
+    public static VertexNormals byAngle() {
+        return new WeightedNormals(Weight.ANGLE);
     }
 
     @Override
