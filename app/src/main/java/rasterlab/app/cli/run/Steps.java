@@ -43,8 +43,7 @@ final class Steps {
      * @throws Complaint if they are too many
      */
     static void requireAtMost(long most, String what, long count) {
-        if (count > most)
-            throw Complaint.badInput("--steps: at most " + most + " " + what + ", got " + count);
+        Work.requireAtMost("--steps", most, what, count);
     }
 
     /**
