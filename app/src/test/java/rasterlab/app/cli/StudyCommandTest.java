@@ -154,6 +154,15 @@ class StudyCommandTest {
     }
 
     @Test
+    void unknownLanguageIsToldThoseThereAre() {
+        Ran.lab("study", "line", "--lang", "fr")
+                .assertComplains(
+                        2,
+                        "./lab study: invalid value for option '--lang': expected one of en, ru,"
+                                + " got 'fr' (see `./lab study --help`)");
+    }
+
+    @Test
     @EnabledOnOs(OS.LINUX)
     void placeThatCannotBeWrittenIsFoundBeforeMeasuring() {
         Ran ran = Ran.lab("study", "line", "--quick", "--out", "/proc/a.svg");
