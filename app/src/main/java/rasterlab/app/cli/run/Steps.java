@@ -66,6 +66,12 @@ final class Steps {
         writeArray(json, steps, fields);
     }
 
+    /** Writes {@code steps} that decide nothing. */
+    static <T> void write(JsonGenerator json, List<T> steps, Fields<T> fields) throws IOException {
+        json.writeFieldName("steps");
+        writeArray(json, steps, fields);
+    }
+
     /** Writes {@code decision} and {@code steps}, a list for each thing that was walked for. */
     static <T> void writeLists(
             JsonGenerator json, String formula, List<List<T>> lists, Fields<T> fields)
