@@ -1,12 +1,15 @@
 package rasterlab.app.cli;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
@@ -36,11 +39,13 @@ class ChartCommandTest {
     void writesEveryForm() throws Exception {
         Path png = folder.resolve("g.PNG");
         Path csv = folder.resolve("g.csv");
-        Ran.lab("chart", "perspective", "--out", png.toString(), "--out", csv.toString())
-                .assertDone();
+        Ran ran = Ran.lab("chart", "perspective", "--out", png.toString(), "--out", csv.toString());
+        ran.assertDone();
+        assertEquals("wrote " + png + "\nwrote " + csv + "\n", ran.err());
         BufferedImage picture = ImageIO.read(png.toFile());
         assertEquals("1000×700", picture.getWidth() + "×" + picture.getHeight());
-        assertTrue(has(picture, MethodColours.BLUE), "the curve's colour");
+        assertFalse(has(picture, MethodColours.BLUE, 500, 0), "the curve does not fall");
+        assertTrue(has(picture, MethodColours.BLUE, 500, 350), "the curve does not end low");
         List<String> lines = Files.readAllLines(csv);
         assertEquals("distance,gamma,stretch", lines.get(0));
         assertEquals("0.25,9.0,runs-away", lines.get(1));
@@ -74,12 +79,16 @@ class ChartCommandTest {
         assertEquals(1 + 6 * 17, lines.size());
         BufferedImage picture = ImageIO.read(png.toFile());
         assertEquals("1000×700", picture.getWidth() + "×" + picture.getHeight());
-        assertTrue(has(picture, MethodColours.of("zfloat")), "the colour of zfloat");
+        assertTrue(
+                has(picture, MethodColours.of("zfloat"), 0, 350)
+                        || has(picture, MethodColours.of("zfloat"), 500, 0),
+                "the colour of zfloat");
     }
 
-    private static boolean has(BufferedImage picture, Color colour) {
-        for (int y = 0; y < picture.getHeight(); y++)
-            for (int x = 0; x < picture.getWidth(); x++)
+    /** Whether a quarter of the picture, with that corner at its top left, has the colour. */
+    private static boolean has(BufferedImage picture, Color colour, int left, int top) {
+        for (int y = top; y < top + 350; y++)
+            for (int x = left; x < left + 500; x++)
                 if (picture.getRGB(x, y) == colour.getRGB()) return true;
         return false;
     }
@@ -104,6 +113,7 @@ class ChartCommandTest {
         Ran.lab("chart", "perspective", "--lang", "ru", "--out", svg.toString()).assertDone();
         String text = Files.readString(svg);
         assertTrue(text.contains("как в параллельной проекции"), "its limit");
+        assertEquals(2, text.split("fill-opacity:0\\.").length - 1, "bands");
         assertEquals(
                 List.of(),
                 Pattern.compile(">([^<]*[a-zA-Z]{3}[^<]*)<")
@@ -111,6 +121,19 @@ class ChartCommandTest {
                         .results()
                         .map(found -> found.group(1).strip())
                         .toList());
+    }
+
+    @Test
+    void pictureIsInItsLanguageToo() throws Exception {
+        byte[] english = pngIn("en");
+        assertArrayEquals(english, pngIn("EN"));
+        assertFalse(Arrays.equals(english, pngIn("ru")), "the Russian picture is the English one");
+    }
+
+    private byte[] pngIn(String language) throws Exception {
+        Path png = folder.resolve(language + ".png");
+        Ran.lab("chart", "perspective", "--lang", language, "--out", png.toString()).assertDone();
+        return Files.readAllBytes(png);
     }
 
     @Test
@@ -126,5 +149,13 @@ class ChartCommandTest {
                         "./lab chart: "
                                 + strange
                                 + ": unknown extension; allowed are .svg, .png, .csv");
+        Path nowhere = folder.resolve("no/g.svg");
+        Ran.lab("chart", "perspective", "--out", nowhere.toString())
+                .assertComplains(
+                        2,
+                        "./lab chart: "
+                                + nowhere
+                                + ": cannot be written: no folder "
+                                + nowhere.getParent());
     }
 }
