@@ -3,8 +3,7 @@ package rasterlab.app.cli;
 import java.util.Iterator;
 import java.util.List;
 import rasterlab.engine.pipeline.Renderer;
-import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.scene.catalogue.Scenes;
 
 /** The engine's names as help lists them and the shell completes them. */
 abstract class EngineNames implements Iterable<String> {
@@ -21,7 +20,7 @@ abstract class EngineNames implements Iterable<String> {
 
     static final class OfScenes extends EngineNames {
         OfScenes() {
-            super(Scenes.all().stream().map(Scene::name).toList());
+            super(Scenes.names());
         }
     }
 

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.scene.catalogue.Scenes;
 
 class RenderRequestTest {
     @ParameterizedTest(name = "{argumentSetName}")
