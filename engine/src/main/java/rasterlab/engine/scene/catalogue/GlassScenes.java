@@ -34,7 +34,7 @@ final class GlassScenes {
                         "sphere-and-cylinder",
                         Lamps.of(
                                 Light.at(Lamps.source(0.75, 0.9), 90, -75, 120),
-                                Light.from(Lamps.source(0.15, 0), 1, 1, 0.3)),
+                                Light.from(Lamps.source(0.3, 0), 1, 1, 0.3)),
                         camera,
                         2);
     }
@@ -55,7 +55,7 @@ final class GlassScenes {
                 Math.max(3, detail / 2));
         for (int k = 0; k < PANES.length; k++)
             parts.add(Finishes.glass(PANES[k], 0.45), pane(-75 + 75.0 * k, 45.0 * (k - 1)));
-        return parts.scene("transparency", Lamps.beside(camera), camera, 2.2);
+        return parts.scene("transparency", Lamps.beside(camera), camera, 1.8);
     }
 
     private static Quad pane(double x, double y) {

@@ -63,7 +63,7 @@ final class OrderScenes {
                     for (int k = 0; k < PAINTS.length; k++)
                         parts.add(Finishes.satin(PAINTS[k]), sheet(k));
                     var camera = new SphericalView(-1.1, 0.75, 500);
-                    return parts.scene("coplanar", Lamps.beside(camera), camera, 2.1);
+                    return parts.scene("coplanar", Lamps.beside(camera), camera, 1.75);
                 });
     }
 
