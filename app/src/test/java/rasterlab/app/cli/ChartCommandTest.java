@@ -47,6 +47,17 @@ class ChartCommandTest {
         assertTrue(lines.contains("4.0,1.5,calm"), lines.toString());
     }
 
+    @Test
+    void machBandsAreStepsThenBendsThenNeither() throws Exception {
+        Path csv = folder.resolve("m.csv");
+        Ran ran = Ran.lab("chart", "mach-bands", "--out=" + csv);
+        ran.assertDone();
+        assertTrue(ran.out().contains("gouraud"), ran.out());
+        List<String> lines = Files.readAllLines(csv);
+        assertEquals("longitude,flat,gouraud,phong", lines.get(0));
+        assertEquals(1 + 8 * 51, lines.size());
+    }
+
     private static boolean has(BufferedImage picture, Color colour) {
         for (int y = 0; y < picture.getHeight(); y++)
             for (int x = 0; x < picture.getWidth(); x++)
@@ -72,7 +83,9 @@ class ChartCommandTest {
     @Test
     void mistakesAreFoundBeforeAnythingIsWritten() {
         Ran.lab("chart", "perspektive")
-                .assertComplains(2, "./lab chart: no chart 'perspektive'; there is perspective");
+                .assertComplains(
+                        2,
+                        "./lab chart: no chart 'perspektive'; there are perspective, mach-bands");
         Path strange = folder.resolve("g.json");
         Ran.lab("chart", "perspective", "--out", strange.toString())
                 .assertComplains(
