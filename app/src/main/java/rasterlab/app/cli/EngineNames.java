@@ -9,7 +9,7 @@ import rasterlab.engine.naming.Named;
 import rasterlab.engine.pipeline.Cull;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.Stereo;
-import rasterlab.engine.pipeline.paint.TextureFilter;
+import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.Scenes;
@@ -70,9 +70,9 @@ abstract class EngineNames implements Iterable<String> {
         }
     }
 
-    static final class OfTextureFilters extends EngineNames {
-        OfTextureFilters() {
-            super(TextureFilter.names());
+    static final class OfTextureModes extends EngineNames {
+        OfTextureModes() {
+            super(TextureMode.names());
         }
     }
 

@@ -11,7 +11,7 @@ import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.Stereo;
 import rasterlab.engine.pipeline.paint.DepthCue;
 import rasterlab.engine.pipeline.paint.Sides;
-import rasterlab.engine.pipeline.paint.TextureFilter;
+import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.pipeline.wire.WireStyle;
 
@@ -29,7 +29,7 @@ final class LookOptions {
             names = "--texture",
             paramLabel = "FILTER",
             description = "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}",
-            completionCandidates = EngineNames.OfTextureFilters.class,
+            completionCandidates = EngineNames.OfTextureModes.class,
             defaultValue = "auto")
     private String texture;
 
@@ -113,7 +113,7 @@ final class LookOptions {
     Look look(String visibility, double rho) {
         Look look =
                 Look.of(visibility, ShadingMethod.named(shading))
-                        .withTexture(TextureFilter.named(texture))
+                        .withTexture(TextureMode.named(texture))
                         .withLight(seenTerms(), sides())
                         .withCull(Cull.named(cull))
                         .withWire(new WireStyle(HiddenLines.named(hiddenLines), crease));

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.BooleanSupplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -130,7 +131,7 @@ final class RenderCommand implements Callable<Integer> {
                         .map(file -> PngFile.read(file, request.width(), request.height()));
         var progress = new RenderProgress(console.err());
         long start = System.nanoTime();
-        Raster picture = new Renderer().render(request, progress);
+        Raster picture = drawn(request, progress);
         double milliseconds = (System.nanoTime() - start) / 1e6;
         Optional<PictureDifference> difference =
                 expected.map(image -> PictureDifference.of(copied(image), picture));
@@ -140,6 +141,14 @@ final class RenderCommand implements Callable<Integer> {
         new RenderReport(request, milliseconds, out, other, difference, shadings)
                 .write(console.out());
         return ExitCode.DONE;
+    }
+
+    private static Raster drawn(RenderRequest request, BooleanSupplier cancelled) {
+        try {
+            return new Renderer().render(request, cancelled);
+        } catch (IllegalArgumentException refusal) {
+            throw Complaint.refused(request.visibility() + " refuses: " + refusal.getMessage());
+        }
     }
 
     private RenderRequest request() {

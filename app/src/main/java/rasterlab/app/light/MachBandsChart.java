@@ -24,7 +24,6 @@ import rasterlab.engine.light.face.MachBands;
 /** Brightness along the equator of a faceted sphere by flat, Gouraud's and Phong's shading. */
 public final class MachBandsChart {
     private static final int PER_FACE = 51;
-    private static final double HALF_TURN = 180;
     private static final Color[] COLOURS = {
         MethodColours.ORANGE, MethodColours.BLUE, MethodColours.GREEN
     };
@@ -39,14 +38,12 @@ public final class MachBandsChart {
         return profiles;
     }
 
-    /** Degrees of longitude of each sample; the edge of two faces stands there twice. */
-    private static double[] longitudes() {
-        double[] degrees = new double[PER_FACE * MachBands.FACETS];
-        for (int i = 0; i < degrees.length; i++) {
-            double faces = i / PER_FACE + i % PER_FACE / (PER_FACE - 1.0);
-            degrees[i] = HALF_TURN * (faces / MachBands.FACETS - 0.5);
-        }
-        return degrees;
+    /** How many faces from the western rim each sample is; an edge of two faces is there twice. */
+    private static double[] places() {
+        double[] faces = new double[PER_FACE * MachBands.FACETS];
+        for (int i = 0; i < faces.length; i++)
+            faces[i] = i / PER_FACE + i % PER_FACE / (PER_FACE - 1.0);
+        return faces;
     }
 
     public static BufferedImage image(Language language) {
@@ -64,11 +61,11 @@ public final class MachBandsChart {
     /** The points of the curves as comma-separated values. */
     public static String csv() {
         var rows = new StringJoiner("\r\n", "", "\r\n");
-        rows.add("longitude," + String.join(",", MachBands.SHADINGS));
-        double[] longitudes = longitudes();
+        rows.add("faces," + String.join(",", MachBands.SHADINGS));
+        double[] places = places();
         var profiles = profiles().values();
-        for (int i = 0; i < longitudes.length; i++) {
-            var row = new StringJoiner(",").add("" + longitudes[i]);
+        for (int i = 0; i < places.length; i++) {
+            var row = new StringJoiner(",").add("" + places[i]);
             for (BrightnessProfile profile : profiles) row.add("" + profile.brightness()[i]);
             rows.add(row.toString());
         }
@@ -80,7 +77,7 @@ public final class MachBandsChart {
         XYChart chart =
                 new XYChartBuilder()
                         .title(texts.text("title"))
-                        .xAxisTitle(texts.text("longitude"))
+                        .xAxisTitle(texts.text("place"))
                         .yAxisTitle(texts.text("brightness"))
                         .build();
         style(chart.getStyler());
@@ -89,7 +86,7 @@ public final class MachBandsChart {
             XYSeries series =
                     chart.addSeries(
                             texts.text(profile.getKey()),
-                            longitudes(),
+                            places(),
                             profile.getValue().brightness());
             series.setMarker(SeriesMarkers.NONE);
             series.setLineColor(COLOURS[colour++]);
@@ -99,7 +96,7 @@ public final class MachBandsChart {
     }
 
     private static void style(XYStyler styler) {
-        styler.setXAxisMin(-HALF_TURN / 2).setXAxisMax(HALF_TURN / 2);
+        styler.setXAxisMin(0.0).setXAxisMax((double) MachBands.FACETS);
         styler.setYAxisMin(0.0).setYAxisMax(1.0);
         styler.setLegendPosition(LegendPosition.InsideNW);
         styler.setLocale(Locale.ROOT);

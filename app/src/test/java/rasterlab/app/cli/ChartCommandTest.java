@@ -54,7 +54,7 @@ class ChartCommandTest {
         ran.assertDone();
         assertTrue(ran.out().contains("gouraud"), ran.out());
         List<String> lines = Files.readAllLines(csv);
-        assertEquals("longitude,flat,gouraud,phong", lines.get(0));
+        assertEquals("faces,flat,gouraud,phong", lines.get(0));
         assertEquals(1 + 8 * 51, lines.size());
     }
 

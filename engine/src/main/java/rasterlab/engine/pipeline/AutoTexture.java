@@ -1,7 +1,7 @@
 package rasterlab.engine.pipeline;
 
 import rasterlab.engine.pipeline.paint.Minification;
-import rasterlab.engine.pipeline.paint.TextureFilter;
+import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.scene.Finish;
 
 /**
@@ -12,23 +12,23 @@ final class AutoTexture {
     private AutoTexture() {}
 
     static Choice of(RenderRequest request) {
-        TextureFilter asked = request.look().texture();
+        TextureMode asked = request.look().texture();
         if (request.look().shading() == ShadingMethod.WIRE)
-            return choice(TextureFilter.NONE, "edges have no texture");
+            return choice(TextureMode.NONE, "edges have no texture");
         if (request.scene().finishes().stream().map(Finish::texture).allMatch(t -> t.isEmpty()))
-            return choice(TextureFilter.NONE, "the scene has no texture");
-        if (asked != TextureFilter.AUTO) return choice(asked, "asked for");
+            return choice(TextureMode.NONE, "the scene has no texture");
+        if (asked != TextureMode.AUTO) return choice(asked, "asked for");
         RequestView seen = RequestView.of(request, request.width());
         var faces = Minification.of(seen.scene(), seen.viewed());
         if (faces.minified() == 0)
-            return choice(TextureFilter.LINEAR, "no pixel steps over more than a texel");
+            return choice(TextureMode.LINEAR, "no pixel steps over more than a texel");
         return choice(
-                TextureFilter.MIPMAP,
+                TextureMode.MIPMAP,
                 "pixels may step over texels on %d of %d textured faces; linear on the others"
                         .formatted(faces.minified(), faces.textured()));
     }
 
-    private static Choice choice(TextureFilter filter, String reason) {
+    private static Choice choice(TextureMode filter, String reason) {
         return new Choice(filter.code(), reason);
     }
 }

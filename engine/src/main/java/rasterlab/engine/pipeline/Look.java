@@ -6,7 +6,7 @@ import java.util.Set;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.paint.DepthCue;
 import rasterlab.engine.pipeline.paint.Sides;
-import rasterlab.engine.pipeline.paint.TextureFilter;
+import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.WireStyle;
 
 /**
@@ -26,7 +26,7 @@ import rasterlab.engine.pipeline.wire.WireStyle;
 public record Look(
         String visibility,
         ShadingMethod shading,
-        TextureFilter texture,
+        TextureMode texture,
         Set<LightTerm> terms,
         Sides sides,
         Cull cull,
@@ -44,7 +44,7 @@ public record Look(
         return new Look(
                 visibility,
                 shading,
-                TextureFilter.AUTO,
+                TextureMode.AUTO,
                 LightTerm.all(),
                 Sides.SCENE,
                 Cull.NONE,
@@ -62,7 +62,7 @@ public record Look(
         return new Look(visibility, other, texture, terms, sides, cull, wire, outline, cue, stereo);
     }
 
-    public Look withTexture(TextureFilter other) {
+    public Look withTexture(TextureMode other) {
         return new Look(visibility, shading, other, terms, sides, cull, wire, outline, cue, stereo);
     }
 

@@ -8,6 +8,7 @@ import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.Paints;
 import rasterlab.engine.pipeline.paint.Veil;
 import rasterlab.engine.pipeline.wire.WirePicture;
+import rasterlab.engine.pipeline.wire.WireStyle;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.Projection;
@@ -24,6 +25,9 @@ import rasterlab.engine.visibility.Visibility;
 public final class Renderer {
     /** The visibility method that the others are held against: one ray for each pixel. */
     public static final String REFERENCE = "raycast";
+
+    /** The method that hides nothing, so that wires are seen whole. */
+    private static final String HIDES_NOTHING = "none";
 
     /** To look names up; pictures are drawn by a renderer's own. */
     private static final Visibilities KNOWN = new Visibilities();
@@ -124,8 +128,13 @@ public final class Renderer {
         Optional<Veil> veil = look.cue().map(cue -> new Veil(cue, view, background));
         Visibility method = visibilities.named(look.visibility()).implementation();
         if (look.shading() == ShadingMethod.WIRE)
-            new WirePicture(view, look.wire(), background, veil, out).draw(method, cancelled);
+            new WirePicture(view, wire(look), background, veil, out).draw(method, cancelled);
         else method.draw(view, paint(request, seen, veil), out, cancelled);
+    }
+
+    private static WireStyle wire(Look look) {
+        boolean whole = look.visibility().equals(HIDES_NOTHING);
+        return whole ? look.wire().withoutHiding() : look.wire();
     }
 
     private static FacePaint paint(RenderRequest request, RequestView seen, Optional<Veil> veil) {

@@ -25,7 +25,7 @@ import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Material;
 import rasterlab.engine.pipeline.paint.DepthCue;
 import rasterlab.engine.pipeline.paint.Sides;
-import rasterlab.engine.pipeline.paint.TextureFilter;
+import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.LaidTexture;
@@ -92,7 +92,7 @@ class LookTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("transparent")
     void seesThroughFaces(int[] faces, String shading, int x, int argb) {
-        UnaryOperator<Look> nearest = look -> look.withTexture(TextureFilter.NEAREST);
+        UnaryOperator<Look> nearest = look -> look.withTexture(TextureMode.NEAREST);
         Raster picture = draw(layers(faces), shading, nearest);
         assertEquals(Integer.toHexString(argb), Integer.toHexString(picture.argb(x, 15)));
     }
@@ -129,6 +129,7 @@ class LookTest {
             Scene scene = layers(RED, NET).with(f -> f.texture().isEmpty() ? f : f.with(laid));
             Raster picture = draw(scene, "flat", look -> look);
             boolean border = picture.argb(10, 15) != 0xFF00FF00;
+            assertEquals(255, picture.argb(10, 15) >>> 24, wrap + ": is mixed with what is behind");
             assertEquals(wrap == Wrap.CLAMP, border, wrap + " " + picture.argb(10, 15));
         }
     }

@@ -231,6 +231,33 @@ class ShadingPictureTest {
     }
 
     @Test
+    @DisplayName("seams between triangles show")
+    void triangleEdgesAreSmooth() {
+        Scene scene = LitScenes.shinyBall(LitScenes.lamps(Reflection.PHONG, true, true));
+        var camera = new SphericalView(0.6, 1.6, 3);
+        PlainRays rays = rays(scene, "perspective", camera);
+        Raster picture = picture(scene, "phong", "perspective", camera);
+        int seams = 0;
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                PlainRays.Hit hit = rays.hit(x + 1e-6, y + 1e-9);
+                if (hit == null || rays.inside(x, y, hit) || silhouette(rays, x, y)) continue;
+                seams++;
+                int expected = formula(scene, rays, hit, "perspective");
+                assertTrue(
+                        levels(expected, picture.argb(x, y)) <= 1,
+                        "pixel (%d, %d) on an edge".formatted(x, y));
+            }
+        assertTrue(seams > 8, "only " + seams + " pixels on edges");
+    }
+
+    private static boolean silhouette(PlainRays rays, int x, int y) {
+        for (int dx = -1; dx <= 1; dx += 2)
+            for (int dy = -1; dy <= 1; dy += 2) if (rays.hit(x + dx, y + dy) == null) return true;
+        return false;
+    }
+
+    @Test
     @DisplayName("errors of flat and Gouraud shading are not told")
     void gouraudIsNearerToPhongThanFlat() {
         Scene scene = LitScenes.shinyBall(LitScenes.lamps(Reflection.PHONG, true, true));

@@ -2,7 +2,6 @@ package rasterlab.engine.pipeline;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
@@ -13,7 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.engine.pipeline.paint.TextureFilter;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
@@ -38,7 +38,7 @@ class TexturePictureTest {
                 LitScenes.everywhere());
     }
 
-    private Raster picture(Scene scene, TextureFilter filter, SphericalView camera) {
+    private Raster picture(Scene scene, TextureMode filter, SphericalView camera) {
         var request =
                 new RenderRequest(scene, "zfloat", "flat", "perspective", camera, WIDTH, HEIGHT);
         return renderer.render(request.with(request.look().withTexture(filter)), () -> false);
@@ -50,7 +50,7 @@ class TexturePictureTest {
             int width, int height, Wrap wrap, double[] st, SphericalView camera) {
         Texture texture = LitScenes.texels(width, height);
         Scene scene = floor(texture, wrap, st);
-        Raster picture = picture(scene, TextureFilter.NEAREST, camera);
+        Raster picture = picture(scene, TextureMode.NEAREST, camera);
         var sampler = new TextureSampler(texture, wrap, wrap);
         var rays = new PlainRays(scene, camera, true, WIDTH, HEIGHT);
         int wrong = 0;
@@ -96,7 +96,7 @@ class TexturePictureTest {
         var camera = new SphericalView(0.2, 1.3, 5);
         Texture texture = LitScenes.texels(64, 32);
         Scene scene = floor(texture, Wrap.REPEAT, 0, 0, 3, 0, 3, 5, 0, 5);
-        Raster picture = picture(scene, TextureFilter.MIPMAP, camera);
+        Raster picture = picture(scene, TextureMode.MIPMAP, camera);
         var sampler = new TextureSampler(texture, Wrap.REPEAT, Wrap.REPEAT);
         var rays = new PlainRays(scene, camera, true, WIDTH, HEIGHT);
         double h = 1e-4;
@@ -137,8 +137,8 @@ class TexturePictureTest {
             var camera = new SphericalView(0.2, 1.3, rho);
             Scene scene = floor(LitScenes.texels(64, 32), Wrap.REPEAT, UNEVEN);
             assertArrayEquals(
-                    picture(scene, TextureFilter.MIPMAP, camera).argb(),
-                    picture(scene, TextureFilter.AUTO, camera).argb());
+                    picture(scene, TextureMode.MIPMAP, camera).argb(),
+                    picture(scene, TextureMode.AUTO, camera).argb());
         }
     }
 
@@ -180,41 +180,57 @@ class TexturePictureTest {
         Scene scene = floor(LitScenes.texels(16, 16), Wrap.REPEAT, EVEN);
         var camera = new SphericalView(0.2, 1.3, 5);
         int different = 0;
-        int[] right = picture(scene, TextureFilter.NEAREST, camera).argb();
-        int[] affine = picture(scene, TextureFilter.AFFINE_NEAREST, camera).argb();
+        int[] right = picture(scene, TextureMode.NEAREST, camera).argb();
+        int[] affine = picture(scene, TextureMode.AFFINE_NEAREST, camera).argb();
         for (int i = 0; i < right.length; i++) if (right[i] != affine[i]) different++;
         assertTrue(different > 1000, different + " pixels differ");
         var parallel =
                 new RenderRequest(scene, "zfloat", "flat", "parallel", camera, WIDTH, HEIGHT);
         var look = parallel.look();
         assertArrayEquals(
-                renderer.render(parallel.with(look.withTexture(TextureFilter.NEAREST)), () -> false)
+                renderer.render(parallel.with(look.withTexture(TextureMode.NEAREST)), () -> false)
                         .argb(),
                 renderer.render(
-                                parallel.with(look.withTexture(TextureFilter.AFFINE_NEAREST)),
+                                parallel.with(look.withTexture(TextureMode.AFFINE_NEAREST)),
                                 () -> false)
                         .argb());
     }
 
     @Test
-    @DisplayName("affine mapping is not right at the corners of triangles")
-    void affineIsStraightBetweenCorners() {
-        Scene scene = floor(LitScenes.texels(16, 16), Wrap.REPEAT, EVEN);
-        var camera = new SphericalView(0, 1.2, 5);
+    @DisplayName("affine mapping is not straight on the screen between the corners of a triangle")
+    void affineMixesCornersOnTheScreen() {
+        Scene scene = floor(LitScenes.texels(16, 16), Wrap.REPEAT, UNEVEN);
+        var camera = new SphericalView(0.2, 1.2, 5);
         Mesh mesh = scene.mesh();
-        Raster picture = picture(scene, TextureFilter.AFFINE_NEAREST, camera);
-        double[][] corners = new double[4][];
-        for (int k = 0; k < 4; k++)
-            corners[k] = pixel(camera, scene, mesh.x(k), mesh.y(k), mesh.z(k));
-        double x = (corners[0][0] + corners[2][0]) / 2;
-        double y = (corners[0][1] + corners[2][1]) / 2;
-        int middle = picture.argb((int) Math.rint(x), (int) Math.rint(y));
+        Raster picture = picture(scene, TextureMode.AFFINE_NEAREST, camera);
         var sampler = new TextureSampler(LitScenes.texels(16, 16), Wrap.REPEAT, Wrap.REPEAT);
-        boolean near = false;
-        for (double ds = -0.07; ds <= 0.07; ds += 0.01)
-            for (double dt = -0.07; dt <= 0.07; dt += 0.01)
-                near |= sampler.nearest(0.5 + ds, 0.5 + dt) == middle;
-        assertTrue(near, "the middle of the diagonal on the screen shows " + middle);
+        int all = 0;
+        int wrong = 0;
+        for (int fan = 1; fan < 3; fan++) {
+            double[] a = pixel(camera, scene, mesh.x(0), mesh.y(0), mesh.z(0));
+            double[] b = pixel(camera, scene, mesh.x(fan), mesh.y(fan), mesh.z(fan));
+            double[] c = pixel(camera, scene, mesh.x(fan + 1), mesh.y(fan + 1), mesh.z(fan + 1));
+            double area = turn(a, b, c);
+            for (int y = 0; y < HEIGHT; y++)
+                for (int x = 0; x < WIDTH; x++) {
+                    double[] p = {x, y};
+                    double w0 = turn(p, b, c) / area;
+                    double w1 = turn(a, p, c) / area;
+                    double w2 = 1 - w0 - w1;
+                    if (w0 < 1e-3 || w1 < 1e-3 || w2 < 1e-3) continue;
+                    double s = w0 * UNEVEN[0] + w1 * UNEVEN[2 * fan] + w2 * UNEVEN[2 * fan + 2];
+                    double t = w0 * UNEVEN[1] + w1 * UNEVEN[2 * fan + 1] + w2 * UNEVEN[2 * fan + 3];
+                    all++;
+                    if (sampler.nearest(s, t) != picture.argb(x, y)) wrong++;
+                }
+        }
+        assertTrue(all > 3000, "only " + all + " pixels");
+        assertTrue(wrong <= 2, wrong + " of " + all + " pixels are wrong");
+    }
+
+    /** Twice the area of a triangle on the screen, with its sign. */
+    private static double turn(double[] a, double[] b, double[] c) {
+        return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     }
 
     private static double[] pixel(SphericalView camera, Scene scene, double x, double y, double z) {
@@ -227,16 +243,16 @@ class TexturePictureTest {
         return new double[] {WIDTH / 2 + scale * view[0], HEIGHT / 2 - scale * view[1]};
     }
 
-    @Test
-    @DisplayName("none shows the texture")
-    void noneShowsTheSurface() {
+    @ParameterizedTest(name = "none shows the texture: {0}")
+    @ValueSource(strings = {"flat", "phong"})
+    void noneShowsTheSurface(String shading) {
         Scene scene = floor(Texture.of(1, 1, 3, new int[] {0xFF123456}), Wrap.REPEAT, EVEN);
         var camera = new SphericalView(0.2, 1.2, 5);
-        int[] bare = picture(scene, TextureFilter.NONE, camera).argb();
-        int[] laid = picture(scene, TextureFilter.AUTO, camera).argb();
+        var request =
+                new RenderRequest(scene, "zfloat", shading, "perspective", camera, WIDTH, HEIGHT);
+        var bare = request.with(request.look().withTexture(TextureMode.NONE));
         int middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
-        assertEquals(0xFFFFFFFF, bare[middle]);
-        assertEquals(0xFF123456, laid[middle]);
-        assertNotEquals(bare[middle], laid[middle]);
+        assertEquals(0xFFFFFFFF, renderer.render(bare, () -> false).argb()[middle]);
+        assertEquals(0xFF123456, renderer.render(request, () -> false).argb()[middle]);
     }
 }

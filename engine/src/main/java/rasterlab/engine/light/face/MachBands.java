@@ -21,7 +21,7 @@ public final class MachBands {
     /** The shadings that are compared, the coarsest first. */
     public static final List<String> SHADINGS = List.of("flat", "gouraud", "phong");
 
-    private static final double[] LAMP = {3, 2, 6};
+    private static final double[] LAMP = {3, 0, 6};
     private static final double[] EYE = {0, 0, 8};
     private static final SurfaceMaterial SHINY = Faces.grey(0.6, 0.35, 30);
 

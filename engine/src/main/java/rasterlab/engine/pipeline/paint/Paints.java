@@ -19,8 +19,7 @@ import rasterlab.engine.visibility.ViewedMesh;
  * @param veil how they fade with depth
  * @param outline whether faces get edges of 0.96 of their colour, or tone, as flat faces
  */
-public record Paints(
-        FaceLights lights, TextureFilter filter, Optional<Veil> veil, boolean outline) {
+public record Paints(FaceLights lights, TextureMode filter, Optional<Veil> veil, boolean outline) {
 
     /** The vase's own rule. */
     public FacePaint tone() {
@@ -67,7 +66,7 @@ public record Paints(
     private FacePaint facewise(int[] fill, int[] edges) {
         boolean plain = veil.isEmpty();
         for (int f = 0; f < fill.length && plain; f++)
-            plain = fill[f] >>> 24 == 255 && (filter == TextureFilter.NONE || untextured(f));
+            plain = fill[f] >>> 24 == 255 && (filter == TextureMode.NONE || untextured(f));
         return plain ? new FlatPaint(fill, edges) : layered(new FaceColours(fill), edges);
     }
 

@@ -15,7 +15,7 @@ final class TextureLayer {
     private final Mesh mesh;
     private final ViewedMesh view;
     private final TextureStep step;
-    private final TextureFilter filter;
+    private final TextureMode filter;
     private final LaidTexture[] laid;
     private final TextureSampler[] samplers;
     private final boolean[] minified;
@@ -23,7 +23,7 @@ final class TextureLayer {
     /**
      * @param filter none lays nothing
      */
-    TextureLayer(Scene scene, ViewedMesh view, CornerWeights weights, TextureFilter filter) {
+    TextureLayer(Scene scene, ViewedMesh view, CornerWeights weights, TextureMode filter) {
         this.scene = scene;
         this.view = view;
         this.filter = filter;
@@ -33,11 +33,11 @@ final class TextureLayer {
         laid = new LaidTexture[finishes.size()];
         samplers = new TextureSampler[laid.length];
         for (int i = 0; i < laid.length; i++) {
-            if (filter == TextureFilter.NONE || finishes.get(i).texture().isEmpty()) continue;
+            if (filter == TextureMode.NONE || finishes.get(i).texture().isEmpty()) continue;
             laid[i] = finishes.get(i).texture().get();
             samplers[i] = new TextureSampler(laid[i].texture(), laid[i].alongS(), laid[i].alongT());
         }
-        minified = new boolean[filter == TextureFilter.AUTO ? mesh.faceCount() : 0];
+        minified = new boolean[filter == TextureMode.AUTO ? mesh.faceCount() : 0];
         for (int f = 0; f < minified.length; f++)
             minified[f] = lies(f) && step.minified(f, laid(f).texture());
     }

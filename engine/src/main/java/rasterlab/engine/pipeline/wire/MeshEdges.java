@@ -20,10 +20,6 @@ final class MeshEdges {
         private Edge alsoOf(int face) {
             return new Edge(from, to, one, face, shared + 1);
         }
-
-        boolean isOf(int face) {
-            return face == one || face == other;
-        }
     }
 
     private final Map<Long, Edge> edges = new LinkedHashMap<>();

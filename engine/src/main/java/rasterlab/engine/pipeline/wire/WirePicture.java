@@ -13,9 +13,9 @@ import rasterlab.engine.visibility.Visibility;
 /**
  * The edges of a mesh.
  *
- * <p>A pixel of an edge is seen where the method's picture shows one of the edge's own faces or the
- * background, or where the edge is not behind the plane of the face that is shown. The last is
- * needed along outlines, whose pixels half belong to what is behind them.
+ * <p>A pixel of an edge is seen where the method's picture shows the background, or where the edge
+ * is not behind the plane of the face that is shown: it is in the plane of its own faces, and along
+ * outlines before that of what half of its pixels show.
  */
 public final class WirePicture {
     /** How far behind a plane an edge still counts as in it, as a share of its nearness. */
@@ -89,7 +89,7 @@ public final class WirePicture {
             int x = (int) Math.rint(screen.x(t));
             int y = (int) Math.rint(screen.y(t));
             int shown = faces == ALL_SEEN ? FaceNumbers.BACKGROUND : faces[y * out.width() + x];
-            if (sees(edge, shown, t) != seen || !seen && step / DASH % 2 == 1) continue;
+            if (sees(shown, t) != seen || !seen && step / DASH % 2 == 1) continue;
             int argb = seen ? ink.seen() : ink.hidden();
             out.argb()[y * out.width() + x] =
                     veil.isPresent() ? veil.get().over(argb, depth(t)) : argb;
@@ -100,8 +100,8 @@ public final class WirePicture {
         return view.transform().central() ? 1 / screen.nearness(t) : -screen.nearness(t);
     }
 
-    private boolean sees(Edge edge, int shown, double t) {
-        if (shown == FaceNumbers.BACKGROUND || edge.isOf(shown - 1)) return true;
+    private boolean sees(int shown, double t) {
+        if (shown == FaceNumbers.BACKGROUND) return true;
         double plane = planeNearness(shown - 1, screen.x(t), screen.y(t));
         return !(screen.nearness(t) < plane - IN_PLANE * Math.abs(plane));
     }

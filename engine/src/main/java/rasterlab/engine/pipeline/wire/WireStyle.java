@@ -17,4 +17,9 @@ public record WireStyle(HiddenLines hidden, double creaseDegrees) {
             throw new IllegalArgumentException(
                     "crease must be from 0 to 180 degrees, got " + creaseDegrees);
     }
+
+    /** The same with every part of every edge. */
+    public WireStyle withoutHiding() {
+        return new WireStyle(HiddenLines.SHOWN, creaseDegrees);
+    }
 }

@@ -6,7 +6,7 @@ import java.util.Locale;
 import rasterlab.engine.naming.Named;
 
 /** How the faces' textures are looked up. */
-public enum TextureFilter {
+public enum TextureMode {
     /** The texel that the pixel's centre lies in. */
     NEAREST,
     /** The four texels around it mixed. */
@@ -27,13 +27,13 @@ public enum TextureFilter {
 
     /** The names that {@link #named} knows. */
     public static List<String> names() {
-        return Arrays.stream(values()).map(TextureFilter::code).toList();
+        return Arrays.stream(values()).map(TextureMode::code).toList();
     }
 
     /**
      * @throws IllegalArgumentException for an unknown name; the message lists the known ones
      */
-    public static TextureFilter named(String name) {
-        return Named.find("texture filter", name, List.of(values()), TextureFilter::code);
+    public static TextureMode named(String name) {
+        return Named.find("texture filter", name, List.of(values()), TextureMode::code);
     }
 }
