@@ -12,14 +12,16 @@ import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.naming.Named;
 
-/** Draws a chart of a formula, where there is nothing to measure. */
+/** Draws a chart of a formula, and of what was measured where there is such. */
 @Command(
         name = "chart",
         mixinStandardHelpOptions = true,
         description = {
-            "Draws the chart of a formula and prints its table.",
+            "Draws a chart and prints its table.",
             "perspective: the amount of perspective, gamma = 1 + 2*dz'/z', over z'/dz': how many",
             "  times larger the nearer of two equal depths appears, and where that runs away.",
+            "depth-precision: the smallest distance that depth buffers tell apart half way to the",
+            "  far plane, as a share of the depth, over far/near: measured, and by formula.",
             "mach-bands: brightness across a faceted sphere by flat, Gouraud's and Phong's shading."
         },
         footer = {"", "Example: ./lab chart perspective --out gamma.svg"})
@@ -28,8 +30,11 @@ final class ChartCommand implements Callable<Integer> {
 
     private final Console console;
 
-    @Parameters(index = "0", paramLabel = "CHART", description = "perspective or mach-bands")
-    private String chart;
+    @Parameters(
+            index = "0",
+            paramLabel = "CHART",
+            description = "perspective, depth-precision or mach-bands")
+    private String name;
 
     @Option(
             names = "--out",
@@ -49,17 +54,25 @@ final class ChartCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        NamedChart named = named();
+        Chart chart = chart();
         for (Path file : files) {
             extension(file);
             WholeFile.requireWritable(file);
         }
-        named.table().get().lines().forEach(console.out()::println);
+        chart.table().get().lines().forEach(console.out()::println);
         for (Path file : files) {
-            WholeFile.write(file, named.content(extension(file), language.inWindow()));
+            WholeFile.write(file, chart.content(extension(file), language.inWindow()));
             console.err().println("wrote " + file);
         }
         return ExitCode.DONE;
+    }
+
+    private Chart chart() {
+        try {
+            return Named.find("chart", name, Chart.all(), Chart::name);
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput(e.getMessage());
+        }
     }
 
     private static String extension(Path file) {
@@ -73,13 +86,5 @@ final class ChartCommand implements Callable<Integer> {
                                         file
                                                 + ": unknown extension; allowed are "
                                                 + String.join(", ", EXTENSIONS)));
-    }
-
-    private NamedChart named() {
-        try {
-            return Named.find("chart", chart, NamedChart.all(), NamedChart::name);
-        } catch (IllegalArgumentException e) {
-            throw Complaint.badInput(e.getMessage());
-        }
     }
 }

@@ -58,8 +58,8 @@ public final class Renderer {
         Method<Visibility> method = KNOWN.named(visibility);
         if (outline && !method.implementation().drawsOutlines())
             throw new IllegalArgumentException(
-                    "visibility '%s' draws no outlines; %s do"
-                            .formatted(visibility, String.join(" and ", outlining())));
+                    "visibility '%s' draws no outlines; those that do are %s"
+                            .formatted(visibility, String.join(", ", outlining())));
     }
 
     private static List<String> outlining() {

@@ -1,6 +1,5 @@
 package rasterlab.app.cli;
 
-import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
@@ -11,56 +10,73 @@ import rasterlab.app.light.MachBandsChart;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.perspective.PerspectiveChart;
 import rasterlab.app.perspective.Stretch;
-import rasterlab.engine.transform.PerspectiveAmount.Sample;
+import rasterlab.app.precision.DepthPrecisionChart;
+import rasterlab.engine.transform.PerspectiveAmount;
+import rasterlab.engine.visibility.depth.DepthPrecision;
 
 /**
  * A chart that {@code ./lab chart} draws.
  *
  * @param table what is printed
- * @param csv its points
+ * @param csv what a file of values has
  */
-record NamedChart(
+record Chart(
         String name,
         Supplier<TextTable> table,
         Function<Language, byte[]> svg,
-        Function<Language, BufferedImage> image,
+        Function<Language, byte[]> png,
         Supplier<String> csv) {
-
-    static List<NamedChart> all() {
+    static List<Chart> all() {
         return List.of(
-                new NamedChart(
+                new Chart(
                         "perspective",
-                        NamedChart::perspective,
+                        Chart::perspective,
                         PerspectiveChart::svg,
-                        PerspectiveChart::image,
+                        language -> PngFile.bytes(PerspectiveChart.image(language)),
                         PerspectiveChart::csv),
-                new NamedChart(
+                new Chart(
+                        "depth-precision",
+                        Chart::depthPrecision,
+                        DepthPrecisionChart::svg,
+                        language -> PngFile.bytes(DepthPrecisionChart.image(language)),
+                        DepthPrecisionChart::csv),
+                new Chart(
                         "mach-bands",
-                        NamedChart::machBands,
+                        Chart::machBands,
                         MachBandsChart::svg,
-                        MachBandsChart::image,
+                        language -> PngFile.bytes(MachBandsChart.image(language)),
                         MachBandsChart::csv));
     }
 
-    /**
-     * @param extension .svg, .png or .csv
-     */
+    /** The chart as a file of that kind: .svg, .png or .csv. */
     byte[] content(String extension, Language language) {
         return switch (extension) {
             case ".svg" -> svg.apply(language);
-            case ".png" -> PngFile.bytes(image.apply(language));
+            case ".png" -> png.apply(language);
             default -> csv.get().getBytes(StandardCharsets.UTF_8);
         };
     }
 
     private static TextTable perspective() {
         var table = new TextTable("z'/dz'", "gamma", "stretch");
-        for (Sample sample : PerspectiveChart.table())
+        for (PerspectiveAmount.Sample sample : PerspectiveChart.table())
             table.add(
                     List.of(
                             String.format(Locale.ROOT, "%.1f", sample.distance()),
                             String.format(Locale.ROOT, "%.3f", sample.gamma()),
                             Stretch.of(sample.distance()).code()));
+        return table;
+    }
+
+    private static TextTable depthPrecision() {
+        var table = new TextTable("format", "far/near", "measured", "predicted");
+        for (DepthPrecision.Sample sample : DepthPrecisionChart.table())
+            table.add(
+                    List.of(
+                            sample.format(),
+                            String.format(Locale.ROOT, "%.0e", sample.ratio()),
+                            String.format(Locale.ROOT, "%.3e", sample.measured()),
+                            String.format(Locale.ROOT, "%.3e", sample.predicted())));
         return table;
     }
 
@@ -72,12 +88,12 @@ record NamedChart(
                                 table.add(
                                         List.of(
                                                 shading,
-                                                String.format(
-                                                        Locale.ROOT, "%.3f", profile.largestStep()),
-                                                String.format(
-                                                        Locale.ROOT,
-                                                        "%.3f",
-                                                        profile.largestKink()))));
+                                                thousandths(profile.largestStep()),
+                                                thousandths(profile.largestKink()))));
         return table;
+    }
+
+    private static String thousandths(double share) {
+        return String.format(Locale.ROOT, "%.3f", share);
     }
 }
