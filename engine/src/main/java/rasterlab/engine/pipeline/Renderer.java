@@ -6,6 +6,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.Paints;
+import rasterlab.engine.pipeline.paint.SurfacePicture;
 import rasterlab.engine.pipeline.paint.Veil;
 import rasterlab.engine.pipeline.wire.WirePicture;
 import rasterlab.engine.pipeline.wire.WireStyle;
@@ -25,6 +26,9 @@ import rasterlab.engine.visibility.Visibility;
 public final class Renderer {
     /** The visibility method that the others are held against: one ray for each pixel. */
     public static final String REFERENCE = "raycast";
+
+    /** Draws a scene's surfaces instead of its faces; no method of the faces' visibility. */
+    public static final String SURFACES = "raycast-surface";
 
     /** The method that hides nothing, so that wires are seen whole. */
     private static final String HIDES_NOTHING = "none";
@@ -55,6 +59,10 @@ public final class Renderer {
     }
 
     static void checkNames(String visibility, boolean outline) {
+        if (visibility.equals(SURFACES)) {
+            if (outline) throw new IllegalArgumentException(SURFACES + " draws no outlines");
+            return;
+        }
         Method<Visibility> method = KNOWN.named(visibility);
         if (outline && !method.implementation().drawsOutlines())
             throw new IllegalArgumentException(
@@ -124,6 +132,12 @@ public final class Renderer {
             RenderRequest request, RequestView seen, Raster out, BooleanSupplier cancelled) {
         Look look = request.look();
         ViewedMesh view = seen.viewed();
+        if (look.visibility().equals(SURFACES)) {
+            look.requireSurfaces();
+            var lights = new FaceLights(seen.scene(), view, look.terms(), look.sides());
+            new SurfacePicture(lights, look.texture()).draw(out, cancelled);
+            return;
+        }
         int background = seen.scene().backgroundRgb();
         Optional<Veil> veil = look.cue().map(cue -> new Veil(cue, view, background));
         Visibility method = visibilities.named(look.visibility()).implementation();
