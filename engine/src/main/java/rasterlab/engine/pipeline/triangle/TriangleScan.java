@@ -21,6 +21,9 @@ final class TriangleScan {
     int b;
     int c;
 
+    /** Whether the triangle turns its inner side to the eye. */
+    boolean fromBehind;
+
     /** 1 / area. */
     float inverseArea;
 
@@ -28,6 +31,11 @@ final class TriangleScan {
     long stepB;
 
     long stepC;
+
+    /** What they grow by from a pixel to the next below. */
+    long downB;
+
+    long downC;
 
     /** The first row and the number of rows. */
     int top;
@@ -63,6 +71,7 @@ final class TriangleScan {
         a = first;
         b = area > 0 ? second : third;
         c = area > 0 ? third : second;
+        fromBehind = area > 0;
         inverseArea = 1f / Math.abs(area);
         int bx = v.x[b];
         int by = v.y[b];
@@ -83,10 +92,9 @@ final class TriangleScan {
         rowA = cross(cx - bx, cy - by, px - bx, py - by) + ownA;
         rowB = cross(ax - cx, ay - cy, px - cx, py - cy) + ownB;
         rowC = cross(bx - ax, by - ay, px - ax, py - ay) + ownC;
-        scan(
-                (long) (cx - bx) << Subpixels.BITS,
-                (long) (ax - cx) << Subpixels.BITS,
-                (long) (bx - ax) << Subpixels.BITS);
+        downB = (long) (ax - cx) << Subpixels.BITS;
+        downC = (long) (bx - ax) << Subpixels.BITS;
+        scan((long) (cx - bx) << Subpixels.BITS);
     }
 
     private static long cross(int ax, int ay, int bx, int by) {
@@ -105,7 +113,7 @@ final class TriangleScan {
      * quotient by way of a reciprocal is rounded to the right side. Where e grows to the right the
      * pixels begin at k, where it falls they end there; a level edge has step 0 and k = ±∞.
      */
-    private void scan(long downA, long downB, long downC) {
+    private void scan(long downA) {
         double perA = -1.0 / stepA;
         double perB = -1.0 / stepB;
         double perC = -1.0 / stepC;
