@@ -3,6 +3,7 @@ package rasterlab.engine.pipeline.triangle;
 /** One band of rows after the other: cleared, then drawn in the mesh's order. One per thread. */
 final class BandStage {
     private final TriangleScan scan = new TriangleScan();
+    private final TinyScan tiny = new TinyScan();
     private final PixelFill pixels = new PixelFill();
 
     /**
@@ -24,10 +25,22 @@ final class BandStage {
     }
 
     private void draw(Frame frame, ScreenVertices vertices, int[] triangles, int at, int top) {
+        int first = triangles[at];
+        int second = triangles[at + 1];
         int third = triangles[at + 2];
-        scan.load(vertices, triangles[at], triangles[at + 1], third, frame.out, top);
+        if (tiny.load(vertices, first, second, third, frame.out, top)) {
+            if (tiny.count > 0) fillTiny(frame, vertices, third);
+            return;
+        }
+        scan.load(vertices, first, second, third, frame.out, top);
         if (frame.surface instanceof Surface.Smooth) SmoothFill.fill(frame.out, scan, vertices);
         else if (frame.surface instanceof Surface.PerPixel) pixels.fill(scan, vertices, third);
         else FlatFill.fill(frame.out, scan, vertices, FlatFill.argb(vertices.attributes, third));
+    }
+
+    private void fillTiny(Frame frame, ScreenVertices vertices, int third) {
+        if (frame.surface instanceof Surface.Smooth) TinyFill.smooth(frame.out, tiny, vertices);
+        else if (frame.surface instanceof Surface.PerPixel) pixels.fill(tiny, vertices, third);
+        else TinyFill.flat(frame.out, tiny, vertices, FlatFill.argb(vertices.attributes, third));
     }
 }

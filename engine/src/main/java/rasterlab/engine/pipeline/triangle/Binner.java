@@ -54,6 +54,9 @@ final class Binner {
         int bottom = Subpixels.endPixel(Math.max(ay, Math.max(by, cy)));
         int left = Subpixels.firstPixel(Math.min(ax, Math.min(bx, cx)));
         int right = Subpixels.endPixel(Math.max(ax, Math.max(bx, cx)));
+        if (bottom - top == 1
+                && right - left == 1
+                && TinyScan.misses(left, top, ax, ay, bx, by, cx, cy, twiceArea > 0)) return;
         top = Math.max(top, 0);
         bottom = Math.min(bottom, frame.out.height());
         if (top >= bottom || Math.max(left, 0) >= Math.min(right, frame.out.width())) return;

@@ -63,6 +63,38 @@ final class PixelFill {
         interpolate(scan, v, third, first);
     }
 
+    /**
+     * @param third the vertex that has the colour of a flat triangle
+     */
+    void fill(TinyScan scan, ScreenVertices v, int third) {
+        if (batch.count + scan.count > PixelBatch.SIZE) flush();
+        int first = batch.count;
+        collect(scan, v);
+        interpolate(scan, v, third, first);
+    }
+
+    private void collect(TinyScan scan, ScreenVertices v) {
+        boolean early = blending.early();
+        float[] depth = out.depth();
+        float za = v.depth[scan.a];
+        float zb = v.depth[scan.b] - za;
+        float zc = v.depth[scan.c] - za;
+        int kept = batch.count;
+        for (int k = 0; k < scan.count; k++) {
+            int cell = scan.cell[k];
+            float atB = scan.edgeB[k] * scan.inverseArea;
+            float atC = scan.edgeC[k] * scan.inverseArea;
+            float here = za + atB * zb + atC * zc;
+            if (!(here < depth[cell])) continue;
+            if (early) depth[cell] = here;
+            else batch.depth[kept] = here;
+            batch.cell[kept] = cell;
+            weightB[kept] = atB;
+            weightC[kept++] = atC;
+        }
+        batch.count = kept;
+    }
+
     /** What is nearest of the n pixels of a row from its pixel {@code first} on. */
     private void collect(TriangleScan scan, ScreenVertices v, int row, int first, int n) {
         boolean early = blending.early();
@@ -91,7 +123,7 @@ final class PixelFill {
     }
 
     /** Values divided by w are linear on the picture: for the batch's pixels from {@code first}. */
-    private void interpolate(TriangleScan scan, ScreenVertices v, int third, int first) {
+    private void interpolate(Scan scan, ScreenVertices v, int third, int first) {
         if (batch.count == first) return;
         float qa = v.nearness[scan.a];
         float qb = v.nearness[scan.b];

@@ -33,7 +33,7 @@ final class PixelSlopes {
     }
 
     /** dn/dx and dq/dx for the batch's pixels from {@code first}, all of one triangle. */
-    void interpolate(TriangleScan scan, ScreenVertices v, int first) {
+    void interpolate(Scan scan, ScreenVertices v, int first) {
         if (count == 0) return;
         float rightB = scan.stepB * scan.inverseArea;
         float rightC = scan.stepC * scan.inverseArea;

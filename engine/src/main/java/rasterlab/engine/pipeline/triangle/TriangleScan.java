@@ -11,31 +11,9 @@ package rasterlab.engine.pipeline.triangle;
  *
  * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, 1988.
  */
-final class TriangleScan {
+final class TriangleScan extends Scan {
     /** Rows of a band. */
     static final int ROWS = 32;
-
-    /** The corners' numbers, so turned that the area is positive. */
-    int a;
-
-    int b;
-    int c;
-
-    /** Whether the triangle turns its inner side to the eye. */
-    boolean fromBehind;
-
-    /** 1 / area. */
-    float inverseArea;
-
-    /** What eB and eC grow by from a pixel to the next on its right. */
-    long stepB;
-
-    long stepC;
-
-    /** What they grow by from a pixel to the next below. */
-    long downB;
-
-    long downC;
 
     /** The first row and the number of rows. */
     int top;
@@ -101,9 +79,12 @@ final class TriangleScan {
         return (long) ax * by - (long) ay * bx;
     }
 
-    /** 0 where centres on the edge are owned, else −1: then e must be at least 1. */
-    private static int owned(int dx, int dy) {
-        return dy < 0 || dy == 0 && dx > 0 ? 0 : -1;
+    /**
+     * 0 where centres on the edge are owned, dy < 0 or dy = 0 and dx > 0; else −1: then e must be
+     * at least 1.
+     */
+    static int owned(int dx, int dy) {
+        return ~(2 * dy - (-dx >>> 31) >> 31);
     }
 
     /**

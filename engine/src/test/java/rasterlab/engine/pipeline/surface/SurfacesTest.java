@@ -137,7 +137,12 @@ class SurfacesTest {
                         new float[3],
                         new int[] {0, 1, 2});
         Surface seen =
-                new Surface.Flat(block -> block.red[2] = block.nx[0] + block.ny[1] + block.nz[2]);
+                new Surface.Flat(
+                        block ->
+                                block.red[2] =
+                                        Math.abs(block.nx[0])
+                                                + Math.abs(block.ny[1])
+                                                + Math.abs(block.nz[2]));
         try (var pipeline = new TrianglePipeline(1)) {
             pipeline.drawOn(7, TORUS, VIEW, LitSurfaces.gouraud(), out, () -> false);
             pipeline.drawOn(7, bare, VIEW, seen, out, () -> false);
