@@ -84,8 +84,7 @@ public final class TexturedPixels implements PixelColors {
         int[] texel = texels.get();
         look(batch, texel);
         under.color(batch);
-        for (int i = 0; i < batch.count; i++)
-            batch.argb[i] = environment.combine(batch.argb[i], texel[i]);
+        environment.combine(batch.count, batch.argb, texel);
     }
 
     private void look(PixelBatch batch, int[] texel) {
