@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import rasterlab.app.language.Language;
+import rasterlab.app.light.MachBandsChart;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.perspective.PerspectiveChart;
 import rasterlab.app.perspective.Stretch;
@@ -38,7 +39,13 @@ record Chart(
                         Chart::depthPrecision,
                         DepthPrecisionChart::svg,
                         language -> PngFile.bytes(DepthPrecisionChart.image(language)),
-                        DepthPrecisionChart::csv));
+                        DepthPrecisionChart::csv),
+                new Chart(
+                        "mach-bands",
+                        Chart::machBands,
+                        MachBandsChart::svg,
+                        language -> PngFile.bytes(MachBandsChart.image(language)),
+                        MachBandsChart::csv));
     }
 
     /** The chart as a file of that kind: .svg, .png or .csv. */
@@ -70,6 +77,23 @@ record Chart(
                             String.format(Locale.ROOT, "%.0e", sample.ratio()),
                             String.format(Locale.ROOT, "%.3e", sample.measured()),
                             String.format(Locale.ROOT, "%.3e", sample.predicted())));
+        return table;
+    }
+
+    private static TextTable machBands() {
+        var table = new TextTable("shading", "largest step", "largest bend per face");
+        MachBandsChart.profiles()
+                .forEach(
+                        (shading, profile) ->
+                                table.add(
+                                        List.of(
+                                                shading,
+                                                String.format(
+                                                        Locale.ROOT, "%.3f", profile.largestStep()),
+                                                String.format(
+                                                        Locale.ROOT,
+                                                        "%.3f",
+                                                        profile.largestKink()))));
         return table;
     }
 }

@@ -85,6 +85,17 @@ class ChartCommandTest {
                 "the colour of zfloat");
     }
 
+    @Test
+    void machBandsAreStepsThenBendsThenNeither() throws Exception {
+        Path csv = folder.resolve("m.csv");
+        Ran ran = Ran.lab("chart", "mach-bands", "--out=" + csv);
+        ran.assertDone();
+        assertTrue(ran.out().contains("gouraud"), ran.out());
+        List<String> lines = Files.readAllLines(csv);
+        assertEquals("faces,flat,gouraud,phong", lines.get(0));
+        assertEquals(1 + 8 * 51, lines.size());
+    }
+
     /** Whether a quarter of the picture, with that corner at its top left, has the colour. */
     private static boolean has(BufferedImage picture, Color colour, int left, int top) {
         for (int y = top; y < top + 350; y++)
@@ -141,7 +152,7 @@ class ChartCommandTest {
         Ran.lab("chart", "perspektive")
                 .assertComplains(
                         2,
-                        "./lab chart: no chart 'perspektive'; there are perspective, depth-precision");
+                        "./lab chart: no chart 'perspektive'; there are perspective, depth-precision, mach-bands");
         Path strange = folder.resolve("g.json");
         Ran.lab("chart", "perspective", "--out", strange.toString())
                 .assertComplains(

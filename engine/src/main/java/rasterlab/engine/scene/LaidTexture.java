@@ -20,4 +20,9 @@ public record LaidTexture(
                     "environment must be for the texture's %d components, got one for %d"
                             .formatted(texture.components(), environment.components()));
     }
+
+    /** Whether no colour but the texture's own is mixed in at its rim. */
+    public boolean hasNoBorder() {
+        return alongS != Wrap.CLAMP && alongT != Wrap.CLAMP;
+    }
 }

@@ -2,6 +2,7 @@ package rasterlab.engine.scene;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import rasterlab.engine.transform.SphericalView;
 
 /**
@@ -89,6 +90,37 @@ public record Scene(
                 backgroundRgb,
                 defaultCamera,
                 zoom * pictureScale);
+    }
+
+    /** The same scene with some of its faces only, in the order given. */
+    public Scene only(int[] faces) {
+        return new Scene(
+                name,
+                MeshPart.of(mesh, faces),
+                finishes,
+                Arrays.stream(faces).map(face -> finishOf[face]).toArray(),
+                light,
+                backgroundRgb,
+                defaultCamera,
+                pictureScale);
+    }
+
+    /** The same scene with other finishes, one for each of its own. */
+    public Scene with(UnaryOperator<Finish> change) {
+        return new Scene(
+                name,
+                mesh,
+                finishes.stream().map(change).toList(),
+                finishOf,
+                light,
+                backgroundRgb,
+                defaultCamera,
+                pictureScale);
+    }
+
+    /** Which of the finishes a face has. */
+    public int finishNumber(int face) {
+        return finishOf[face];
     }
 
     /** What a face looks like. */
