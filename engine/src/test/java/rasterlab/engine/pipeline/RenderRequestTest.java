@@ -57,8 +57,8 @@ class RenderRequestTest {
                         central,
                         10,
                         false,
-                        "no visibility method 'z17';"
-                                + " there are painter-textbook, painter, zfloat, raycast"),
+                        "no visibility method 'z17'; there are "
+                                + String.join(", ", Renderer.visibilities())),
                 argumentSet(
                         "unknown shading is accepted",
                         z,
