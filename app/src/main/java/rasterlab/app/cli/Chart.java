@@ -88,12 +88,12 @@ record Chart(
                                 table.add(
                                         List.of(
                                                 shading,
-                                                String.format(
-                                                        Locale.ROOT, "%.3f", profile.largestStep()),
-                                                String.format(
-                                                        Locale.ROOT,
-                                                        "%.3f",
-                                                        profile.largestKink()))));
+                                                thousandths(profile.largestStep()),
+                                                thousandths(profile.largestKink()))));
         return table;
+    }
+
+    private static String thousandths(double share) {
+        return String.format(Locale.ROOT, "%.3f", share);
     }
 }

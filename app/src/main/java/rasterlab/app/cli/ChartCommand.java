@@ -30,7 +30,10 @@ final class ChartCommand implements Callable<Integer> {
 
     private final Console console;
 
-    @Parameters(index = "0", paramLabel = "CHART", description = "perspective, depth-precision or mach-bands")
+    @Parameters(
+            index = "0",
+            paramLabel = "CHART",
+            description = "perspective, depth-precision or mach-bands")
     private String name;
 
     @Option(

@@ -203,6 +203,16 @@ class LookTest {
                 "at z = 8 of 8 to 10");
     }
 
+    @Test
+    @DisplayName("what is cut off for its depth still counts for the depth cue")
+    void fadesBetweenTheDepthsThatAreDrawn() {
+        var plain =
+                new RenderRequest(layers(GLASS), "painter", "flat", "perspective", LEVEL, 40, 30);
+        var cued = plain.with(plain.look().withCue(new DepthCue(0.75)));
+        int glass = cut(cued, 7, 9.5).argb(15, 15);
+        assertEquals("ff182470", Integer.toHexString(glass), "half faded at 9 of 8 to 9.5");
+    }
+
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("shadings")
     void autoChooses(Scene scene, Set<LightTerm> terms, String chosen, String reason) {

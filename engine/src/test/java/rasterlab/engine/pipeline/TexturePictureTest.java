@@ -26,7 +26,7 @@ import rasterlab.engine.transform.SphericalView;
 class TexturePictureTest {
     private static final int WIDTH = 160;
     private static final int HEIGHT = 120;
-    private static final double[] UNEVEN = {0, 0, 1.2, 0.1, 0.9, 2.3, -0.4, 1.7};
+    private static final double[] UNEVEN = {0.3, -0.2, 1.2, 0.1, 0.9, 2.3, -0.4, 1.7};
     private static final double[] EVEN = {0, 0, 1, 0, 1, 1, 0, 1};
 
     private final Renderer renderer = new Renderer();

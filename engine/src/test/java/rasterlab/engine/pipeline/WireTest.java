@@ -183,17 +183,22 @@ class WireTest {
         var request = new RenderRequest(scene, "zfloat", "wire", "perspective", inside, SIZE, SIZE);
         Raster wire = renderer.render(request, () -> false);
         Raster faces = renderer.render(request.withShading(ShadingMethod.TONE), () -> false);
+        int edges = 0;
         for (int y = 2; y < SIZE - 2; y++)
-            for (int x = 2; x < SIZE - 2; x++)
-                if (wire.argb(x, y) == WHITE)
-                    assertTrue(meet(faces, x, y), "no faces meet at (%d, %d)".formatted(x, y));
-        assertTrue(count(wire, WHITE) > 50, count(wire, WHITE) + " pixels");
+            for (int x = 2; x < SIZE - 2; x++) {
+                boolean meet = differs(faces, x, y, faces.argb(x, y));
+                if (meet) edges++;
+                String at = "at (%d, %d)".formatted(x, y);
+                if (wire.argb(x, y) == WHITE) assertTrue(meet, "no faces meet " + at);
+                else if (meet) assertTrue(differs(wire, x, y, BLACK), "no edge " + at);
+            }
+        assertTrue(edges > 200, edges + " pixels on edges");
     }
 
-    private static boolean meet(Raster faces, int x, int y) {
+    /** Whether a pixel or one around it has another colour. */
+    private static boolean differs(Raster picture, int x, int y, int argb) {
         for (int dy = -1; dy <= 1; dy++)
-            for (int dx = -1; dx <= 1; dx++)
-                if (faces.argb(x + dx, y + dy) != faces.argb(x, y)) return true;
+            for (int dx = -1; dx <= 1; dx++) if (picture.argb(x + dx, y + dy) != argb) return true;
         return false;
     }
 }
