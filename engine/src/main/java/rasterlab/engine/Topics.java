@@ -29,6 +29,7 @@ import rasterlab.engine.transform.matrix.MatrixTopic;
 import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.view.ViewTopic;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
+import rasterlab.engine.visibility.hidden.HiddenSurfacesTopic;
 import rasterlab.engine.visibility.order.DepthOrderTopic;
 
 /** The list of every topic there is. */
@@ -57,6 +58,7 @@ public final class Topics {
                 new AxisTopic(),
                 new VisibleFacesTopic(),
                 new DepthOrderTopic(),
+                new HiddenSurfacesTopic(),
                 new SplineFunctionTopic(),
                 new CurveTopic(),
                 new ShadeTopic(),

@@ -50,7 +50,9 @@ class RenderRequestTest {
                         10,
                         false,
                         "no visibility method 'z17';"
-                                + " there are painter-textbook, painter, zfloat, raycast"),
+                                + " there are none, back-face, convex, painter-textbook,"
+                                + " painter, newell, bsp, scanline, warnock, z16, z24, z32, zfloat,"
+                                + " reversed-z, raycast"),
                 argumentSet(
                         "unknown shading is accepted",
                         z,
@@ -82,7 +84,8 @@ class RenderRequestTest {
                         central,
                         10,
                         true,
-                        "visibility 'zfloat' draws no outlines; painter-textbook and painter do"),
+                        "visibility 'zfloat' draws no outlines; these do:"
+                                + " none, back-face, convex, painter-textbook, painter"),
                 argumentSet(
                         "outline is silently dropped by raycast",
                         "raycast",
@@ -90,7 +93,7 @@ class RenderRequestTest {
                         central,
                         10,
                         true,
-                        "visibility 'raycast' draws no outlines;"
-                                + " painter-textbook and painter do"));
+                        "visibility 'raycast' draws no outlines; these do:"
+                                + " none, back-face, convex, painter-textbook, painter"));
     }
 }
