@@ -118,13 +118,21 @@ final class RenderCommand implements Callable<Integer> {
                 Optional.ofNullable(other)
                         .map(file -> PngFile.read(file, request.width(), request.height()));
         long start = System.nanoTime();
-        Raster picture = new Renderer().render(request, Thread.currentThread()::isInterrupted);
+        Raster picture = drawn(request);
         double milliseconds = (System.nanoTime() - start) / 1e6;
         Optional<PictureDifference> difference =
                 expected.map(image -> PictureDifference.of(copied(image), picture));
         if (out != null) WholeFile.write(out, PngFile.bytes(picture.image()));
         new RenderReport(request, milliseconds, out, other, difference).write(console.out());
         return ExitCode.DONE;
+    }
+
+    private static Raster drawn(RenderRequest request) {
+        try {
+            return new Renderer().render(request, Thread.currentThread()::isInterrupted);
+        } catch (IllegalArgumentException refusal) {
+            throw Complaint.refused(request.visibility() + " refuses: " + refusal.getMessage());
+        }
     }
 
     private RenderRequest request() {

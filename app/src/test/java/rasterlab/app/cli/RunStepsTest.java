@@ -42,6 +42,7 @@ class RunStepsTest {
                     "line-plane formula",
                     "line-plane unrounded",
                     "point-in-triangle robust",
+                    "hidden-surfaces raycast",
                     "matrix formula-textbook",
                     "matrix formula",
                     "view one-matrix",

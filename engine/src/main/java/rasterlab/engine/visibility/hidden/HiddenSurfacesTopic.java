@@ -11,7 +11,6 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Workload;
 import rasterlab.engine.visibility.Visibilities;
 import rasterlab.engine.visibility.Visibility;
-import rasterlab.engine.visibility.VisibilityWork;
 
 /**
  * The face seen at each pixel, by every visibility method, held against one ray for each pixel.
@@ -48,14 +47,8 @@ public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView,
 
     @Override
     public FacePicture record(Visibility method, SurfaceView input, int limit) {
-        var out = new Raster(input.width(), input.height());
-        method.draw(
-                input.view(),
-                FacePicture.NUMBERS,
-                out,
-                () -> Thread.currentThread().isInterrupted());
-        var picture = FacePicture.of(out);
-        if (out.argb().length > limit) throw new LimitReached(limit, picture);
+        FacePicture picture = DrawnFaces.by(method, input).picture();
+        if (input.width() * input.height() > limit) throw new LimitReached(limit, picture);
         return picture;
     }
 
@@ -88,13 +81,7 @@ public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView,
 
     @Override
     public Map<String, Long> operations(Visibility method, SurfaceView input) {
-        return work(method, input).operations();
-    }
-
-    /** What a method does for one picture. */
-    static VisibilityWork work(Visibility method, SurfaceView input) {
-        var out = new Raster(input.width(), input.height());
-        return method.draw(input.view(), FacePicture.NUMBERS, out, () -> false);
+        return DrawnFaces.by(method, input).work().operations();
     }
 
     /** {@inheritDoc} A picture is answered whole: the most that one may have. */
