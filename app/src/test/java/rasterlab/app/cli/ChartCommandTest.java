@@ -72,7 +72,10 @@ class ChartCommandTest {
     @Test
     void mistakesAreFoundBeforeAnythingIsWritten() {
         Ran.lab("chart", "perspektive")
-                .assertComplains(2, "./lab chart: no chart 'perspektive'; there is perspective");
+                .assertComplains(
+                        2,
+                        "./lab chart: no chart 'perspektive';"
+                                + " there are perspective, visibility-growth");
         Path strange = folder.resolve("g.json");
         Ran.lab("chart", "perspective", "--out", strange.toString())
                 .assertComplains(

@@ -42,7 +42,6 @@ class RunStepsTest {
                     "line-plane formula",
                     "line-plane unrounded",
                     "point-in-triangle robust",
-                    "hidden-surfaces raycast",
                     "matrix formula-textbook",
                     "matrix formula",
                     "view one-matrix",
@@ -51,7 +50,8 @@ class RunStepsTest {
                     "rotate quaternion",
                     "rotate total-angle",
                     "rotate-axis rodrigues",
-                    "rotate-axis quaternion");
+                    "rotate-axis quaternion",
+                    "hidden-surfaces raycast");
 
     /** What textbooks' programs do as they are printed, and how that is told. */
     private static final Map<String, String> GIVEN_UP =

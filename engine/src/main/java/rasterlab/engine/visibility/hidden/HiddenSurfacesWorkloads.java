@@ -10,7 +10,7 @@ final class HiddenSurfacesWorkloads {
     private static final int HEIGHT = 120;
 
     /** Of a single triangle: so many cover about as much as the picture has. */
-    private static final double REACH = 120;
+    private static final double REACH = 400;
 
     private HiddenSurfacesWorkloads() {}
 
