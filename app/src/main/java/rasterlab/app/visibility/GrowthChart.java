@@ -29,9 +29,16 @@ public final class GrowthChart {
     private static final int PANEL_HEIGHT = (ChartPicture.HEIGHT - TITLE) / 2;
     private static final int ROW = 19;
 
-    private final List<Growth> growths = Growth.all();
-    private final List<String> methods = growths.stream().map(Growth::method).distinct().toList();
+    private final List<String> methods = Growth.methodNames();
     private final Map<String, Color> colours = MethodColours.among(methods);
+
+    /** What was counted; empty until it is asked for, as that takes some seconds. */
+    private List<Growth> growths = List.of();
+
+    private List<Growth> growths() {
+        if (growths.isEmpty()) growths = Growth.all();
+        return growths;
+    }
 
     /** The methods in teaching order. */
     public List<String> methods() {
@@ -40,7 +47,7 @@ public final class GrowthChart {
 
     /** How a method's work grows along an axis. */
     public Growth growth(String method, Axis axis) {
-        return growths.stream()
+        return growths().stream()
                 .filter(growth -> growth.method().equals(method) && growth.axis() == axis)
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("no growth of " + method));
@@ -56,7 +63,7 @@ public final class GrowthChart {
 
     /** All points as comma-separated values. */
     public String csv() {
-        return growths.stream()
+        return growths().stream()
                 .flatMap(
                         growth ->
                                 IntStream.range(0, growth.sizes().length)

@@ -53,7 +53,7 @@ public final class Renderer {
         SHADINGS.named(shading);
         if (outline && !method.implementation().drawsOutlines())
             throw new IllegalArgumentException(
-                    "visibility '%s' draws no outlines; these do: %s"
+                    "visibility '%s' draws no outlines; those that do are %s"
                             .formatted(visibility, String.join(", ", outlining())));
     }
 

@@ -84,7 +84,7 @@ class RenderRequestTest {
                         central,
                         10,
                         true,
-                        "visibility 'zfloat' draws no outlines; these do:"
+                        "visibility 'zfloat' draws no outlines; those that do are"
                                 + " none, back-face, convex, painter-textbook, painter"),
                 argumentSet(
                         "outline is silently dropped by raycast",
@@ -93,7 +93,7 @@ class RenderRequestTest {
                         central,
                         10,
                         true,
-                        "visibility 'raycast' draws no outlines; these do:"
+                        "visibility 'raycast' draws no outlines; those that do are"
                                 + " none, back-face, convex, painter-textbook, painter"));
     }
 }

@@ -62,6 +62,11 @@ public record Growth(String method, Axis axis, int[] sizes, long[] work) {
         return growths;
     }
 
+    /** The methods whose growth is counted, in teaching order. */
+    public static List<String> methodNames() {
+        return methods().map(Method::name).toList();
+    }
+
     private static Stream<Method<Visibility>> methods() {
         return new Visibilities()
                 .methods().stream().filter(method -> !method.name().equals("convex"));
