@@ -2,6 +2,7 @@ package rasterlab.engine.pipeline;
 
 import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.Scene;
+import rasterlab.engine.visibility.ConvexBody;
 
 /**
  * The cheapest visibility method that is right.
@@ -11,6 +12,9 @@ import rasterlab.engine.scene.Scene;
  * pipeline, or where a paint must see each face's pixels, by a plain z-buffer.
  */
 final class AutoVisibility {
+    /** A body of more faces is not asked whether it is convex, which costs their square. */
+    private static final int FEW_FACES = 300;
+
     private AutoVisibility() {}
 
     static Choice of(RenderRequest request) {
@@ -19,6 +23,9 @@ final class AutoVisibility {
             return new Choice(look.visibility(), "asked for");
         if (look.outline()) return new Choice("painter", "outlines are drawn by painters only");
         Scene scene = request.scene();
+        int faces = scene.mesh().faceCount();
+        if (faces <= FEW_FACES && ConvexBody.flaw(scene.mesh()).isEmpty())
+            return new Choice("convex", "one convex body: what faces the eye is what is seen");
         boolean glass = scene.finishes().stream().anyMatch(AutoVisibility::seenThrough);
         boolean plain = look.cue().isEmpty() && look.shading() != ShadingMethod.TONE;
         if (glass && !plain)

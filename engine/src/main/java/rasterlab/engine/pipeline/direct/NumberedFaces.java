@@ -12,6 +12,7 @@ import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibility;
+import rasterlab.engine.visibility.VisibilityWork;
 
 /**
  * The triangle pipeline as one visibility method among others: it draws the faces' numbers as
@@ -22,10 +23,11 @@ public final class NumberedFaces implements Visibility {
     private static final int MOST_FACES = (1 << 24) - 1;
 
     @Override
-    public void draw(ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled) {
+    public VisibilityWork draw(
+            ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled) {
         require(view, paint);
         var space = new ClipSpace(view);
-        if (space.empty()) return;
+        if (space.empty()) return painted(0);
         var numbers = new DepthRaster(out.width(), out.height());
         int[] faces = IntStream.range(0, view.mesh().faceCount()).toArray();
         int[] colours = IntStream.of(faces).map(face -> 0xFF000000 | face + 1).toArray();
@@ -37,11 +39,13 @@ public final class NumberedFaces implements Visibility {
                     numbers,
                     cancelled);
         }
+        long pixels = 0;
         for (int y = 0; y < out.height(); y++) {
             if (cancelled.getAsBoolean())
                 throw new CancellationException("the picture is cancelled");
-            paintRow(numbers.raster(), y, paint, out);
+            pixels += paintRow(numbers.raster(), y, paint, out);
         }
+        return painted(pixels);
     }
 
     private static void require(ViewedMesh view, FacePaint paint) {
@@ -57,14 +61,23 @@ public final class NumberedFaces implements Visibility {
                                 .formatted(face));
     }
 
-    private static void paintRow(Raster numbers, int y, FacePaint paint, Raster out) {
+    /** The pipeline does not count its depth tests. */
+    private static VisibilityWork painted(long pixels) {
+        return new VisibilityWork(0, 0, pixels, 0);
+    }
+
+    private static int paintRow(Raster numbers, int y, FacePaint paint, Raster out) {
         int row = y * out.width();
         int[] number = Arrays.copyOfRange(numbers.argb(), row, row + out.width());
+        int painted = 0;
         for (int from = 0, to; from < number.length; from = to) {
             int face = (number[from] & 0xFFFFFF) - 1;
             to = from + 1;
             while (to < number.length && number[to] == number[from]) to++;
-            if (face >= 0) paint.span(face, y, from, to, out);
+            if (face < 0) continue;
+            paint.span(face, y, from, to, out);
+            painted += to - from;
         }
+        return painted;
     }
 }
