@@ -35,6 +35,10 @@ public record Formula(List<Part> parts) {
     public record Matrix(List<List<String>> cells) implements Part {
         public Matrix {
             cells = cells.stream().map(List::copyOf).toList();
+            requireRows(cells);
+        }
+
+        private static void requireRows(List<List<String>> cells) {
             if (cells.isEmpty() || cells.stream().anyMatch(row -> row.size() != width(cells)))
                 throw new IllegalArgumentException("matrix needs rows of one length, got " + cells);
         }

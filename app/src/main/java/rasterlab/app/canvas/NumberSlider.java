@@ -48,9 +48,10 @@ public final class NumberSlider extends JPanel {
         add(reading);
     }
 
-    /** The part that has the keyboard. */
-    public JSlider slider() {
-        return slider;
+    /** A label's mnemonic leads to the slider itself. */
+    @Override
+    public void requestFocus() {
+        slider.requestFocus();
     }
 
     /**

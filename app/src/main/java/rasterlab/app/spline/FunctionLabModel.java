@@ -107,6 +107,18 @@ public final class FunctionLabModel implements Steps, AutoCloseable {
                         : SplineEnds.slopes(ends.left(), slope));
     }
 
+    /** What the stage should show: knots, graphs and the slopes' handles. */
+    public Extent everything() {
+        var places = new ArrayList<>(state.choice().knots());
+        if (state.drawings().choice().equals(state.choice()))
+            places.addAll(state.drawing().graph());
+        if (state.choice().ends().kind() == SplineEnds.Kind.SLOPES) {
+            places.add(slopeHandle(true));
+            places.add(slopeHandle(false));
+        }
+        return Extent.of(places);
+    }
+
     private double reach() {
         double width = Extent.of(state.choice().knots()).width();
         return width > 0 ? width * REACH : 1;

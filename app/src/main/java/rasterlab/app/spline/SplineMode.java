@@ -15,4 +15,9 @@ public enum SplineMode {
     public String code() {
         return code;
     }
+
+    static SplineMode named(String code) {
+        for (SplineMode mode : values()) if (mode.code.equals(code)) return mode;
+        throw new IllegalArgumentException("no lab of splines is called '" + code + "'");
+    }
 }
