@@ -17,7 +17,7 @@ public record PlaneMap(double originX, double originY, double scaleX, double sca
     private static final double LARGEST = 1e250;
 
     /** Share of the view that a fitted box leaves free on each side. */
-    private static final double FREE = 0.08;
+    private static final double FREE = 0.11;
 
     public PlaneMap {
         requireScale("scaleX", scaleX);

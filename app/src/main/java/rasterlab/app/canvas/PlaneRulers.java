@@ -106,12 +106,23 @@ final class PlaneRulers {
                 lowWorld(),
                 highWorld(),
                 tick -> {
-                    String number = shortened(ticks.shown(tick, locale), metrics);
+                    String number = ticks.shown(tick, locale);
                     double middle = map.viewY(ticks.value(tick));
                     int at = (int) Math.round(middle + metrics.getAscent() / 2.0 - 1);
                     if (at - metrics.getAscent() >= Rulers.top() && at < view.height)
-                        g.drawString(number, Rulers.left() - 6 - metrics.stringWidth(number), at);
+                        paintRow(g, number, at);
                 });
+    }
+
+    /** One with a power of ten is written smaller where it is too long for the left margin. */
+    private void paintRow(Graphics2D g, String number, int base) {
+        g.setFont(font);
+        int wide = g.getFontMetrics().stringWidth(number);
+        if (number.contains("·") && wide > Rulers.left() - 8)
+            g.setFont(font.deriveFont(font.getSize2D() * (Rulers.left() - 8) / wide));
+        String fitting = shortened(number, g.getFontMetrics());
+        g.drawString(fitting, Rulers.left() - 6 - g.getFontMetrics().stringWidth(fitting), base);
+        g.setFont(font);
     }
 
     /** A number that fits the left margin: of a long one, the end, which is what changes. */

@@ -60,6 +60,6 @@ record RoundTicks(int digit, int exponent) {
             format.setMinimumFractionDigits(Math.max(0, -exponent));
             format.setMaximumFractionDigits(Math.max(0, -exponent));
         }
-        return tick == 0 ? "0" : format.format(value(tick));
+        return tick == 0 ? "0" : Shown.withPower(format.format(value(tick)));
     }
 }

@@ -7,7 +7,8 @@ import java.util.Locale;
 /** Numbers as every lab writes them: few digits, the language's comma, a minus as wide as plus. */
 public final class Shown {
     private static final double LONG = 1e6;
-    private static final double SHORT = 1e-4;
+
+    private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
     private Shown() {}
 
@@ -25,11 +26,21 @@ public final class Shown {
         symbols.setMinusSign('−');
         double size = Math.abs(value);
         boolean power = size >= LONG && value != Math.rint(value) || size >= 1e10;
-        boolean tiny = size > 0 && size < SHORT;
-        var format = new DecimalFormat(power || tiny ? "0.###E0" : "0.#", symbols);
+        boolean tiny = size > 0 && size < Math.pow(10, -decimals);
+        var format = new DecimalFormat(power || tiny ? "0.##E0" : "0.#", symbols);
         if (!power && !tiny) format.setMaximumFractionDigits(decimals);
-        String text = format.format(value);
+        String text = withPower(format.format(value));
         return text.equals("−0") ? "0" : text;
+    }
+
+    /** {@code 1.5·10⁻⁷} for {@code 1.5E−7}. */
+    static String withPower(String number) {
+        int mark = number.indexOf('E');
+        if (mark < 0) return number;
+        var raised = new StringBuilder();
+        for (char each : number.substring(mark + 1).toCharArray())
+            raised.append(each == '−' ? '⁻' : RAISED.charAt(each - '0'));
+        return number.substring(0, mark) + "·10" + raised;
     }
 
     /** {@code (x, y)}; between numbers with a decimal comma stands a semicolon. */

@@ -14,7 +14,7 @@ import rasterlab.engine.spline.CurvePlace;
  * @param teeth of all curves in order
  */
 public record CurvatureComb(List<Tooth> teeth) {
-    private static final double LENGTH = 0.14;
+    private static final double LENGTH = 0.09;
     private static final double LONGEST = 1.5;
     private static final int TEETH = 160;
 

@@ -3,6 +3,7 @@ package rasterlab.app.spline;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.contract.Curve;
+import rasterlab.engine.spline.CurvePlace;
 import rasterlab.engine.spline.CurveTask;
 
 /**
@@ -21,6 +22,8 @@ public record CurveChoice(
         String method,
         String comparison,
         CurveOverlays overlays) {
+    private static final int SAMPLES = 48;
+
     public CurveChoice {
         points = List.copyOf(points);
     }
@@ -33,6 +36,17 @@ public record CurveChoice(
     /** Where the points' handles are. */
     public List<Place> handles() {
         return form.handles(points);
+    }
+
+    /** The box around handles and curves. */
+    Extent extent() {
+        var places = new ArrayList<>(handles());
+        for (Curve curve : curves())
+            for (int i = 0; i <= SAMPLES; i++) {
+                CurvePlace place = CurvePlace.at(curve, (double) i / SAMPLES);
+                places.add(new Place(place.x(), place.y()));
+            }
+        return Extent.of(places);
     }
 
     CurveChoice withPoints(List<Place> others) {

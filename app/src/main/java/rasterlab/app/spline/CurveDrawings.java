@@ -28,7 +28,7 @@ public record CurveDrawings(
 
     static CurveDrawings of(CurveTopic topic, CurveChoice choice, BooleanSupplier cancelled) {
         List<Curve> curves = choice.curves();
-        Extent extent = Extent.of(choice.handles());
+        Extent extent = choice.extent();
         var shown = new ArrayList<Polyline>();
         var wanted = new ArrayList<Polyline>();
         for (Curve curve : curves) {

@@ -13,6 +13,9 @@ public enum CurveForm {
     CATMULL_ROM("catmull-rom", Curve.Kind.CATMULL_ROM, 4, 60),
     B_SPLINE("b-spline", Curve.Kind.B_SPLINE, 4, 60);
 
+    /** Fewer points make one span only, and no joint to look at. */
+    private static final int SEVERAL = 6;
+
     private final String code;
     private final Curve.Kind kind;
     private final int least;
@@ -80,13 +83,12 @@ public enum CurveForm {
 
     /** What the points become when the form changes: the same curve where both know it. */
     static List<Place> converted(CurveForm from, List<Place> points, CurveForm to) {
-        if (from == HERMITE && (to == BEZIER || to == PIECES)) return bezierOfHermite(points);
-        if (to == HERMITE && points.size() == 4 && (from == BEZIER || from == PIECES))
-            return hermiteOfBezier(points);
-        boolean fits = points.size() >= to.least && points.size() <= to.most;
+        if (from == HERMITE && to == BEZIER) return bezierOfHermite(points);
+        if (from == BEZIER && to == HERMITE && points.size() == 4) return hermiteOfBezier(points);
+        if (from == HERMITE || to == HERMITE) return FirstCurves.points(to);
         boolean whole = to != PIECES || points.size() % 3 == 1;
-        if (fits && whole && from != HERMITE && to != HERMITE) return points;
-        return FirstCurves.points(to);
+        boolean several = to == BEZIER || points.size() >= SEVERAL;
+        return whole && several && points.size() <= to.most ? points : FirstCurves.points(to);
     }
 
     /** M_hb, applied to [P1, P2, P3, P4]. */

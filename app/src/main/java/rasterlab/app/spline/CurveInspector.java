@@ -21,7 +21,7 @@ import rasterlab.engine.study.Method;
 /** The curve lab's choosers, live numbers, matrices and the explanation of the chosen method. */
 final class CurveInspector {
     private static final int FIRST_STEPS = 12;
-    private static final double FIRST_FLATNESS = 2;
+    private static final double FIRST_FLATNESS = 5;
 
     private final CurveLabModel model;
     private final Texts texts;
@@ -147,7 +147,7 @@ final class CurveInspector {
     /** Shows the model's present state. */
     void refresh() {
         CurveLabState state = model.state();
-        var readings = new CurveReadings(state, texts);
+        var readings = new CurveReadings(state, texts, translations);
         showChoice(state.choice(), readings);
         segments.setText(readings.segments());
         error.setText(readings.error());

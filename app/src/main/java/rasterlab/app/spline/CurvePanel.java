@@ -25,6 +25,7 @@ final class CurvePanel extends JPanel implements AutoCloseable {
 
     private final transient CurveLabModel model;
     private final transient Texts texts;
+    private final transient Texts translations;
     private final PlaneView stage;
     private final transient CurveInspector inspector;
     private final StepPlayer player;
@@ -44,6 +45,7 @@ final class CurvePanel extends JPanel implements AutoCloseable {
         this.model = model;
         setName("curve");
         texts = Texts.of("spline", language);
+        translations = Texts.of("spline", "topic", language);
         Texts canvas = Texts.of("canvas", language);
         stage =
                 new PlaneView(
@@ -90,8 +92,8 @@ final class CurvePanel extends JPanel implements AutoCloseable {
 
     private void refresh() {
         CurveLabState state = model.state();
-        var readings = new CurveReadings(state, texts);
-        Extent all = Extent.of(state.choice().handles());
+        var readings = new CurveReadings(state, texts, translations);
+        Extent all = state.choice().extent();
         stage.show(
                 new CurvePicture(state.drawings(), state.at(), state.step()),
                 readings.points(),
@@ -105,7 +107,6 @@ final class CurvePanel extends JPanel implements AutoCloseable {
 
     private Chips chips() {
         var chips = new Chips(texts.text("hazards"));
-        Texts translations = Texts.of("spline", "topic", texts.language());
         for (Hazard<CurveTask> hazard : model.hazards())
             chips.add(
                     hazard.name(),

@@ -42,6 +42,8 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
     /** More corners than so many would cover the curve. */
     private static final int MOST_CORNERS = 400;
 
+    private static final int MOST_SQUARES = 100;
+
     private static BasicStroke stroke(float width) {
         return new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     }
@@ -138,12 +140,12 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         g.setStroke(stroke(2.5f));
         g.setColor(colour);
         g.draw(path(drawing.points(), map));
-        if (drawing.points().size() > MOST_CORNERS) return;
+        if (drawing.points().size() > MOST_SQUARES) return;
         for (CurveDrawing.Corner corner : drawing.points()) {
             var square =
                     new Rectangle2D.Double(
-                            map.viewX(corner.x()) - 5.5, map.viewY(corner.y()) - 5.5, 11, 11);
-            g.setStroke(stroke(2f));
+                            map.viewX(corner.x()) - 4, map.viewY(corner.y()) - 4, 8, 8);
+            g.setStroke(stroke(1.5f));
             g.draw(square);
         }
     }
@@ -165,7 +167,8 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         List<PointStep> rows = at.construction();
         for (int row = 0; row < rows.size() - 1; row++) {
             PointStep points = rows.get(row);
-            double share = rows.size() <= 2 ? 0 : 0.6 * (rows.size() - 2 - row) / (rows.size() - 2);
+            double share =
+                    rows.size() <= 2 ? 0 : 0.45 * (rows.size() - 2 - row) / (rows.size() - 2);
             Color shade = MethodColours.mix(colour, colours.ground(), share);
             var path = new Path2D.Double();
             for (int i = 0; i < points.x().length; i++)

@@ -21,10 +21,15 @@ final class CurveReadings {
 
     private final CurveLabState state;
     private final Texts texts;
+    private final Texts translations;
 
-    CurveReadings(CurveLabState state, Texts texts) {
+    /**
+     * @param translations of what methods say
+     */
+    CurveReadings(CurveLabState state, Texts texts, Texts translations) {
         this.state = state;
         this.texts = texts;
+        this.translations = translations;
     }
 
     String segments() {
@@ -121,7 +126,11 @@ final class CurveReadings {
         return switch (drawing.ending()) {
             case ENDED -> "";
             case CUT -> texts.text("note.cut", drawing.method(), CurveDrawing.LIMIT);
-            case REFUSED -> texts.text("note.refused", drawing.method());
+            case REFUSED ->
+                    texts.text(
+                            "note.refused",
+                            drawing.method(),
+                            Refusals.said(translations, drawing.message()));
             case CRASHED -> texts.text("note.crashed", drawing.method(), drawing.message());
         };
     }
@@ -154,7 +163,7 @@ final class CurveReadings {
     }
 
     private String pixels(double value) {
-        return Shown.number(value, value < 0.01 ? 6 : 3, locale());
+        return Shown.number(value, 3, locale());
     }
 
     private String number(double value) {

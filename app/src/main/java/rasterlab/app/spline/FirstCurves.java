@@ -9,7 +9,7 @@ final class FirstCurves {
 
     static List<Place> points(CurveForm form) {
         return switch (form) {
-            case BEZIER -> of(40, 320, 120, 40, 440, 20, 560, 300);
+            case BEZIER -> of(60, 330, 90, 10, 330, 70, 600, 300);
             case PIECES ->
                     of(
                             40, 260, 80, 90, 200, 60, 260, 180, 320, 300, 400, 340, 460, 220, 500,

@@ -99,7 +99,7 @@ final class FunctionInspector {
     void refresh() {
         FunctionLabState state = model.state();
         FunctionChoice choice = state.choice();
-        var readings = new FunctionReadings(state, texts);
+        var readings = new FunctionReadings(state, texts, translations);
         method.show(choice.method());
         comparison.show(choice.comparison());
         ends.show(FunctionCommand.code(choice.ends().kind()));

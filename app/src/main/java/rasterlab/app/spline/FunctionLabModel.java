@@ -45,6 +45,7 @@ public final class FunctionLabModel implements Steps, AutoCloseable {
     private final History<FunctionChoice> history = new History<>();
     private final List<Consumer<FunctionLabState>> listeners = new ArrayList<>();
     private FunctionLabState state;
+    private boolean arranging;
 
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
@@ -227,18 +228,22 @@ public final class FunctionLabModel implements Steps, AutoCloseable {
     }
 
     private void find(FunctionChoice choice, int arrangement) {
+        arranging |= arrangement != state.arrangement();
         publish(state(choice, state.drawings(), state.step(), state.share(), arrangement));
         drawings.ask(choice);
     }
 
+    /** What is found may reach beyond what was arranged before it was known. */
     private void accept(FunctionDrawings found) {
+        int arrangement = state.arrangement() + (arranging ? 1 : 0);
+        arranging = false;
         publish(
                 state(
                         state.choice(),
                         found,
                         found.drawing().steps().size(),
                         state.share(),
-                        state.arrangement()));
+                        arrangement));
     }
 
     private FunctionLabState at(int step, double share) {

@@ -31,6 +31,7 @@ final class FunctionPanel extends JPanel implements AutoCloseable {
 
     private final transient FunctionLabModel model;
     private final transient Texts texts;
+    private final transient Texts translations;
     private final PlaneView stage;
     private final transient FunctionInspector inspector;
     private final StepPlayer player;
@@ -50,6 +51,7 @@ final class FunctionPanel extends JPanel implements AutoCloseable {
         this.model = model;
         setName("function");
         texts = Texts.of("spline", language);
+        translations = Texts.of("spline", "topic", language);
         Texts canvas = Texts.of("canvas", language);
         stage =
                 new PlaneView(
@@ -95,7 +97,7 @@ final class FunctionPanel extends JPanel implements AutoCloseable {
 
     private void refresh() {
         FunctionLabState state = model.state();
-        var readings = new FunctionReadings(state, texts);
+        var readings = new FunctionReadings(state, texts, translations);
         Extent all = model.everything();
         stage.show(
                 new FunctionPicture(
@@ -122,7 +124,6 @@ final class FunctionPanel extends JPanel implements AutoCloseable {
 
     private Chips chips() {
         var chips = new Chips(texts.text("hazards"));
-        Texts translations = Texts.of("spline", "topic", texts.language());
         for (Hazard<SplineProblem> hazard : model.hazards())
             chips.add(
                     hazard.name(),

@@ -20,10 +20,15 @@ final class FunctionReadings {
 
     private final FunctionLabState state;
     private final Texts texts;
+    private final Texts translations;
 
-    FunctionReadings(FunctionLabState state, Texts texts) {
+    /**
+     * @param translations of what methods say
+     */
+    FunctionReadings(FunctionLabState state, Texts texts, Texts translations) {
         this.state = state;
         this.texts = texts;
+        this.translations = translations;
     }
 
     /** How many coefficients are looked for, and by what equations. */
@@ -90,7 +95,7 @@ final class FunctionReadings {
     /** a, b, c and d of each piece. */
     List<Formula> coefficients() {
         List<double[]> pieces = state.drawing().coefficients();
-        if (pieces.isEmpty()) return List.of();
+        if (pieces.isEmpty()) return List.of(Formula.of(new Formula.Words("–")));
         var rows = new ArrayList<List<String>>();
         rows.add(List.of("a", "b", "c", "d"));
         for (double[] piece : pieces.subList(0, Math.min(MOST_PIECES, pieces.size())))
@@ -107,7 +112,11 @@ final class FunctionReadings {
         FunctionDrawing drawing = state.drawing();
         return switch (drawing.ending()) {
             case ENDED -> "";
-            case REFUSED -> texts.text("note.refusedKnots", drawing.method());
+            case REFUSED ->
+                    texts.text(
+                            "note.refusedKnots",
+                            drawing.method(),
+                            Refusals.said(translations, drawing.message()));
             case CRASHED -> texts.text("note.crashed", drawing.method(), drawing.message());
         };
     }
