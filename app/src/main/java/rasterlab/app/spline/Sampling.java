@@ -21,12 +21,12 @@ public record Sampling(double flatness, List<Double> at) {
         at = List.copyOf(at);
     }
 
-    static Sampling flat(double flatness) {
+    public static Sampling flat(double flatness) {
         return new Sampling(flatness, List.of());
     }
 
     /** Points at t = 0, 1/n, …, 1. */
-    static Sampling equal(int steps) {
+    public static Sampling equal(int steps) {
         return new Sampling(
                 0, IntStream.rangeClosed(0, steps).mapToObj(i -> (double) i / steps).toList());
     }
