@@ -40,6 +40,9 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     /** View units that an arrow key moves a point, about. */
     private static final double KEY = 4;
 
+    /** Height of two lines of a note, about. */
+    private static final int NOTE = 36;
+
     private static final PlanePicture NOTHING = (g, map, colours, cancelled) -> {};
 
     private final PlaneAxes axes;
@@ -175,7 +178,10 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
             else handles.add(handle);
             add(handle, 0);
         }
-        if (focused && handles.stream().noneMatch(PlaneHandle::isFocusOwner)) focusPoint();
+        if (!focused || handles.isEmpty()) return;
+        if (handles.stream().noneMatch(handle -> handle.getName().equals(keyed)))
+            keyed = handles.get(handles.size() - 1).getName();
+        focusPoint();
     }
 
     private void zoomIn() {
@@ -199,7 +205,16 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     }
 
     private PlaneMap map() {
-        return chosen.orElseGet(() -> PlaneMap.fitting(framed, Rulers.inside(getSize()), axes));
+        return chosen.orElseGet(() -> PlaneMap.fitting(framed, besideTheNote(), axes));
+    }
+
+    /** What rulers and note leave of the stage. */
+    private Rectangle besideTheNote() {
+        Rectangle inside = Rulers.inside(getSize());
+        int height = note.isEmpty() ? 0 : Math.min(UIScale.scale(NOTE), inside.height / 2);
+        inside.y += height;
+        inside.height -= height;
+        return inside;
     }
 
     private Point2D centre() {

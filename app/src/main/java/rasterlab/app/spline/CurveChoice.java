@@ -54,8 +54,9 @@ public record CurveChoice(
     }
 
     CurveChoice withForm(CurveForm other) {
-        List<Place> converted = CurveForm.converted(form, points, other);
-        return new CurveChoice(other, converted, joining, sampling, method, comparison, overlays);
+        List<Place> next = CurveForm.converted(form, points, other);
+        if (other == CurveForm.PIECES) next = joining.everywhere(next);
+        return new CurveChoice(other, next, joining, sampling, method, comparison, overlays);
     }
 
     CurveChoice withTask(CurveTask task) {
