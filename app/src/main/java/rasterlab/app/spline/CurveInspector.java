@@ -59,38 +59,16 @@ final class CurveInspector {
         column = new Inspector(texts);
         var parts = new InspectorParts(column, texts);
         parts.mode(SplineMode.CURVE, onMode);
-        form =
-                parts.names(
-                        "form",
-                        Stream.of(CurveForm.values()).map(CurveForm::code).toList(),
-                        code -> model.chooseForm(CurveForm.named(code)));
-        joining =
-                parts.names(
-                        "joining",
-                        Stream.of(CurveJoining.values()).map(Enum::name).toList(),
-                        name -> model.chooseJoining(CurveJoining.valueOf(name)));
         List<String> names = model.methods().stream().map(Method::name).toList();
+        form = form(parts);
+        joining = joining(parts);
         method = new MethodChooser("method", "", names, model::chooseMethod);
         column.row("method", method);
         comparison = new MethodChooser("comparison", texts.text("none"), names, model::compareWith);
         column.row("comparison", comparison);
         sampling = parts.names("sampling", List.of("flat", "equal"), this::sample);
-        flatness =
-                parts.slider(
-                        "flatness",
-                        Sampling.FINEST,
-                        Sampling.COARSEST,
-                        true,
-                        100,
-                        pixels -> model.sample(Sampling.flat(pixels)));
-        steps =
-                parts.slider(
-                        "steps",
-                        1,
-                        Sampling.MOST_STEPS,
-                        false,
-                        Sampling.MOST_STEPS - 1,
-                        count -> model.sample(Sampling.equal((int) Math.round(count))));
+        flatness = flatness(parts);
+        steps = steps(parts);
         t = parts.slider("t", 0, 1, false, 500, model::goToT);
         construction =
                 parts.box("construction", on -> model.overlay(overlays().withConstruction(on)));
@@ -111,16 +89,53 @@ final class CurveInspector {
         derivative = column.value("derivative");
         curvature = column.value("curvature");
 
-        column.heading("heading.matrix");
         noMatrix = new JLabel(texts.text("noMatrix"));
+        blending = new BlendingChart(texts.text("blending"));
+        about = new AboutText("about", texts.language());
+        addMatricesAndAbout();
+    }
+
+    private NameChooser form(InspectorParts parts) {
+        return parts.names(
+                "form",
+                Stream.of(CurveForm.values()).map(CurveForm::code).toList(),
+                code -> model.chooseForm(CurveForm.named(code)));
+    }
+
+    private NameChooser joining(InspectorParts parts) {
+        return parts.names(
+                "joining",
+                Stream.of(CurveJoining.values()).map(Enum::name).toList(),
+                name -> model.chooseJoining(CurveJoining.valueOf(name)));
+    }
+
+    private NumberSlider flatness(InspectorParts parts) {
+        return parts.slider(
+                "flatness",
+                Sampling.FINEST,
+                Sampling.COARSEST,
+                true,
+                100,
+                pixels -> model.sample(Sampling.flat(pixels)));
+    }
+
+    private NumberSlider steps(InspectorParts parts) {
+        return parts.slider(
+                "steps",
+                1,
+                Sampling.MOST_STEPS,
+                false,
+                Sampling.MOST_STEPS - 1,
+                count -> model.sample(Sampling.equal((int) Math.round(count))));
+    }
+
+    private void addMatricesAndAbout() {
+        column.heading("heading.matrix");
         noMatrix.setName("noMatrix");
         column.wide(noMatrix);
         column.wide(formulas);
-        blending = new BlendingChart(texts.text("blending"));
         column.wide(blending);
-
         column.heading("heading.about");
-        about = new AboutText("about", texts.language());
         column.wide(about);
     }
 
