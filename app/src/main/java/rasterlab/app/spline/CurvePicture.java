@@ -123,13 +123,13 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         List<CurveDrawing.Corner> corners = drawing.points();
         Color colour = MethodColours.of(drawing.method());
         g.setStroke(THICK);
-        g.setColor(MethodColours.mix(colour, colours.ground(), 0.65));
+        g.setColor(MethodColours.mix(colour, colours.ground(), 0.55));
         g.draw(path(corners, map));
         g.setColor(colour);
         g.draw(path(corners.subList(0, Math.min(step + 1, corners.size())), map));
         if (corners.size() > MOST_CORNERS) return;
         for (int i = 0; i < corners.size(); i++) {
-            Color fill = i <= step ? colour : MethodColours.mix(colour, colours.ground(), 0.65);
+            Color fill = i <= step ? colour : MethodColours.mix(colour, colours.ground(), 0.55);
             dot(g, map, corners.get(i).x(), corners.get(i).y(), 4, fill, colours);
         }
     }

@@ -21,7 +21,7 @@ import rasterlab.engine.study.Method;
  * all coefficients are known.
  */
 public final class FunctionLabModel implements Steps, AutoCloseable {
-    private static final double FIRST_SHARE = 0.62;
+    private static final double FIRST_SHARE = 0.5;
 
     /** A slope's handle lies outside the knots, by this share of their width. */
     private static final double REACH = 0.08;
