@@ -3,12 +3,14 @@ package rasterlab.app.shell;
 import java.awt.EventQueue;
 import java.util.function.Consumer;
 import rasterlab.app.line.LineLabModel;
+import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.visibility.VisibilityLabModel;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.pipeline.Renderer;
 
 /** The labs' models, which outlive the panels that show them; used on the event thread. */
-public record LabModels(LineLabModel line, VisibilityLabModel visibility) implements AutoCloseable {
+public record LabModels(LineLabModel line, VisibilityLabModel visibility, SplineLabModel spline)
+        implements AutoCloseable {
     /**
      * Every lab as it opens.
      *
@@ -18,7 +20,8 @@ public record LabModels(LineLabModel line, VisibilityLabModel visibility) implem
         var renderer = new Renderer();
         return new LabModels(
                 new LineLabModel(new LineTopic(), EventQueue::invokeLater, onFailure),
-                new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure));
+                new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
+                new SplineLabModel(EventQueue::invokeLater, onFailure));
     }
 
     /** Ends background work. */
@@ -26,5 +29,6 @@ public record LabModels(LineLabModel line, VisibilityLabModel visibility) implem
     public void close() {
         line.close();
         visibility.close();
+        spline.close();
     }
 }

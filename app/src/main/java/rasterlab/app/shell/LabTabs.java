@@ -6,6 +6,7 @@ import javax.swing.JComponent;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LinePanel;
+import rasterlab.app.spline.SplinePanel;
 import rasterlab.app.visibility.VisibilityPanel;
 import rasterlab.engine.naming.Named;
 
@@ -31,14 +32,17 @@ public final class LabTabs implements AutoCloseable {
         Texts texts = Texts.of("shell", language);
         var line = new LinePanel(models.line(), language, onFailure);
         var visibility = new VisibilityPanel(models.visibility(), language, onFailure);
+        var spline = new SplinePanel(models.spline(), language, onFailure);
         return new LabTabs(
                 language,
                 List.of(
                         tab("line", texts, line, line::focusPicture),
-                        tab("visibility", texts, visibility, visibility::focusPicture)),
+                        tab("visibility", texts, visibility, visibility::focusPicture),
+                        tab("spline", texts, spline, spline::focusPicture)),
                 () -> {
                     line.close();
                     visibility.close();
+                    spline.close();
                 });
     }
 

@@ -20,9 +20,14 @@ import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.spline.CurveTopic;
+import rasterlab.engine.spline.SplineFunctionTopic;
+import rasterlab.engine.spline.SteppedCurve;
+import rasterlab.engine.spline.SteppedSpline;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
 
 /** The Russian of what the engine says in English about methods and hazards. */
 class TopicTextsTest {
@@ -30,17 +35,18 @@ class TopicTextsTest {
     private static final String ENGLISH = ".en";
 
     @ParameterizedTest(name = "the English was changed and its translation was not: {0}")
-    @ValueSource(strings = {"line", "visibility"})
+    @ValueSource(strings = {"line", "visibility", "spline"})
     void eachTranslationStandsBelowWhatTheEngineSays(String topic) throws IOException {
         Properties russian = russian(topic);
         english(topic).forEach((key, text) -> assertEquals(text, russian.get(key + ENGLISH), key));
     }
 
     @ParameterizedTest(name = "a text has no translation, or a translation no text: {0}")
-    @ValueSource(strings = {"line", "visibility"})
+    @ValueSource(strings = {"line", "visibility", "spline"})
     void translatesWhatThereIsAndNothingElse(String topic) throws IOException {
         var translated = new TreeSet<>(russian(topic).stringPropertyNames());
         translated.removeIf(key -> key.endsWith(ENGLISH));
+        if (topic.equals("spline")) translated.removeIf(key -> key.startsWith("refusal."));
         assertEquals(new TreeSet<>(english(topic).keySet()), translated);
     }
 
@@ -58,6 +64,7 @@ class TopicTextsTest {
 
     private static Map<String, String> english(String topic) {
         var said = new TreeMap<String, String>();
+        if (topic.equals("spline")) return spline(said);
         Stream<? extends Method<?>> methods =
                 topic.equals("line")
                         ? new LineTopic().methods().stream()
@@ -68,6 +75,16 @@ class TopicTextsTest {
                 said.put("hazard." + hazard.name(), hazard.description());
                 refusals(hazard.input(), said);
             }
+        return said;
+    }
+
+    /** What methods say when they refuse is looked at in the lab's own tests. */
+    private static Map<String, String> spline(Map<String, String> said) {
+        for (Topic<?, ?, ?> topic : List.of(new CurveTopic(), new SplineFunctionTopic())) {
+            topic.methods().forEach(method -> about(method, said));
+            for (Hazard<?> hazard : topic.hazards())
+                said.put("hazard." + hazard.name(), hazard.description());
+        }
         return said;
     }
 
@@ -95,6 +112,10 @@ class TopicTextsTest {
         said.put(method.name() + ".failures", about.failures());
         said.put(method.name() + ".source", about.source());
         if (method.implementation() instanceof SteppedLine stepped)
+            said.put("decision." + method.name(), stepped.decisionFormula());
+        if (method.implementation() instanceof SteppedCurve stepped)
+            said.put("decision." + method.name(), stepped.decisionFormula());
+        if (method.implementation() instanceof SteppedSpline stepped)
             said.put("decision." + method.name(), stepped.decisionFormula());
     }
 
