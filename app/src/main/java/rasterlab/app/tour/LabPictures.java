@@ -13,7 +13,7 @@ import rasterlab.engine.line.Segment;
 final class LabPictures implements TourPart {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 800;
-    private static final List<String> TABS = List.of("line", "visibility");
+    private static final List<String> TABS = List.of("line", "clip", "visibility");
 
     @Override
     public String key() {
