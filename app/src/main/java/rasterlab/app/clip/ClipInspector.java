@@ -163,7 +163,7 @@ final class ClipInspector {
         column.showRow(space, inSpace);
         (inSpace ? space : plane).refresh();
         table.setVisible(inSpace);
-        if (inSpace) table.show(choice.volume());
+        if (inSpace) table.show(VolumeNumbers.of(choice.volume()));
         explain(state);
     }
 

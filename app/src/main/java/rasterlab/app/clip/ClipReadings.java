@@ -30,6 +30,8 @@ final class ClipReadings {
 
     private String beforeOrAfter() {
         int steps = state.results().clipping().steps().size();
+        if (state.results().clipping().ending() == Clipping.Ending.ENDLESS && state.finished())
+            return texts.text("step.endless");
         return state.finished() ? texts.text("step.result", steps) : texts.text("step.none");
     }
 
@@ -39,7 +41,7 @@ final class ClipReadings {
 
     private String at(ClipStep step) {
         if (step.passing() == ClipStep.Passing.BOTH)
-            return texts.text("at.chain", point(step.places()));
+            return texts.text("at.chain", point(Arrays.copyOf(step.places(), 2)));
         if (scene instanceof VolumeScene) return worded(step.at()).replace('-', '−');
         ShownWindow window =
                 scene instanceof SegmentScene segments

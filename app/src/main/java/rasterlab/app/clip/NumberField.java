@@ -1,5 +1,6 @@
 package rasterlab.app.clip;
 
+import java.text.DecimalFormatSymbols;
 import java.util.Locale;
 import java.util.function.DoubleConsumer;
 import javax.swing.JSpinner;
@@ -29,6 +30,7 @@ final class NumberField extends JSpinner {
         this.changed = changed;
         setLocale(locale);
         var editor = new NumberEditor(this, "0.#####");
+        editor.getFormat().setDecimalFormatSymbols(DecimalFormatSymbols.getInstance(locale));
         editor.getTextField().setColumns(4);
         editor.getTextField().setName(name + ".text");
         editor.getTextField().getAccessibleContext().setAccessibleName(said);

@@ -23,9 +23,9 @@ public record SegmentScene(
                 ShownWindow.of(new ClipWindow(0, 0, 10, 6)),
                 List.of(
                         PlaneSegment.of(new double[] {-3, -1.5, 12, 8}),
-                        PlaneSegment.of(new double[] {2, 1, 13, 3}),
+                        PlaneSegment.of(new double[] {3, 1.7, 13, 3.2}),
                         PlaneSegment.of(new double[] {-4, 3.5, 3, 8.5}),
-                        PlaneSegment.of(new double[] {5, 0.9, 7.8, 1.4})),
+                        PlaneSegment.of(new double[] {6, 0.8, 8.6, 1.5})),
                 "cohen-sutherland",
                 "");
     }

@@ -10,7 +10,7 @@ import rasterlab.app.canvas.StageColours;
 
 /** The shapes of signs on the stage and of their keys in the inspector. */
 final class SignShapes {
-    private static final double SIZE = 9;
+    private static final double SIZE = 12;
 
     private SignShapes() {}
 
@@ -52,9 +52,9 @@ final class SignShapes {
     /** Its point where the border is passed. */
     private static Path2D arrow() {
         var arrow = new Path2D.Double();
-        arrow.moveTo(SIZE * 0.5, 0);
-        arrow.lineTo(-SIZE, SIZE * 0.75);
-        arrow.lineTo(-SIZE, -SIZE * 0.75);
+        arrow.moveTo(SIZE * 0.35, 0);
+        arrow.lineTo(-SIZE, SIZE * 0.5);
+        arrow.lineTo(-SIZE, -SIZE * 0.5);
         arrow.closePath();
         return arrow;
     }

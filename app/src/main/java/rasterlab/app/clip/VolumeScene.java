@@ -37,7 +37,7 @@ public record VolumeScene(
                 0.25,
                 List.of(
                         SpaceSegment.of(new double[] {-0.5, -0.35, 0.3, 0.75, 0.6, 1.25}),
-                        SpaceSegment.of(new double[] {0.3, 0.25, -0.2, -0.1, -0.2, 0.8})),
+                        SpaceSegment.of(new double[] {0.5, 0.45, -0.15, -0.3, -0.35, 0.85})),
                 "cohen-sutherland-6",
                 "",
                 Screen.FIRST,

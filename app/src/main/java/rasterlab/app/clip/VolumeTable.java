@@ -1,12 +1,10 @@
 package rasterlab.app.clip;
 
+import java.util.Arrays;
 import java.util.Locale;
 import javax.swing.JEditorPane;
-import org.joml.Matrix4d;
-import org.joml.Vector4d;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.transform.ProjectionMatrices;
 
 /**
  * The two normalisations as matrices in the textbook's layout, and a segment's ends through them.
@@ -29,51 +27,42 @@ final class VolumeTable extends JEditorPane {
         putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
     }
 
-    void show(VolumeScene scene) {
+    void show(VolumeNumbers numbers) {
         var html = new StringBuilder("<html><body>");
-        Matrix4d normalize = scene.screen().normalize();
-        Matrix4d canonical = ProjectionMatrices.canonical(scene.zmin());
-        matrix(html, texts.text("matrices.normalize"), normalize);
-        matrix(html, texts.text("matrices.canonical"), canonical);
-        ends(html, scene, normalize, canonical);
+        matrix(html, texts.text("matrices.normalize"), numbers.normalize());
+        matrix(html, texts.text("matrices.canonical"), numbers.canonical());
+        ends(html, numbers);
         setText(html.append("</body></html>").toString());
         setCaretPosition(0);
     }
 
-    /** The textbook's rows are JOML's columns. */
-    private void matrix(StringBuilder html, String title, Matrix4d m) {
+    private void matrix(StringBuilder html, String title, double[] rows) {
+        title(html, title);
+        for (int row = 0; row < 4; row++)
+            row(html, "", Arrays.copyOfRange(rows, 4 * row, 4 * row + 4));
+        html.append("</table>");
+    }
+
+    private void ends(StringBuilder html, VolumeNumbers numbers) {
+        title(html, texts.text("matrices.ends"));
+        String[] stages = {
+            texts.text("matrices.eye"), texts.text("matrices.normalised"), "· M<sub>p</sub>", "÷ H"
+        };
+        for (int i = 0; i < numbers.ends().size(); i++) {
+            String end = i < VolumeNumbers.STAGES ? "A1 " : "B1 ";
+            row(html, end + stages[i % VolumeNumbers.STAGES], numbers.ends().get(i));
+        }
+        html.append("</table>");
+    }
+
+    private static void title(StringBuilder html, String title) {
         html.append("<p style='margin: 4 0 1 0'><b>").append(title).append("</b></p><table>");
-        for (int row = 0; row < 4; row++) {
-            html.append("<tr>");
-            for (int cell = 0; cell < 4; cell++) cell(html, m.get(row, cell));
-            html.append("</tr>");
-        }
-        html.append("</table>");
     }
 
-    private void ends(
-            StringBuilder html, VolumeScene scene, Matrix4d normalize, Matrix4d canonical) {
-        SpaceSegment segment = scene.segments().get(0);
-        html.append("<p style='margin: 4 0 1 0'><b>")
-                .append(texts.text("matrices.ends"))
-                .append("</b></p><table>");
-        for (int end = 0; end < 2; end++) {
-            SpacePoint p = segment.end(end);
-            var normalised = new Vector4d(p.x(), p.y(), p.z(), 1);
-            Vector4d eye = new Matrix4d(normalize).invert().transform(new Vector4d(normalised));
-            Vector4d clip = canonical.transform(new Vector4d(normalised));
-            String name = end == 0 ? "A1" : "B1";
-            row(html, name + " " + texts.text("matrices.eye"), eye);
-            row(html, name + " " + texts.text("matrices.normalised"), normalised);
-            row(html, name + " · M<sub>p</sub>", clip);
-            row(html, name + " ÷ H", new Vector4d(clip).div(clip.w));
-        }
-        html.append("</table>");
-    }
-
-    private void row(StringBuilder html, String name, Vector4d p) {
-        html.append("<tr><td>").append(name).append("</td>");
-        for (int i = 0; i < 4; i++) cell(html, p.get(i));
+    private void row(StringBuilder html, String name, double[] numbers) {
+        html.append("<tr>");
+        if (!name.isEmpty()) html.append("<td>").append(name).append("</td>");
+        for (double number : numbers) cell(html, number);
         html.append("</tr>");
     }
 

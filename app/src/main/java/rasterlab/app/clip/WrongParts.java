@@ -28,9 +28,24 @@ public record WrongParts(List<double[]> missing, List<double[]> extra) {
                 actual.stream()
                         .filter(edge -> Arrays.stream(edge).allMatch(Double::isFinite))
                         .toList();
+        List<double[]> right = over(exact, unit);
+        List<double[]> done = over(drawn, unit);
         return new WrongParts(
-                Edges.minus(exact, drawn, TOLERANCE * unit),
-                Edges.minus(drawn, exact, TOLERANCE * unit));
+                times(Edges.minus(right, done, TOLERANCE), unit),
+                times(Edges.minus(done, right, TOLERANCE), unit));
+    }
+
+    /** Measured in units, so that no square of a length is beyond a double. */
+    private static List<double[]> over(List<double[]> edges, double unit) {
+        return edges.stream()
+                .map(edge -> Arrays.stream(edge).map(c -> c / unit).toArray())
+                .toList();
+    }
+
+    private static List<double[]> times(List<double[]> edges, double unit) {
+        return edges.stream()
+                .map(edge -> Arrays.stream(edge).map(c -> c * unit).toArray())
+                .toList();
     }
 
     public boolean isEmpty() {
