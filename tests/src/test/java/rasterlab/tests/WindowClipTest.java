@@ -133,7 +133,7 @@ class WindowClipTest extends WindowHarness {
         await("the comb", () -> choice().polygon().subject().size() == 12);
         assertFalse(frameHas("chip.only-left"), "a chip of another mode");
         window.comboBox("method").selectItem("weiler-atherton");
-        await("three pieces", () -> state().results().clipping().parts().size() == 2);
+        await("three pieces", () -> state().results().clipping().parts().size() == 3);
     }
 
     @Test
