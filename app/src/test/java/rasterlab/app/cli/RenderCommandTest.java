@@ -95,7 +95,7 @@ class RenderCommandTest {
         return Stream.of(
                 mistake("visibility is unknown", "there are painter-textbook,", "--visibility=z"),
                 mistake("shading is unknown", "there are tone, flat", "--shading=phong"),
-                mistake("projection is unknown", "perspective, parallel", "--projection=top"),
+                mistake("projection is unknown", "perspective, parallel", "--projection=fisheye"),
                 mistake("size has no height", "expected WIDTHxHEIGHT", "--size=80"),
                 mistake("size is 0", "from 1×1 to 8192×8192 pixels, got 0×9", "--size=0x9"),
                 mistake("size is too large", "got 8193×1", "--size=8193x1"),

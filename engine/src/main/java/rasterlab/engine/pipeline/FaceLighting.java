@@ -3,15 +3,14 @@ package rasterlab.engine.pipeline;
 import rasterlab.engine.light.FaceSide;
 import rasterlab.engine.light.Shading;
 import rasterlab.engine.light.ToneShading;
-import rasterlab.engine.transform.Projection;
-import rasterlab.engine.visibility.FacePaint;
+import rasterlab.engine.visibility.FlatPaint;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /** The light stage: a colour for each face, the same for every visibility method. */
 final class FaceLighting {
     private FaceLighting() {}
 
-    static FacePaint paint(ViewedMesh view, int[] faceRgb, Shading shading, boolean outline) {
+    static FlatPaint paint(ViewedMesh view, int[] faceRgb, Shading shading, boolean outline) {
         int[] fill = new int[faceRgb.length];
         int[] edges = new int[outline ? faceRgb.length : 0];
         for (int f = 0; f < faceRgb.length; f++) {
@@ -19,7 +18,7 @@ final class FaceLighting {
             fill[f] = Shading.shade(faceRgb[f], intensity);
             if (outline) edges[f] = Shading.shade(faceRgb[f], ToneShading.OUTLINE * intensity);
         }
-        return new FacePaint(fill, edges);
+        return new FlatPaint(fill, edges);
     }
 
     static FaceSide side(ViewedMesh view, int face) {
@@ -38,7 +37,7 @@ final class FaceLighting {
 
     /** From the mean of the corners to the eye; straight back in parallel projection. */
     private static double[] toEye(ViewedMesh view, int face) {
-        if (view.projection() == Projection.PARALLEL) return new double[] {0, 0, -1};
+        if (!view.transform().central()) return new double[] {0, 0, -1};
         double x = 0;
         double y = 0;
         double z = 0;

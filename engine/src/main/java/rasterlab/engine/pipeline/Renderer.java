@@ -8,6 +8,7 @@ import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.Projection;
+import rasterlab.engine.transform.ViewTransform;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibilities;
 import rasterlab.engine.visibility.Visibility;
@@ -85,8 +86,7 @@ public final class Renderer {
         var view =
                 new ViewedMesh(
                         scene.mesh(),
-                        request.camera().upright(),
-                        Projection.named(request.projection()),
+                        new ViewTransform(request.camera(), Projection.named(request.projection())),
                         PictureFit.of(request.width(), request.height(), scene.pictureScale()));
         var paint =
                 FaceLighting.paint(

@@ -47,6 +47,6 @@ public final class House {
             {7, 4, 8, 9}
         };
         int[] rgb = {FLOOR_RGB, WALL_RGB, WALL_RGB, GABLE_RGB, GABLE_RGB, ROOF_RGB, ROOF_RGB};
-        return new Scene("house", new Mesh(xyz, faces), rgb, BACKGROUND_RGB, CAMERA, 2.5);
+        return Scene.dull("house", new Mesh(xyz, faces), rgb, BACKGROUND_RGB, CAMERA, 2.5);
     }
 }

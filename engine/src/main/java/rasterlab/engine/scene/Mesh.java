@@ -6,11 +6,18 @@ import java.util.Arrays;
  * Vertices and flat convex faces, valid by construction and unchangeable.
  *
  * <p>Coordinates are world units. A face lists its corners counter-clockwise seen from outside.
+ * Corners may have normals and texture coordinates of their own, all of them or none; corners are
+ * counted through all faces, those of face f from {@link #firstCorner} on.
  */
 public final class Mesh {
+    private static final double[] NONE = {};
+
     private final double[] xyz;
     private final int[][] faces;
     private final double[] normals;
+    private final int[] firstCorner;
+    private final double[] cornerNormals;
+    private final double[] cornerTexture;
 
     /**
      * @param xyz x, y, z of vertex 0, then of vertex 1, …; all finite
@@ -22,6 +29,45 @@ public final class Mesh {
         this.xyz = xyz.clone();
         this.faces = Arrays.stream(faces).map(int[]::clone).toArray(int[][]::new);
         normals = MeshCheck.normals(this.xyz, this.faces);
+        firstCorner = new int[faces.length + 1];
+        for (int f = 0; f < faces.length; f++)
+            firstCorner[f + 1] = firstCorner[f] + faces[f].length;
+        cornerNormals = NONE;
+        cornerTexture = NONE;
+    }
+
+    private Mesh(Mesh of, double[] cornerNormals, double[] cornerTexture) {
+        xyz = of.xyz;
+        faces = of.faces;
+        normals = of.normals;
+        firstCorner = of.firstCorner;
+        this.cornerNormals = cornerNormals;
+        this.cornerTexture = cornerTexture;
+    }
+
+    /**
+     * The same mesh with a normal for each corner.
+     *
+     * @param xyz of length 1 within 10⁻⁹, pointing outwards
+     */
+    public Mesh withNormals(double[] xyz) {
+        MeshCheck.cornerNormals(xyz, totalCorners());
+        return new Mesh(this, xyz.clone(), cornerTexture);
+    }
+
+    /**
+     * The same mesh with texture coordinates for each corner.
+     *
+     * @param st s and t of each, finite
+     */
+    public Mesh withTexture(double[] st) {
+        MeshCheck.cornerTexture(st, totalCorners());
+        return new Mesh(this, cornerNormals, st.clone());
+    }
+
+    /** The vertices as they were given: not a copy. */
+    double[] coordinates() {
+        return xyz;
     }
 
     public int vertexCount() {
@@ -72,5 +118,47 @@ public final class Mesh {
     /** z of the outward normal, of length 1. */
     public double normalZ(int face) {
         return normals[3 * face + 2];
+    }
+
+    /** Number of corners of all faces together. */
+    public int totalCorners() {
+        return firstCorner[faces.length];
+    }
+
+    /** The number of a face's first corner, counted through all faces. */
+    public int firstCorner(int face) {
+        return firstCorner[face];
+    }
+
+    /** Whether corners have normals of their own; otherwise each has its face's. */
+    public boolean hasNormals() {
+        return cornerNormals.length > 0;
+    }
+
+    /** The outward normal at a corner, of length 1: axis 0 is x, 1 is y, 2 is z. */
+    public double cornerNormal(int face, int corner, int axis) {
+        return hasNormals()
+                ? cornerNormals[3 * (firstCorner[face] + corner) + axis]
+                : normals[3 * face + axis];
+    }
+
+    /** Whether corners have texture coordinates. */
+    public boolean hasTexture() {
+        return cornerTexture.length > 0;
+    }
+
+    /** From left (0) to right (1) of the texture; 0 where the mesh has no coordinates. */
+    public double textureS(int face, int corner) {
+        return hasTexture() ? cornerTexture[2 * (firstCorner[face] + corner)] : 0;
+    }
+
+    /** From bottom (0) to top (1) of the texture; 0 where the mesh has no coordinates. */
+    public double textureT(int face, int corner) {
+        return hasTexture() ? cornerTexture[2 * (firstCorner[face] + corner) + 1] : 0;
+    }
+
+    /** The same mesh with each face cut into a fan of triangles, and which face each is of. */
+    public Fans fans() {
+        return Fans.of(this);
     }
 }

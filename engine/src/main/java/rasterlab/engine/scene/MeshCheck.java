@@ -29,6 +29,34 @@ final class MeshCheck {
         return normals;
     }
 
+    static void cornerNormals(double[] xyz, int corners) {
+        requireCount("normals", 3, xyz.length, corners);
+        for (int i = 0; i < xyz.length; i += 3) {
+            double length =
+                    Math.sqrt(xyz[i] * xyz[i] + xyz[i + 1] * xyz[i + 1] + xyz[i + 2] * xyz[i + 2]);
+            if (!(Math.abs(length - 1) <= TOLERANCE))
+                throw new IllegalArgumentException(
+                        "corner %d: normal (%s, %s, %s) must have length 1, got %s"
+                                .formatted(i / 3, xyz[i], xyz[i + 1], xyz[i + 2], length));
+        }
+    }
+
+    static void cornerTexture(double[] st, int corners) {
+        requireCount("texture coordinates", 2, st.length, corners);
+        for (int i = 0; i < st.length; i++)
+            if (!Double.isFinite(st[i]))
+                throw new IllegalArgumentException(
+                        "corner %d: %s must be finite, got %s"
+                                .formatted(i / 2, i % 2 == 0 ? "s" : "t", st[i]));
+    }
+
+    private static void requireCount(String what, int each, int got, int corners) {
+        if (got != each * corners)
+            throw new IllegalArgumentException(
+                    "%s need %d numbers for each of %d corners, got %d in all"
+                            .formatted(what, each, corners, got));
+    }
+
     private void vertices() {
         if (xyz.length % 3 != 0)
             throw new IllegalArgumentException(
@@ -59,21 +87,39 @@ final class MeshCheck {
      * the fan begins at, scaled to length 1.
      */
     private double[] normal(int face, int[] corners) {
-        double[] sum = new double[3];
-        double size = 0;
-        for (int k = 1; k + 1 < corners.length; k++) {
-            double[] a = edge(corners[0], corners[k]);
-            double[] b = edge(corners[0], corners[k + 1]);
-            double[] cross = cross(a, b);
-            for (int i = 0; i < 3; i++) sum[i] += cross[i];
-            size = Math.max(size, Math.max(dot(a, a), dot(b, b)));
-        }
+        double[] sum = vectorArea(corners);
         double length = Math.sqrt(dot(sum, sum));
-        if (!(length > TOLERANCE * size))
+        if (!(length > TOLERANCE * longestDiagonal(corners)))
             throw new IllegalArgumentException(
                     "face %d: corners %s span no area".formatted(face, Arrays.toString(corners)));
         for (int i = 0; i < 3; i++) sum[i] /= length;
         return sum;
+    }
+
+    /** Whether a face of these corners would have an area. */
+    static boolean spansArea(double[] xyz, int[] corners) {
+        var check = new MeshCheck(xyz);
+        double[] sum = check.vectorArea(corners);
+        return Math.sqrt(dot(sum, sum)) > TOLERANCE * check.longestDiagonal(corners);
+    }
+
+    private double[] vectorArea(int[] corners) {
+        double[] sum = new double[3];
+        for (int k = 1; k + 1 < corners.length; k++) {
+            double[] cross = cross(edge(corners[0], corners[k]), edge(corners[0], corners[k + 1]));
+            for (int i = 0; i < 3; i++) sum[i] += cross[i];
+        }
+        return sum;
+    }
+
+    /** The square of the longest way from the first corner to another. */
+    private double longestDiagonal(int[] corners) {
+        double longest = 0;
+        for (int k = 1; k < corners.length; k++) {
+            double[] edge = edge(corners[0], corners[k]);
+            longest = Math.max(longest, dot(edge, edge));
+        }
+        return longest;
     }
 
     private void flat(int face, int[] corners, double[] normal) {

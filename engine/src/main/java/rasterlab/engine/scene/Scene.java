@@ -1,13 +1,17 @@
 package rasterlab.engine.scene;
 
+import java.util.Arrays;
+import java.util.List;
 import rasterlab.engine.transform.SphericalView;
 
 /**
- * A mesh with its colours and the view it is first shown in.
+ * A mesh with its looks, its light and the view it is first shown in.
  *
  * @param name lower-case with hyphens, as on the command line
  * @param mesh the faces
- * @param faceRgb one colour 0xRRGGBB per face
+ * @param finishes what faces can look like
+ * @param finishOf which of {@code finishes} each face has
+ * @param light what shines on them
  * @param backgroundRgb the colour 0xRRGGBB behind the faces
  * @param defaultCamera the first view
  * @param pictureScale pixels per world unit, at the object's centre, in a picture of 800×600
@@ -15,20 +19,57 @@ import rasterlab.engine.transform.SphericalView;
 public record Scene(
         String name,
         Mesh mesh,
-        int[] faceRgb,
+        List<Finish> finishes,
+        int[] finishOf,
+        SceneLight light,
         int backgroundRgb,
         SphericalView defaultCamera,
         double pictureScale) {
     public Scene {
-        faceRgb = faceRgb.clone();
-        if (faceRgb.length != mesh.faceCount())
+        finishes = List.copyOf(finishes);
+        finishOf = finishOf.clone();
+        if (finishOf.length != mesh.faceCount())
             throw new IllegalArgumentException(
-                    "scene '%s' needs one colour for each of %d faces, got %d"
-                            .formatted(name, mesh.faceCount(), faceRgb.length));
+                    "scene '%s' needs one finish for each of %d faces, got %d"
+                            .formatted(name, mesh.faceCount(), finishOf.length));
+        for (int f = 0; f < finishOf.length; f++)
+            if (finishOf[f] < 0 || finishOf[f] >= finishes.size())
+                throw new IllegalArgumentException(
+                        "scene '%s', face %d: finish must be from 0 to %d, got %d"
+                                .formatted(name, f, finishes.size() - 1, finishOf[f]));
         if (!(pictureScale > 0) || pictureScale == Double.POSITIVE_INFINITY)
             throw new IllegalArgumentException(
                     "scene '%s': picture scale must be finite and above 0, got %s"
                             .formatted(name, pictureScale));
+    }
+
+    /**
+     * A scene of dull faces with a lamp at the eye.
+     *
+     * @param faceRgb one colour 0xRRGGBB per face
+     */
+    public static Scene dull(
+            String name,
+            Mesh mesh,
+            int[] faceRgb,
+            int backgroundRgb,
+            SphericalView defaultCamera,
+            double pictureScale) {
+        int[] colours = Arrays.stream(faceRgb).distinct().toArray();
+        List<Finish> finishes = Arrays.stream(colours).mapToObj(Finish::dull).toList();
+        int[] finishOf =
+                Arrays.stream(faceRgb)
+                        .map(rgb -> Arrays.stream(colours).boxed().toList().indexOf(rgb))
+                        .toArray();
+        return new Scene(
+                name,
+                mesh,
+                finishes,
+                finishOf,
+                SceneLight.lampAtEye(),
+                backgroundRgb,
+                defaultCamera,
+                pictureScale);
     }
 
     /**
@@ -39,12 +80,30 @@ public record Scene(
     public Scene zoomed(double zoom) {
         if (!(zoom > 0 && zoom < Double.POSITIVE_INFINITY))
             throw new IllegalArgumentException("zoom must be finite and above 0, got " + zoom);
-        return new Scene(name, mesh, faceRgb, backgroundRgb, defaultCamera, zoom * pictureScale);
+        return new Scene(
+                name,
+                mesh,
+                finishes,
+                finishOf,
+                light,
+                backgroundRgb,
+                defaultCamera,
+                zoom * pictureScale);
     }
 
-    /** A copy of the face colours. */
+    /** What a face looks like. */
+    public Finish finish(int face) {
+        return finishes.get(finishOf[face]);
+    }
+
+    /** A copy of the faces' finishes. */
     @Override
+    public int[] finishOf() {
+        return finishOf.clone();
+    }
+
+    /** The colour 0xRRGGBB of each face. */
     public int[] faceRgb() {
-        return faceRgb.clone();
+        return Arrays.stream(finishOf).map(finish -> finishes.get(finish).rgb()).toArray();
     }
 }

@@ -37,7 +37,7 @@ public final class Vase {
         int sides = MERIDIANS * (PARALLELS - 1);
         int[] rgb = new int[sides + MERIDIANS];
         for (int f = 0; f < rgb.length; f++) rgb[f] = f < sides ? SIDE_RGB : BOTTOM_RGB;
-        return new Scene("vase", new Mesh(vertices(), faces()), rgb, BACKGROUND_RGB, CAMERA, 1);
+        return Scene.dull("vase", new Mesh(vertices(), faces()), rgb, BACKGROUND_RGB, CAMERA, 1);
     }
 
     /** Radii of the parallels from the bottom up, in world units. */

@@ -5,7 +5,6 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BooleanSupplier;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.transform.PictureFit;
-import rasterlab.engine.transform.Projection;
 
 /**
  * A z-buffer of floats that holds nearness: ρ/z in perspective, −z in parallel projection.
@@ -32,7 +31,7 @@ final class FloatZBuffer implements Visibility {
             Cancellation.check(cancelled);
             if (!plane.load(view, face)) continue;
             polygon.load(view, face);
-            fill(polygon, plane, paint.fill()[face], nearness, out);
+            fill(polygon, plane, face, paint, nearness, out);
         }
         if (nearness.length <= LARGEST_KEPT) spare.set(nearness);
     }
@@ -45,22 +44,30 @@ final class FloatZBuffer implements Visibility {
     }
 
     private static void fill(
-            ScreenPolygon polygon, NearnessPlane plane, int fill, float[] nearness, Raster out) {
-        int[] argb = out.argb();
+            ScreenPolygon polygon,
+            NearnessPlane plane,
+            int face,
+            FacePaint paint,
+            float[] nearness,
+            Raster out) {
         int width = out.width();
-        double perColumn = plane.perColumn;
         polygon.fill(
                 width,
                 out.height(),
                 (y, from, to) -> {
                     double rowBase = plane.base + y * plane.perRow;
-                    for (int x = from, i = y * width + from; x < to; x++, i++) {
-                        float here = (float) (rowBase + x * perColumn);
-                        if (here > nearness[i]) {
-                            nearness[i] = here;
-                            argb[i] = fill;
-                        }
+                    int row = y * width;
+                    int seenFrom = -1;
+                    for (int x = from; x < to; x++) {
+                        float here = (float) (rowBase + x * plane.perColumn);
+                        boolean nearer = here > nearness[row + x];
+                        if (nearer) nearness[row + x] = here;
+                        if (nearer && seenFrom < 0) seenFrom = x;
+                        if (nearer || seenFrom < 0) continue;
+                        paint.span(face, y, seenFrom, x, out);
+                        seenFrom = -1;
                     }
+                    if (seenFrom >= 0) paint.span(face, y, seenFrom, to, out);
                 });
     }
 
@@ -81,12 +88,12 @@ final class FloatZBuffer implements Visibility {
             double ny = view.eyeNormal(face, 1);
             double nz = view.eyeNormal(face, 2);
             double k = view.planeOffset(face);
-            boolean central = view.projection() == Projection.PERSPECTIVE;
+            boolean central = view.transform().central();
             double divisor = central ? k : nz;
             if (divisor == 0) return false;
             double perUnitX = nx / divisor;
             double perUnitY = ny / divisor;
-            double middle = central ? nz * view.camera().rho() / k : -k / nz;
+            double middle = central ? nz * view.transform().distance() / k : -k / nz;
             PictureFit fit = view.fit();
             perColumn = perUnitX / fit.pixelsPerUnit();
             perRow = -perUnitY / fit.pixelsPerUnit();

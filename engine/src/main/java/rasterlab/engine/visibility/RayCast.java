@@ -4,8 +4,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.transform.PictureFit;
-import rasterlab.engine.transform.Projection;
-import rasterlab.engine.transform.SphericalView;
+import rasterlab.engine.transform.ViewTransform;
 
 /**
  * The exact reference: one ray per pixel centre against every face, in world space and doubles.
@@ -30,43 +29,48 @@ final class RayCast implements Visibility {
                 .forEach(
                         row -> {
                             Cancellation.check(cancelled);
-                            castRow(row, rays, targets, paint.fill(), out);
+                            castRow(row, rays, targets, paint, out);
                         });
     }
 
-    private static void castRow(int row, Rays rays, RayTargets targets, int[] fill, Raster out) {
+    private static void castRow(
+            int row, Rays rays, RayTargets targets, FacePaint paint, Raster out) {
         double[] ray = new double[6];
+        int from = 0;
+        int seen = -1;
         for (int x = 0; x < out.width(); x++) {
             rays.through(x + RIGHT_OF_CENTRE, row + BELOW_CENTRE, ray);
-            int face = targets.nearest(ray, rays.nearest);
-            if (face >= 0) out.argb()[row * out.width() + x] = fill[face];
+            int face = targets.nearest(ray, rays.nearest, rays.farthest);
+            if (face == seen) continue;
+            if (seen >= 0) paint.span(seen, row, from, x, out);
+            from = x;
+            seen = face;
         }
+        if (seen >= 0) paint.span(seen, row, from, out.width(), out);
     }
 
-    /** The rays of a view; t is depth z in eye space. */
+    /** The rays of a view; t is depth z in view space. */
     private static final class Rays {
         final double nearest;
+        final double farthest;
+        private final double[][] axes = new double[3][3];
         private final double[] eye = new double[3];
-        private final double[] right;
-        private final double[] up;
-        private final double[] forward;
-        private final double rho;
+        private final double distance;
         private final boolean central;
         private final PictureFit fit;
 
         Rays(ViewedMesh view) {
-            SphericalView camera = view.camera();
-            double st = Math.sin(camera.thetaRadians());
-            double ct = Math.cos(camera.thetaRadians());
-            double sp = Math.sin(camera.phiRadians());
-            double cp = Math.cos(camera.phiRadians());
-            right = new double[] {-st, ct, 0};
-            up = new double[] {-cp * ct, -cp * st, sp};
-            forward = new double[] {-sp * ct, -sp * st, -cp};
-            rho = camera.rho();
-            for (int i = 0; i < 3; i++) eye[i] = -rho * forward[i];
-            central = view.projection() == Projection.PERSPECTIVE;
+            ViewTransform transform = view.transform();
+            for (int i = 0; i < 3; i++) {
+                eye[i] = transform.toWorld(i, 0, 0, 0);
+                axes[0][i] = transform.toWorld(i, 1, 0, 0) - eye[i];
+                axes[1][i] = transform.toWorld(i, 0, 1, 0) - eye[i];
+                axes[2][i] = transform.toWorld(i, 0, 0, 1) - eye[i];
+            }
+            distance = transform.distance();
+            central = transform.central();
             nearest = view.near();
+            farthest = view.far();
             fit = view.fit();
         }
 
@@ -75,9 +79,9 @@ final class RayCast implements Visibility {
             double u = fit.toPlaneX(pixelX);
             double v = fit.toPlaneY(pixelY);
             for (int i = 0; i < 3; i++) {
-                double across = u * right[i] + v * up[i];
+                double across = u * axes[0][i] + v * axes[1][i];
                 ray[i] = central ? eye[i] : eye[i] + across;
-                ray[3 + i] = central ? forward[i] + across / rho : forward[i];
+                ray[3 + i] = central ? axes[2][i] + across / distance : axes[2][i];
             }
         }
     }

@@ -57,11 +57,11 @@ final class RayTargets {
     }
 
     /**
-     * The face with the smallest t ≥ nearest along a ray, −1 if there is none.
+     * The face with the smallest t in [nearest, farthest] along a ray, −1 if there is none.
      *
      * @param ray origin in 0..2, direction in 3..5
      */
-    int nearest(double[] ray, double nearest) {
+    int nearest(double[] ray, double nearest, double farthest) {
         if (missesBall(ray)) return -1;
         double best = Double.POSITIVE_INFINITY;
         int hit = -1;
@@ -75,7 +75,7 @@ final class RayTargets {
                                     - planes[at + 1] * ray[1]
                                     - planes[at + 2] * ray[2])
                             / toward;
-            if (t >= nearest && t < best && inside(walls[f], ray, t)) {
+            if (t >= nearest && t <= farthest && t < best && inside(walls[f], ray, t)) {
                 best = t;
                 hit = f;
             }

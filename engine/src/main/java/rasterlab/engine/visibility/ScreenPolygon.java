@@ -1,29 +1,33 @@
 package rasterlab.engine.visibility;
 
 import rasterlab.engine.transform.PictureFit;
-import rasterlab.engine.transform.Projection;
 
 /**
- * One face at a time, clipped at the near plane, projected to pixels and filled.
+ * One face at a time, clipped at the near and the far plane, projected to pixels and filled.
  *
- * <p>A new edge point of the clip is computed from the visible end to the hidden one, and a row's
- * crossing with an edge from its upper end to its lower one, so two faces that share an edge get
- * bit-equal numbers and own each pixel once. Corners are rounded to 1/65536 pixel: an edge that
- * lies on pixel centres then does so exactly, whatever the rounding before.
+ * <p>A row's crossing with an edge is computed from its upper end to its lower one, so two faces
+ * that share an edge get bit-equal numbers and own each pixel once. Corners are rounded to 1/65536
+ * pixel: an edge that lies on pixel centres then does so exactly, whatever the rounding before.
  */
 final class ScreenPolygon {
     private static final double SUBPIXELS = 65536;
 
+    private final ViewPolygon whole;
+    private final ViewPolygon nearCut;
+    private final ViewPolygon cut;
     private final double[] x;
     private final double[] y;
     private int size;
 
     /**
-     * @param mostCorners the most corners of a face; the near plane may add one
+     * @param mostCorners the most corners of a face; the near and the far plane may add one each
      */
     ScreenPolygon(int mostCorners) {
-        x = new double[mostCorners + 1];
-        y = new double[mostCorners + 1];
+        whole = new ViewPolygon(mostCorners);
+        nearCut = new ViewPolygon(mostCorners + 1);
+        cut = new ViewPolygon(mostCorners + 2);
+        x = new double[mostCorners + 2];
+        y = new double[mostCorners + 2];
     }
 
     int size() {
@@ -40,7 +44,7 @@ final class ScreenPolygon {
         return y[corner];
     }
 
-    /** Takes a face; nothing remains of one that is nearer than the near plane. */
+    /** Takes a face; nothing remains of one before the near plane or behind the far one. */
     void load(ViewedMesh view, int face) {
         load(view, face, view.eyeX, view.eyeY, view.eyeZ);
     }
@@ -48,32 +52,35 @@ final class ScreenPolygon {
     /** The same with other eye coordinates than the view's own. */
     void load(ViewedMesh view, int face, double[] eyeX, double[] eyeY, double[] eyeZ) {
         var mesh = view.mesh();
-        double near = view.near();
-        size = 0;
-        int n = mesh.cornerCount(face);
-        int a = mesh.corner(face, n - 1);
-        for (int k = 0; k < n; k++) {
-            int b = mesh.corner(face, k);
-            boolean aIn = eyeZ[a] >= near;
-            boolean bIn = eyeZ[b] >= near;
-            if (aIn != bIn) {
-                int in = aIn ? a : b;
-                int out = aIn ? b : a;
-                double t = (eyeZ[in] - near) / (eyeZ[in] - eyeZ[out]);
-                add(
-                        view,
-                        eyeX[in] + t * (eyeX[out] - eyeX[in]),
-                        eyeY[in] + t * (eyeY[out] - eyeY[in]),
-                        near);
-            }
-            if (bIn) add(view, eyeX[b], eyeY[b], eyeZ[b]);
-            a = b;
+        whole.size = 0;
+        for (int k = 0; k < mesh.cornerCount(face); k++) {
+            int v = mesh.corner(face, k);
+            whole.add(eyeX[v], eyeY[v], eyeZ[v]);
         }
+        load(view);
+    }
+
+    /**
+     * Takes any flat convex polygon.
+     *
+     * @param corners x, y, z of each corner in eye space
+     */
+    void load(ViewedMesh view, double[] corners) {
+        whole.size = 0;
+        for (int i = 0; i < corners.length; i += 3)
+            whole.add(corners[i], corners[i + 1], corners[i + 2]);
+        load(view);
+    }
+
+    private void load(ViewedMesh view) {
+        whole.cut(view.near(), 1, nearCut);
+        nearCut.cut(view.far(), -1, cut);
+        size = 0;
+        for (int k = 0; k < cut.size; k++) add(view, cut.x[k], cut.y[k], cut.z[k]);
     }
 
     private void add(ViewedMesh view, double eyeX, double eyeY, double eyeZ) {
-        double shrink =
-                view.projection() == Projection.PERSPECTIVE ? view.camera().rho() / eyeZ : 1;
+        double shrink = view.transform().central() ? view.transform().distance() / eyeZ : 1;
         PictureFit fit = view.fit();
         x[size] = Math.rint(fit.toPixelX(eyeX * shrink) * SUBPIXELS) / SUBPIXELS;
         y[size] = Math.rint(fit.toPixelY(eyeY * shrink) * SUBPIXELS) / SUBPIXELS;

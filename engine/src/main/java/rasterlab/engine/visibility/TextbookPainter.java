@@ -23,7 +23,7 @@ final class TextbookPainter implements Visibility {
 
     @Override
     public void draw(ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled) {
-        double rho = view.camera().rho();
+        double rho = view.transform().distance();
         double[] x = rounded(view.eyeX, 0);
         double[] y = rounded(view.eyeY, 0);
         double[] z = rounded(view.eyeZ, rho);

@@ -1,10 +1,8 @@
 package rasterlab.engine.visibility;
 
-import org.joml.Matrix4d;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.transform.PictureFit;
-import rasterlab.engine.transform.Projection;
-import rasterlab.engine.transform.SphericalView;
+import rasterlab.engine.transform.ViewTransform;
 
 /**
  * A mesh in eye space (x right, y up, z forward), one array per coordinate.
@@ -19,57 +17,72 @@ public final class ViewedMesh {
     public static final double NEAR_SHARE = 1e-3;
 
     private final Mesh mesh;
-    private final SphericalView camera;
-    private final Projection projection;
+    private final ViewTransform transform;
     private final PictureFit fit;
+    private final double near;
+    private final double far;
     final double[] eyeX;
     final double[] eyeY;
     final double[] eyeZ;
     private final double[] eyeNormals;
 
-    public ViewedMesh(Mesh mesh, SphericalView camera, Projection projection, PictureFit fit) {
+    /**
+     * @param near the smallest view z that is drawn, above 0 in perspective
+     * @param far the largest one, above {@code near}; infinity in perspective, and infinities in
+     *     parallel projection, cut nothing off
+     */
+    public ViewedMesh(Mesh mesh, ViewTransform transform, PictureFit fit, double near, double far) {
+        if (!(near < far) || transform.central() && !(near > 0))
+            throw new IllegalArgumentException(
+                    "near must be below far%s, got near %s, far %s"
+                            .formatted(transform.central() ? " and above 0" : "", near, far));
         this.mesh = mesh;
-        this.camera = camera;
-        this.projection = projection;
+        this.transform = transform;
         this.fit = fit;
+        this.near = near;
+        this.far = far;
         int n = mesh.vertexCount();
         eyeX = new double[n];
         eyeY = new double[n];
         eyeZ = new double[n];
         eyeNormals = new double[3 * mesh.faceCount()];
-        Matrix4d m = camera.matrix();
         for (int v = 0; v < n; v++) {
-            double x = mesh.x(v);
-            double y = mesh.y(v);
-            double z = mesh.z(v);
-            eyeX[v] = m.m00() * x + m.m10() * y + m.m20() * z + m.m30();
-            eyeY[v] = m.m01() * x + m.m11() * y + m.m21() * z + m.m31();
-            eyeZ[v] = m.m02() * x + m.m12() * y + m.m22() * z + m.m32();
+            eyeX[v] = transform.toView(0, mesh.x(v), mesh.y(v), mesh.z(v));
+            eyeY[v] = transform.toView(1, mesh.x(v), mesh.y(v), mesh.z(v));
+            eyeZ[v] = transform.toView(2, mesh.x(v), mesh.y(v), mesh.z(v));
         }
-        turnNormals(m);
+        for (int f = 0; f < mesh.faceCount(); f++) turnNormal(f);
     }
 
-    private void turnNormals(Matrix4d m) {
-        for (int f = 0; f < mesh.faceCount(); f++) {
-            double x = mesh.normalX(f);
-            double y = mesh.normalY(f);
-            double z = mesh.normalZ(f);
-            eyeNormals[3 * f] = m.m00() * x + m.m10() * y + m.m20() * z;
-            eyeNormals[3 * f + 1] = m.m01() * x + m.m11() * y + m.m21() * z;
-            eyeNormals[3 * f + 2] = m.m02() * x + m.m12() * y + m.m22() * z;
+    /** With the nearest near plane there can be, and no far one. */
+    public ViewedMesh(Mesh mesh, ViewTransform transform, PictureFit fit) {
+        this(
+                mesh,
+                transform,
+                fit,
+                transform.central() ? NEAR_SHARE * transform.distance() : Double.NEGATIVE_INFINITY,
+                Double.POSITIVE_INFINITY);
+    }
+
+    private void turnNormal(int face) {
+        double length = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double turned =
+                    transform.normalToView(
+                            axis, mesh.normalX(face), mesh.normalY(face), mesh.normalZ(face));
+            eyeNormals[3 * face + axis] = turned;
+            length += turned * turned;
         }
+        if (!transform.projection().oblique()) return;
+        for (int axis = 0; axis < 3; axis++) eyeNormals[3 * face + axis] /= Math.sqrt(length);
     }
 
     public Mesh mesh() {
         return mesh;
     }
 
-    public SphericalView camera() {
-        return camera;
-    }
-
-    public Projection projection() {
-        return projection;
+    public ViewTransform transform() {
+        return transform;
     }
 
     public PictureFit fit() {
@@ -106,15 +119,16 @@ public final class ViewedMesh {
 
     /** Whether the picture shows the inner side of a face, if it shows the face at all. */
     public boolean seenFromInside(int face) {
-        return projection == Projection.PERSPECTIVE
-                ? planeOffset(face) > 0
-                : eyeNormal(face, 2) > 0;
+        return transform.central() ? planeOffset(face) > 0 : eyeNormal(face, 2) > 0;
     }
 
-    /** The smallest z in eye space that is drawn: negative infinity in parallel projection. */
+    /** The smallest z in eye space that is drawn: negative infinity where there is no bound. */
     public double near() {
-        return projection == Projection.PERSPECTIVE
-                ? NEAR_SHARE * camera.rho()
-                : Double.NEGATIVE_INFINITY;
+        return near;
+    }
+
+    /** The largest z in eye space that is drawn: infinity where there is no bound. */
+    public double far() {
+        return far;
     }
 }

@@ -66,7 +66,7 @@ class RenderRequestTest {
                         "",
                         10,
                         false,
-                        "no projection ''; there are perspective, parallel"),
+                        "no projection ''; there are " + String.join(", ", Renderer.projections())),
                 argumentSet(
                         "no pixel is accepted",
                         z,

@@ -34,7 +34,7 @@ class RendererTest {
         double[] xyz = {0, 2, 1, 0, 5, 1, 0, 5, 3, 0, 2, 3};
         double onePixelPerUnit = 1 / Math.min(13 / 800.0, 7 / 600.0);
         var flag =
-                new Scene(
+                Scene.dull(
                         "flag",
                         new Mesh(xyz, new int[][] {{0, 1, 2, 3}}),
                         new int[] {0xFFFFFF},

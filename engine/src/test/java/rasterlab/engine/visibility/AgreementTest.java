@@ -79,7 +79,7 @@ class AgreementTest {
     @DisplayName("the textbook's painter is repaired")
     void textbookPainterIsWorse() {
         for (Scene scene : Scenes.all())
-            for (String projection : Renderer.projections()) {
+            for (String projection : List.of("perspective", "parallel")) {
                 var camera = scene.defaultCamera();
                 double share = share(scene, "painter-textbook", projection, camera, 800, 600);
                 assertTrue(

@@ -57,7 +57,7 @@ class PainterTest {
         new Visibilities()
                 .named(method)
                 .implementation()
-                .draw(view, new FacePaint(new int[] {BAND, SQUARE}, new int[0]), out, () -> false);
+                .draw(view, new FlatPaint(new int[] {BAND, SQUARE}, new int[0]), out, () -> false);
         assertEquals(Integer.toHexString(colour), Integer.toHexString(out.argb(50 + column, 20)));
     }
 

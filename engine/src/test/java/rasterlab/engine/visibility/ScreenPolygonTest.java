@@ -13,6 +13,7 @@ import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
+import rasterlab.engine.transform.ViewTransform;
 
 class ScreenPolygonTest {
     /** Pixel (3, 2) is the origin; corners are given as pixels from there, y up. */
@@ -91,8 +92,8 @@ class ScreenPolygonTest {
         var view =
                 new ViewedMesh(
                         new Mesh(xyz, faces),
-                        new SphericalView(theta, 1.1, 20),
-                        Projection.PERSPECTIVE,
+                        new ViewTransform(
+                                new SphericalView(theta, 1.1, 20), Projection.PERSPECTIVE),
                         new PictureFit(80, 60, 1));
         int[] counts = counts(view);
         for (int i = 0; i < counts.length; i++)

@@ -1,0 +1,37 @@
+package rasterlab.engine.scene;
+
+import java.util.Optional;
+import rasterlab.engine.color.Levels;
+import rasterlab.engine.light.Material;
+
+/**
+ * What the faces of a mesh look like.
+ *
+ * @param front the material of outer sides
+ * @param back the material of inner sides
+ * @param texture what lies on both
+ */
+public record Finish(Material front, Material back, Optional<LaidTexture> texture) {
+
+    /** Opaque and dull on both sides. */
+    public static Finish dull(int rgb) {
+        return of(
+                Material.dull(
+                        (rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0));
+    }
+
+    /** One material on both sides. */
+    public static Finish of(Material material) {
+        return new Finish(material, material, Optional.empty());
+    }
+
+    public Finish with(LaidTexture laid) {
+        return new Finish(front, back, Optional.of(laid));
+    }
+
+    /** The diffuse colour of the front, 0xRRGGBB. */
+    public int rgb() {
+        double[] diffuse = front.surface().diffuse();
+        return Levels.argb(diffuse[0], diffuse[1], diffuse[2], 1) & 0xFFFFFF;
+    }
+}

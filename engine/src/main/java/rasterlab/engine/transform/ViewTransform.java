@@ -1,0 +1,74 @@
+package rasterlab.engine.transform;
+
+import org.joml.Matrix4d;
+
+/**
+ * World → view space: x right, y up, z forward. The eye is at its origin in perspective; in
+ * parallel projection all lines of sight run along its z.
+ *
+ * <p>An oblique projection slants view space itself, so lengths and angles are the world's only
+ * where {@link Projection} is not oblique: light is computed in the world.
+ */
+public final class ViewTransform {
+    private final Projection projection;
+    private final double distance;
+    private final double[] toView;
+    private final double[] normalToView;
+    private final double[] toWorld;
+
+    /**
+     * @param camera drawn upright
+     */
+    public ViewTransform(SphericalView camera, Projection projection) {
+        this.projection = projection;
+        distance = camera.rho();
+        Matrix4d matrix = projection.worldToView(camera.upright());
+        toView = matrix.get(new double[16]);
+        normalToView =
+                projection.oblique() ? matrix.normal(new Matrix4d()).get(new double[16]) : toView;
+        toWorld = matrix.invertAffine(new Matrix4d()).get(new double[16]);
+    }
+
+    public Projection projection() {
+        return projection;
+    }
+
+    /** Whether lines of sight meet in the eye. */
+    public boolean central() {
+        return projection == Projection.PERSPECTIVE;
+    }
+
+    /** ρ: the world's origin is at z = ρ, and so is the picture plane in perspective. */
+    public double distance() {
+        return distance;
+    }
+
+    /** One coordinate of a world point in view space: axis 0 is x, 1 is y, 2 is z. */
+    public double toView(int axis, double x, double y, double z) {
+        return toView[axis] * x + toView[4 + axis] * y + toView[8 + axis] * z + toView[12 + axis];
+    }
+
+    /** One coordinate of a plane's normal in view space, not of length 1 in an oblique one. */
+    public double normalToView(int axis, double x, double y, double z) {
+        return normalToView[axis] * x + normalToView[4 + axis] * y + normalToView[8 + axis] * z;
+    }
+
+    /** One coordinate of a view point in the world. */
+    public double toWorld(int axis, double x, double y, double z) {
+        return toWorld[axis] * x
+                + toWorld[4 + axis] * y
+                + toWorld[8 + axis] * z
+                + toWorld[12 + axis];
+    }
+
+    /**
+     * One coordinate of the direction in the world, of length 1, that the middle of the picture is
+     * looked at along.
+     */
+    public double sight(int axis) {
+        double x = toWorld[8];
+        double y = toWorld[9];
+        double z = toWorld[10];
+        return toWorld[8 + axis] / Math.sqrt(x * x + y * y + z * z);
+    }
+}
