@@ -26,6 +26,11 @@ final class ClipPainter {
     /** Where a wrong line bears its marks, as shares of its length. */
     private static final double[] MARKED = {0.2, 0.5, 0.8};
 
+    private static final double[] MIDDLE = {0.5};
+
+    /** View units from which a wrong line bears more than one mark. */
+    private static final double ROOMY = 80;
+
     private static final int TRANSLUCENT = 60;
 
     private final Graphics2D g;
@@ -131,9 +136,12 @@ final class ClipPainter {
         } else stroke(path, colour, 2.4f);
         Place from = line.points().get(0);
         Place to = line.points().get(line.points().size() - 1);
-        for (double share : MARKED) {
-            double x = map.viewX(from.x() + share * (to.x() - from.x()));
-            double y = map.viewY(from.y() + share * (to.y() - from.y()));
+        double right = map.viewX(to.x()) - map.viewX(from.x());
+        double down = map.viewY(to.y()) - map.viewY(from.y());
+        boolean roomy = Math.hypot(right, down) >= ROOMY;
+        for (double share : roomy ? MARKED : MIDDLE) {
+            double x = map.viewX(from.x()) + share * right;
+            double y = map.viewY(from.y()) + share * down;
             mark.paint(g, x - MARK / 2, y - MARK / 2, MARK);
         }
     }

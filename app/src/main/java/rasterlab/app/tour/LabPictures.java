@@ -45,9 +45,11 @@ final class LabPictures implements TourPart {
                 caption);
     }
 
-    /** A faulty method on a line that it draws wrongly, so that wrong pixels are seen. */
+    /** Faulty methods where they fail, so that wrong pixels and parts are seen. */
     private static void showWhatFails(LabModels models) {
         models.line().show(new Segment(17, 9, 2, 3));
         models.line().chooseMethod("bresenham-textbook");
+        models.clip().chooseMethod("cohen-sutherland-textbook");
+        models.clip().compareWith("cohen-sutherland");
     }
 }
