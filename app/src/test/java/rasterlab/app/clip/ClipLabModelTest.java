@@ -253,6 +253,14 @@ class ClipLabModelTest {
     }
 
     @Test
+    void pointThatAnotherModeLacksIsNotSelectedThere() {
+        model.chooseMode(ClipMode.POLYGON);
+        model.select(Grip.corner(7));
+        model.chooseMode(ClipMode.VOLUME);
+        assertEquals(Grip.end(0, 0), model.state().selected());
+    }
+
+    @Test
     void unknownMethodIsRefusedByName() {
         var refused =
                 assertThrows(

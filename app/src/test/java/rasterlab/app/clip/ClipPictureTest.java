@@ -1,6 +1,7 @@
 package rasterlab.app.clip;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -96,6 +97,16 @@ class ClipPictureTest {
         long hidden = lines(drawn, Drawn.Ink.HIDDEN).count();
         assertEquals(12, seen + hidden);
         assertTrue(hidden > 0 && hidden < seen, hidden + " of 12 hidden");
+    }
+
+    /** z points away from whom sees x to the right and y upwards. */
+    @Test
+    void nearFaceIsTurnedToTheEye() {
+        var ahead = new Viewpoint(0, 0);
+        assertTrue(ahead.faces(new SpacePoint(0, 0, -1)));
+        assertFalse(ahead.faces(new SpacePoint(0, 0, 1)));
+        assertTrue(Viewpoint.FIRST.faces(new SpacePoint(1, 0, 0)), "seen from the right");
+        assertTrue(Viewpoint.FIRST.faces(new SpacePoint(0, 1, 0)), "seen from above");
     }
 
     @Test

@@ -31,6 +31,11 @@ class EdgesTest {
                         "a crossing cuts", e(0, 0, 4, 0), e(2, -1, 2, 1), "[0.0, 0.0, 4.0, 0.0]"),
                 argumentSet(
                         "a neighbour cuts", e(0, 0, 4, 0), e(4, 0, 9, 0), "[0.0, 0.0, 4.0, 0.0]"),
+                argumentSet(
+                        "an edge that comes from beside cuts",
+                        e(0, 0, 4, 0),
+                        e(1, 1, 3, 0),
+                        "[0.0, 0.0, 4.0, 0.0]"),
                 argumentSet("a covered point is kept", e(2, 0, 2, 0), e(0, 0, 4, 0), ""),
                 argumentSet(
                         "a point beside is lost",
