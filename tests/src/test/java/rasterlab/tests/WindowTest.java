@@ -114,7 +114,10 @@ class WindowTest extends WindowHarness {
         "900, 600, spline",
         "1280, 720, line",
         "1280, 720, spline",
-        "2560, 1440, spline",
+        "2560, 1440, spline",,
+        "900, 600, clip",
+        "1280, 720, clip",
+        "2560, 1440, clip"
     })
     void noTextIsCutInRussian(int width, int height, String tab) {
         GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
@@ -126,7 +129,7 @@ class WindowTest extends WindowHarness {
 
     @Test
     void everyControlCanBeNamedByAssistiveTechnology() {
-        for (String tab : List.of("line", "visibility", "spline")) {
+        for (String tab : List.of("line", "clip", "visibility", "spline")) {
             show(tab);
             List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
             assertEquals(List.of(), nameless, tab);

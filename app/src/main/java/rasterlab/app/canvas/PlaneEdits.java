@@ -13,6 +13,18 @@ public interface PlaneEdits {
     /** A point is wanted where the ground was clicked twice. */
     default void add(double x, double y) {}
 
+    /** A point has got the keyboard. */
+    default void select(String point) {}
+
+    /**
+     * The ground is dragged by so many view units.
+     *
+     * @return whether that turned something; otherwise the plane in sight is moved
+     */
+    default boolean turn(int viewRight, int viewDown) {
+        return false;
+    }
+
     /** A point is not wanted any more: the Delete key. */
     default void remove(String point) {}
 }

@@ -35,7 +35,9 @@ record PlaneFrame(
         Font font,
         Locale locale) {
     private static final double DOT = 3.5;
-    private static final double AWAY = 20;
+
+    /** Between a point and its label, for the ring around the point. */
+    private static final double AWAY = 15;
 
     /**
      * @throws CancellationException soon after {@code cancelled} says true
@@ -62,16 +64,25 @@ record PlaneFrame(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         var rulers = new PlaneRulers(map, new Dimension(width, height), colours, font, locale);
-        rulers.paintGrid(g);
+        if (picture.ruled()) rulers.paintGrid(g);
+        else paintGround(g);
         var inner = (Graphics2D) g.create();
         inner.setFont(font);
-        inner.clipRect(Rulers.left(), Rulers.top(), width - Rulers.left(), height - Rulers.top());
+        if (picture.ruled())
+            inner.clipRect(
+                    Rulers.left(), Rulers.top(), width - Rulers.left(), height - Rulers.top());
+        else inner.clipRect(0, 0, width, height);
         picture.paint(inner, map, colours, cancelled);
         paintPoints(inner);
         if (!note.isEmpty()) Plates.sentence(inner, note, width, colours);
         inner.dispose();
         g.setStroke(new BasicStroke(1f));
-        rulers.paintMargins(g);
+        if (picture.ruled()) rulers.paintMargins(g);
+    }
+
+    private void paintGround(Graphics2D g) {
+        g.setColor(colours.ground());
+        g.fillRect(0, 0, width, height);
     }
 
     private void paintPoints(Graphics2D g) {
@@ -98,13 +109,22 @@ record PlaneFrame(
         double length = Math.max(1e-9, Math.hypot(dx, dy));
         FontMetrics metrics = g.getFontMetrics();
         int wide = metrics.stringWidth(label);
-        double left = x + dx / length * (AWAY + wide / 2.0) - wide / 2.0;
-        double base = y + dy / length * AWAY + metrics.getAscent() / 2.0 - 1;
+        double away =
+                Math.min(
+                        (AWAY + wide / 2.0) / Math.abs(dx / length),
+                        (AWAY + metrics.getAscent() / 2.0) / Math.abs(dy / length));
+        double left = x + dx / length * away - wide / 2.0;
+        double fitting = Math.max(Rulers.left() + 6, Math.min(width - wide - 8, left));
+        // A label that the stage's edge pushes back to its point stands above it.
+        double base =
+                Math.abs(fitting - left) > AWAY / 2
+                        ? y - AWAY
+                        : y + dy / length * away + metrics.getAscent() / 2.0 - 1;
         Color ground = colours.ground();
         Plates.plate(
                 g,
                 label,
-                (int) Math.max(Rulers.left() + 6, Math.min(width - wide - 8, left)),
+                (int) fitting,
                 (int) Math.max(Rulers.top() + metrics.getAscent() + 4, Math.min(height - 8, base)),
                 new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 190),
                 colours.ink());

@@ -15,4 +15,9 @@ public interface PlanePicture {
      * @throws CancellationException soon after {@code cancelled} says true
      */
     void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled);
+
+    /** Whether grid, rulers and read-out belong to it: not where the plane is a view of space. */
+    default boolean ruled() {
+        return true;
+    }
 }

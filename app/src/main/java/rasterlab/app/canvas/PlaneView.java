@@ -326,6 +326,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         public void focused(PlaneHandle handle) {
             keyed = handle.getName();
             setComponentZOrder(handle, 0);
+            edits.select(keyed);
         }
     }
 
@@ -337,6 +338,12 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         public void mousePressed(MouseEvent e) {
             focusPoint();
             last = e.getPoint();
+            edits.beginDrag();
+        }
+
+        @Override
+        public void mouseReleased(MouseEvent e) {
+            edits.endDrag();
         }
 
         @Override
@@ -347,8 +354,11 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
 
         @Override
         public void mouseDragged(MouseEvent e) {
-            chosen = Optional.of(map().moved(e.getX() - last.x, e.getY() - last.y));
+            int right = e.getX() - last.x;
+            int down = e.getY() - last.y;
             last = e.getPoint();
+            if (edits.turn(right, down)) return;
+            chosen = Optional.of(map().moved(right, down));
             revalidate();
             point(e);
         }
@@ -372,7 +382,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
             pointed.setText(
                     Shown.point(
                             map().pointedX(e.getX()), map().pointedY(e.getY()), texts.locale()));
-            pointed.setVisible(true);
+            pointed.setVisible(picture.ruled());
         }
     }
 }

@@ -35,8 +35,7 @@ final class ChartCommand implements Callable<Integer> {
     @Parameters(
             index = "0",
             paramLabel = "CHART",
-            description =
-"perspective, depth-precision, mach-bands or visibility-growth")
+            description = "perspective, depth-precision, mach-bands or visibility-growth")
     private String name;
 
     @Option(

@@ -2,6 +2,8 @@ package rasterlab.app.shell;
 
 import java.awt.EventQueue;
 import java.util.function.Consumer;
+import rasterlab.app.clip.ClipLabModel;
+import rasterlab.app.clip.ClipTopics;
 import rasterlab.app.line.LineLabModel;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.visibility.VisibilityLabModel;
@@ -9,7 +11,8 @@ import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.pipeline.Renderer;
 
 /** The labs' models, which outlive the panels that show them; used on the event thread. */
-public record LabModels(LineLabModel line, VisibilityLabModel visibility, SplineLabModel spline)
+public record LabModels(
+        LineLabModel line, ClipLabModel clip, VisibilityLabModel visibility, SplineLabModel spline)
         implements AutoCloseable {
     /**
      * Every lab as it opens.
@@ -20,6 +23,7 @@ public record LabModels(LineLabModel line, VisibilityLabModel visibility, Spline
         var renderer = new Renderer();
         return new LabModels(
                 new LineLabModel(new LineTopic(), EventQueue::invokeLater, onFailure),
+                new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
                 new SplineLabModel(EventQueue::invokeLater, onFailure));
     }
@@ -28,6 +32,7 @@ public record LabModels(LineLabModel line, VisibilityLabModel visibility, Spline
     @Override
     public void close() {
         line.close();
+        clip.close();
         visibility.close();
         spline.close();
     }

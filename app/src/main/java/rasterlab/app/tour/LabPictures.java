@@ -22,6 +22,7 @@ final class LabPictures implements TourPart {
     private static final List<Shot> SHOTS =
             List.of(
                     new Shot("line", "line", LabPictures::showWhatFails),
+                    new Shot("clip", "clip", models -> {}),
                     new Shot("visibility", "visibility", models -> {}),
                     new Shot("spline", "spline", models -> {}),
                     new Shot(
@@ -59,9 +60,11 @@ final class LabPictures implements TourPart {
                 caption);
     }
 
-    /** A faulty method on a line that it draws wrongly, so that wrong pixels are seen. */
+    /** Faulty methods where they fail, so that wrong pixels and parts are seen. */
     private static void showWhatFails(LabModels models) {
         models.line().show(new Segment(17, 9, 2, 3));
         models.line().chooseMethod("bresenham-textbook");
+        models.clip().chooseMethod("cohen-sutherland-textbook");
+        models.clip().compareWith("cohen-sutherland");
     }
 }

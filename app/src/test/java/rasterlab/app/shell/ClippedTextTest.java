@@ -12,10 +12,13 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.clip.ClipLabModel;
+import rasterlab.app.clip.ClipMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.Sampling;
@@ -43,7 +46,8 @@ class ClippedTextTest {
                         language ->
                                 Stream.of(
                                         Arguments.of(language, 900, 560),
-                                        Arguments.of(language, 1280, 680)));
+                                        Arguments.of(language, 1280, 680),
+                                        Arguments.of(language, 2560, 1380)));
     }
 
     @ParameterizedTest(name = "a label is cut off: {0} in {1}×{2}")
@@ -70,12 +74,25 @@ class ClippedTextTest {
             OffscreenPainter.paint(spline.panel(), width, height);
             assertEquals(List.of(), clipped(spline.panel()), "spline");
         }
+        JComponent clip = tabs.get().named("clip").panel();
+        for (ClipMode mode : ClipMode.values()) {
+            OffscreenPainter.onEventThread(() -> showComparison(models.get().clip(), mode));
+            for (int round = 0; round < 2; round++) OffscreenPainter.paint(clip, width, height);
+            assertEquals(List.of(), clipped(clip), mode.name());
+        }
         OffscreenPainter.onEventThread(
                 () -> {
                     tabs.get().close();
                     models.get().close();
                 });
         assertEquals(List.of(), failures, "what a lab could not do");
+    }
+
+    /** As many rows in the inspector as there can be. */
+    private static void showComparison(ClipLabModel clip, ClipMode mode) {
+        clip.chooseMode(mode);
+        clip.compareWith(clip.state().choice().scene().method());
+        clip.goTo(1);
     }
 
     private static List<String> clipped(Container container) {
