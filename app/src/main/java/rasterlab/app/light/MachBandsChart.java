@@ -46,6 +46,12 @@ public final class MachBandsChart {
         return faces;
     }
 
+    /** Evenly spaced places would be taken for the only ones that an axis may name. */
+    private static double[] uneven(double[] places) {
+        for (int i = 0; i < places.length; i += PER_FACE) places[i] += 1e-3;
+        return places;
+    }
+
     public static BufferedImage image(Language language) {
         return ChartPicture.image(
                 graphics ->
@@ -86,7 +92,7 @@ public final class MachBandsChart {
             XYSeries series =
                     chart.addSeries(
                             texts.text(profile.getKey()),
-                            places(),
+                            uneven(places()),
                             profile.getValue().brightness());
             series.setMarker(SeriesMarkers.NONE);
             series.setLineColor(COLOURS[colour++]);
@@ -100,7 +106,7 @@ public final class MachBandsChart {
         styler.setYAxisMin(0.0).setYAxisMax(1.0);
         styler.setLegendPosition(LegendPosition.InsideNW);
         styler.setLocale(Locale.ROOT);
-        styler.setXAxisDecimalPattern("#").setYAxisDecimalPattern("#.#");
+        styler.setXAxisDecimalPattern("#.##").setYAxisDecimalPattern("#.#");
         styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
         styler.setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
         styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));

@@ -134,6 +134,28 @@ class LookTest {
         }
     }
 
+    @Test
+    @DisplayName("a pixel that a rounded polygon adds beyond an edge shows the texture's other end")
+    void pixelsBeyondAnEdgeHaveTheColourOfTheEdge() {
+        double[] xyz = {0, -3.5, -3.5, 0, 3.5, -3.5, 0, 3.5, 3.5, 0, -3.5, 3.5};
+        double[] st = {0, 0, 0.9, 0, 0.9, 1, 0, 1};
+        Texture halves = Texture.of(2, 1, 3, new int[] {0xFF0000, 0x0000FF});
+        var scene =
+                LitScenes.scene(
+                        new Mesh(xyz, new int[][] {{0, 1, 2, 3}}).withTexture(st),
+                        LitScenes.white().with(LitScenes.laid(halves, Wrap.REPEAT)),
+                        LitScenes.everywhere());
+        Raster picture =
+                draw(
+                        scene.zoomed(100 / 180.0),
+                        "flat",
+                        look ->
+                                look.withVisibility("painter-textbook")
+                                        .withTexture(TextureMode.NEAREST));
+        assertEquals("ffff0000", Integer.toHexString(picture.argb(1, 15)));
+        assertEquals("ff0000ff", Integer.toHexString(picture.argb(39, 15)));
+    }
+
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("terms")
     void leavesTermsOut(Set<LightTerm> seen, int argb) {
