@@ -114,7 +114,7 @@ class WindowTest extends WindowHarness {
         "900, 600, spline",
         "1280, 720, line",
         "1280, 720, spline",
-        "2560, 1440, spline",,
+        "2560, 1440, spline",
         "900, 600, clip",
         "1280, 720, clip",
         "2560, 1440, clip"

@@ -11,8 +11,7 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.Stereo;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
-import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.texture.TextureEnvironment;
 import rasterlab.engine.texture.Wrap;
 
@@ -48,7 +47,7 @@ abstract class EngineNames implements Iterable<String> {
 
     static final class OfScenes extends EngineNames {
         OfScenes() {
-            super(Scenes.all().stream().map(Scene::name).toList());
+            super(Scenes.names());
         }
     }
 

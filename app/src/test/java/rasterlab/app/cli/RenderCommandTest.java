@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.scene.catalogue.Scenes;
 
 class RenderCommandTest {
     @TempDir Path folder;
@@ -179,14 +180,17 @@ class RenderCommandTest {
     void helpNamesEveryMethodThatTheEngineHas() {
         String help = Ran.lab("render", "--help").out();
         for (String name : Renderer.visibilities()) assertTrue(help.contains(name), name);
-        assertTrue(help.contains("vase, house"), help);
+        assertTrue(help.contains(String.join(", ", Scenes.names())), help);
         assertTrue(Ran.lab("completion").out().contains("painter-textbook"), "not completed");
     }
 
     @Test
     void unknownSceneAndNothingToDo() {
         Ran.lab("render", "vas", "--out", "x.png")
-                .assertComplains(2, "./lab render: no scene 'vas'; there are vase, house");
+                .assertComplains(
+                        2,
+                        "./lab render: no scene 'vas'; there are "
+                                + String.join(", ", Scenes.names()));
         Ran.lab("render", "vase")
                 .assertComplains(
                         2,

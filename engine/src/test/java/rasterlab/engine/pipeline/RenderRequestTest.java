@@ -13,7 +13,7 @@ import rasterlab.engine.pipeline.paint.DepthCue;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.pipeline.wire.WireStyle;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 

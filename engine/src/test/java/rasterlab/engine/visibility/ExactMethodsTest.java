@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Mesh;
-import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 

@@ -20,7 +20,7 @@ import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.SceneLight;
-import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.SphericalView;
 
 /** The pipeline's pictures of scenes beside those of one ray for each pixel. */
