@@ -5,14 +5,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import rasterlab.app.language.Language;
 import rasterlab.app.light.MachBandsChart;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.perspective.PerspectiveChart;
 import rasterlab.app.perspective.Stretch;
 import rasterlab.app.precision.DepthPrecisionChart;
+import rasterlab.app.visibility.GrowthChart;
 import rasterlab.engine.transform.PerspectiveAmount;
 import rasterlab.engine.visibility.depth.DepthPrecision;
+import rasterlab.engine.visibility.hidden.Growth;
 
 /**
  * A chart that {@code ./lab chart} draws.
@@ -27,6 +30,7 @@ record Chart(
         Function<Language, byte[]> png,
         Supplier<String> csv) {
     static List<Chart> all() {
+        var growth = new GrowthChart();
         return List.of(
                 new Chart(
                         "perspective",
@@ -45,7 +49,13 @@ record Chart(
                         Chart::machBands,
                         MachBandsChart::svg,
                         language -> PngFile.bytes(MachBandsChart.image(language)),
-                        MachBandsChart::csv));
+                        MachBandsChart::csv),
+                new Chart(
+                        "visibility-growth",
+                        () -> growth(growth),
+                        growth::svg,
+                        language -> PngFile.bytes(growth.image(language)),
+                        growth::csv));
     }
 
     /** The chart as a file of that kind: .svg, .png or .csv. */
@@ -95,5 +105,18 @@ record Chart(
 
     private static String thousandths(double share) {
         return String.format(Locale.ROOT, "%.3f", share);
+    }
+
+    private static TextTable growth(GrowthChart growth) {
+        var table = new TextTable("method", "N, one area", "N, one size", "n");
+        for (String method : growth.methods())
+            table.add(
+                    Stream.concat(
+                                    Stream.of(method),
+                                    Stream.of(Growth.Axis.values())
+                                            .map(axis -> growth.growth(method, axis).exponent())
+                                            .map(p -> String.format(Locale.ROOT, "%.2f", p)))
+                            .toList());
+        return table;
     }
 }

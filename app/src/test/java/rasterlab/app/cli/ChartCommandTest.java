@@ -153,7 +153,7 @@ class ChartCommandTest {
                 .assertComplains(
                         2,
                         "./lab chart: no chart 'perspektive'; there are perspective, depth-precision,"
-                                + " mach-bands");
+                                + " mach-bands, visibility-growth");
         Path strange = folder.resolve("g.json");
         Ran.lab("chart", "perspective", "--out", strange.toString())
                 .assertComplains(

@@ -92,9 +92,20 @@ class RenderCommandTest {
         assertFalse(Files.exists(Path.of(out)), "no picture is left");
     }
 
+    @Test
+    void methodThatCannotDrawTheSceneRefuses() {
+        String out = folder.resolve("d.png").toString();
+        Ran ran = render("--visibility=convex", "--out", out);
+        assertEquals(3, ran.exitCode());
+        assertTrue(
+                ran.err().startsWith("./lab render: convex refuses: the scene must be one convex"),
+                ran.err());
+        assertFalse(Files.exists(Path.of(out)), "no picture is left");
+    }
+
     static Stream<Arguments> mistakes() {
         return Stream.of(
-                mistake("visibility is unknown", "there are painter-textbook,", "--visibility=z"),
+                mistake("visibility is unknown", "there are none, back-face,", "--visibility=z"),
                 mistake("shading is unknown", "there are tone, wire, flat,", "--shading=fong"),
                 mistake("projection is unknown", "perspective, parallel", "--projection=fisheye"),
                 mistake("size has no height", "expected WIDTHxHEIGHT", "--size=80"),
@@ -167,7 +178,7 @@ class RenderCommandTest {
 
     @Test
     void helpNamesEveryMethodThatTheEngineHas() {
-        String help = Ran.lab("render", "--help").out();
+        String help = Ran.lab("render", "--help").out().replaceAll("\\s+", " ");
         for (String name : Renderer.visibilities()) assertTrue(help.contains(name), name);
         for (String name : Scenes.names()) assertTrue(help.contains(name), name);
         assertTrue(Ran.lab("completion").out().contains("painter-textbook"), "not completed");

@@ -21,8 +21,10 @@ public record LaidTexture(
                             .formatted(texture.components(), environment.components()));
     }
 
-    /** Whether no colour but the texture's own is mixed in at its rim. */
-    public boolean hasNoBorder() {
-        return alongS != Wrap.CLAMP && alongT != Wrap.CLAMP;
+    /** Whether what hides all that is behind it still does so with the texture on it. */
+    public boolean opaque() {
+        if (environment.keepsSurfaceAlpha()) return true;
+        boolean border = alongS == Wrap.CLAMP || alongT == Wrap.CLAMP;
+        return texture.opaque() && !border;
     }
 }

@@ -53,6 +53,33 @@ public final class TextureMatrix {
         }
     }
 
+    /** The same for pixels, in place; what goes to infinity does so without a word. */
+    public void transform(int count, float[] ofS, float[] ofT) {
+        for (int i = 0; i < count; i++) {
+            double divisor = of(q, ofS[i], ofT[i]);
+            double newS = of(s, ofS[i], ofT[i]) / divisor;
+            ofT[i] = (float) (of(t, ofS[i], ofT[i]) / divisor);
+            ofS[i] = (float) newS;
+        }
+    }
+
+    /**
+     * How fast the new coordinates grow where the old ones, not yet replaced, grow so fast: {@code
+     * s' = n/d} gives {@code ds' = (dn − s'·dd)/d}. The slopes are replaced.
+     */
+    public void transformSlopes(
+            int count, float[] ofS, float[] ofT, float[] slopeS, float[] slopeT) {
+        for (int i = 0; i < count; i++) {
+            double divisor = of(q, ofS[i], ofT[i]);
+            double grows = slopeS[i] * q[0] + slopeT[i] * q[1];
+            double ofNewS = of(s, ofS[i], ofT[i]) / divisor * grows;
+            double ofNewT = of(t, ofS[i], ofT[i]) / divisor * grows;
+            double newS = (slopeS[i] * s[0] + slopeT[i] * s[1] - ofNewS) / divisor;
+            slopeT[i] = (float) ((slopeS[i] * t[0] + slopeT[i] * t[1] - ofNewT) / divisor);
+            slopeS[i] = (float) newS;
+        }
+    }
+
     private static double of(double[] row, double s, double t) {
         return s * row[0] + t * row[1] + row[2];
     }

@@ -57,8 +57,8 @@ class RenderRequestTest {
                         central,
                         10,
                         false,
-                        "no visibility method 'z17';"
-                                + " there are painter-textbook, painter, zfloat, raycast"),
+                        "no visibility method 'z17'; there are "
+                                + String.join(", ", Renderer.visibilities())),
                 argumentSet(
                         "unknown shading is accepted",
                         z,
@@ -90,7 +90,8 @@ class RenderRequestTest {
                         central,
                         10,
                         true,
-                        "visibility 'zfloat' draws no outlines; those that do are painter-textbook, painter"),
+                        "visibility 'zfloat' draws no outlines; those that do are"
+                                + " none, back-face, convex, painter-textbook, painter"),
                 argumentSet(
                         "outline is silently dropped by raycast",
                         "raycast",
@@ -98,8 +99,8 @@ class RenderRequestTest {
                         central,
                         10,
                         true,
-                        "visibility 'raycast' draws no outlines;"
-                                + " those that do are painter-textbook, painter"));
+                        "visibility 'raycast' draws no outlines; those that do are"
+                                + " none, back-face, convex, painter-textbook, painter"));
     }
 
     @ParameterizedTest(name = "{argumentSetName}")

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
@@ -25,8 +26,10 @@ class RendererTest {
     private final Renderer renderer = new Renderer();
     private final Scene vase = Scenes.named("vase");
 
+    /** Those that draw a scene whatever it is; the open vase is none for the other two. */
     static Stream<String> methods() {
-        return Renderer.visibilities().stream();
+        return Renderer.visibilities().stream()
+                .filter(method -> !List.of("back-face", "convex").contains(method));
     }
 
     @ParameterizedTest(name = "picture is mirrored or upside down: {0}")

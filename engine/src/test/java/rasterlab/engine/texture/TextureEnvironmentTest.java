@@ -39,6 +39,10 @@ class TextureEnvironmentTest {
                 argb,
                 "%08X".formatted(environment.combine(SURFACE, texel)),
                 mode + " " + components);
+        int[] many = {1, SURFACE, 2};
+        environment.combine(2, many, new int[] {0, texel, 0});
+        assertEquals(argb, "%08X".formatted(many[1]), mode + " " + components + ", many");
+        assertEquals(2, many[2], "beyond the count");
     }
 
     @Test

@@ -19,26 +19,11 @@ final class CornerColours implements SurfaceColour {
     private final float[] rgba;
 
     /**
-     * @param lights the lighting of faces, for this thread
+     * @param faces the light on them
      */
     CornerColours(FaceLights faces) {
         mesh = faces.mesh();
-        rgba = new float[4 * mesh.totalCorners()];
-        var lights = faces.forThread();
-        for (int f = 0; f < mesh.faceCount(); f++)
-            for (int k = 0; k < mesh.cornerCount(f); k++) {
-                int v = mesh.corner(f, k);
-                lights[faces.finishOf(f)].shade(
-                        mesh.x(v),
-                        mesh.y(v),
-                        mesh.z(v),
-                        mesh.cornerNormal(f, k, 0),
-                        mesh.cornerNormal(f, k, 1),
-                        mesh.cornerNormal(f, k, 2),
-                        faces.seenFromBehind(f),
-                        rgba,
-                        4 * (mesh.firstCorner(f) + k));
-            }
+        rgba = faces.atCorners();
     }
 
     @Override

@@ -81,42 +81,42 @@ public final class FaceLights {
                 -transform.sight(2));
     }
 
-    Scene scene() {
+    public Scene scene() {
         return scene;
     }
 
-    ViewedMesh view() {
+    public ViewedMesh view() {
         return view;
     }
 
-    Mesh mesh() {
+    public Mesh mesh() {
         return view.mesh();
     }
 
-    int finishOf(int face) {
+    public int finishOf(int face) {
         return scene.finishNumber(face);
     }
 
     /** Whether the picture shows a face's back. */
-    boolean seenFromBehind(int face) {
+    public boolean seenFromBehind(int face) {
         return view.seenFromInside(face);
     }
 
     /** The material of the side that is seen, and lit as such. */
-    Material seenMaterial(int face) {
+    public Material seenMaterial(int face) {
         Finish finish = scene.finish(face);
         return twoSided && seenFromBehind(face) ? finish.back() : finish.front();
     }
 
     /** The lighting of each finish, for one thread. */
-    PointLighting[] forThread() {
+    public PointLighting[] forThread() {
         var own = new PointLighting[lights.length];
         for (int i = 0; i < own.length; i++) own[i] = lights[i].forThread();
         return own;
     }
 
     /** The whole formula once for each face: at the mean of its corners, with its own normal. */
-    int[] atMiddles() {
+    public int[] atMiddles() {
         Mesh mesh = mesh();
         PointLighting[] own = forThread();
         var argb = new int[mesh.faceCount()];
@@ -131,5 +131,30 @@ public final class FaceLights {
                             mesh.normalZ(f),
                             seenFromBehind(f));
         return argb;
+    }
+
+    /**
+     * The whole formula at each face's corners, with their normals: red, green, blue and alpha, 0
+     * to 1, of each corner, counted through all faces.
+     */
+    public float[] atCorners() {
+        Mesh mesh = mesh();
+        PointLighting[] own = forThread();
+        var rgba = new float[4 * mesh.totalCorners()];
+        for (int f = 0; f < mesh.faceCount(); f++)
+            for (int k = 0; k < mesh.cornerCount(f); k++) {
+                int v = mesh.corner(f, k);
+                own[finishOf(f)].shade(
+                        mesh.x(v),
+                        mesh.y(v),
+                        mesh.z(v),
+                        mesh.cornerNormal(f, k, 0),
+                        mesh.cornerNormal(f, k, 1),
+                        mesh.cornerNormal(f, k, 2),
+                        seenFromBehind(f),
+                        rgba,
+                        4 * (mesh.firstCorner(f) + k));
+            }
+        return rgba;
     }
 }

@@ -53,8 +53,7 @@ final class TextureLayer {
 
     /** Whether a face that hides what is behind it still does so with its texture. */
     boolean opaque(int face) {
-        if (!lies(face) || laid(face).environment().keepsSurfaceAlpha()) return true;
-        return laid(face).texture().opaque() && laid(face).hasNoBorder();
+        return !lies(face) || laid(face).opaque();
     }
 
     /** Lays a face's texture on the colours of a row. */

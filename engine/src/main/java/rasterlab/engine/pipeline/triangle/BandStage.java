@@ -3,7 +3,8 @@ package rasterlab.engine.pipeline.triangle;
 /** One band of rows after the other: cleared, then drawn in the mesh's order. One per thread. */
 final class BandStage {
     private final TriangleScan scan = new TriangleScan();
-    private PixelFill pixels;
+    private final TinyScan tiny = new TinyScan();
+    private final PixelFill pixels = new PixelFill();
 
     /**
      * @param chunks how many of {@code sorted} are the frame's
@@ -11,7 +12,7 @@ final class BandStage {
     void run(Frame frame, int band, TriangleChunk[] sorted, int chunks) {
         int top = band * TriangleScan.ROWS;
         if (frame.clears) frame.out.clearRows(top, frame.background);
-        if (frame.surface instanceof Surface.PerPixel surface) prepare(surface.colors());
+        if (frame.surface instanceof Surface.PerPixel) pixels.begin(frame);
         for (int k = 0; k < chunks; k++) {
             TriangleChunk chunk = sorted[k];
             for (int i = chunk.start[band]; i < chunk.start[band + 1]; i++) {
@@ -20,19 +21,26 @@ final class BandStage {
                 else draw(frame, chunk.clipped, chunk.clippedTriangles, 3 * ~entry, top);
             }
         }
-        if (frame.surface instanceof Surface.PerPixel) pixels.flush(frame.out);
-    }
-
-    private void prepare(PixelColors colors) {
-        if (pixels == null || !pixels.isFor(colors)) pixels = new PixelFill(colors);
-        pixels.begin();
+        if (frame.surface instanceof Surface.PerPixel) pixels.flush();
     }
 
     private void draw(Frame frame, ScreenVertices vertices, int[] triangles, int at, int top) {
+        int first = triangles[at];
+        int second = triangles[at + 1];
         int third = triangles[at + 2];
-        scan.load(vertices, triangles[at], triangles[at + 1], third, frame.out, top);
+        if (tiny.load(vertices, first, second, third, frame.out, top)) {
+            if (tiny.count > 0) fillTiny(frame, vertices, third);
+            return;
+        }
+        scan.load(vertices, first, second, third, frame.out, top);
         if (frame.surface instanceof Surface.Smooth) SmoothFill.fill(frame.out, scan, vertices);
-        else if (frame.surface instanceof Surface.PerPixel) pixels.fill(frame.out, scan, vertices);
+        else if (frame.surface instanceof Surface.PerPixel) pixels.fill(scan, vertices, third);
         else FlatFill.fill(frame.out, scan, vertices, FlatFill.argb(vertices.attributes, third));
+    }
+
+    private void fillTiny(Frame frame, ScreenVertices vertices, int third) {
+        if (frame.surface instanceof Surface.Smooth) TinyFill.smooth(frame.out, tiny, vertices);
+        else if (frame.surface instanceof Surface.PerPixel) pixels.fill(tiny, vertices, third);
+        else TinyFill.flat(frame.out, tiny, vertices, FlatFill.argb(vertices.attributes, third));
     }
 }

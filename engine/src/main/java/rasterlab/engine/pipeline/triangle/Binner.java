@@ -54,6 +54,9 @@ final class Binner {
         int bottom = Subpixels.endPixel(Math.max(ay, Math.max(by, cy)));
         int left = Subpixels.firstPixel(Math.min(ax, Math.min(bx, cx)));
         int right = Subpixels.endPixel(Math.max(ax, Math.max(bx, cx)));
+        if (bottom - top == 1
+                && right - left == 1
+                && TinyScan.misses(left, top, ax, ay, bx, by, cx, cy, twiceArea > 0)) return;
         top = Math.max(top, 0);
         bottom = Math.min(bottom, frame.out.height());
         if (top >= bottom || Math.max(left, 0) >= Math.min(right, frame.out.width())) return;
@@ -77,15 +80,20 @@ final class Binner {
         ClipPolygon polygon = clipper.clip(frame, a, b, c);
         if (polygon.size < 3) return;
         int first = chunk.clippedVertices;
-        for (int k = 0; k < polygon.size; k++) addVertex(frame, polygon, k, chunk);
+        for (int k = 0; k < polygon.size; k++) addVertex(frame, polygon, k, c, chunk);
         for (int k = 1; k + 1 < polygon.size; k++) {
             int name = chunk.addClipped(first, first + k, first + k + 1);
             keep(frame, chunk.clipped, first, first + k, first + k + 1, name, chunk);
         }
     }
 
-    /** A vertex of the mesh stays as it is; a new one is divided and rounded like all others. */
-    private static void addVertex(Frame frame, ClipPolygon polygon, int k, TriangleChunk chunk) {
+    /**
+     * A vertex of the mesh stays as it is; a new one is divided and rounded like all others.
+     *
+     * @param third the vertex that colours the triangle where it has one colour only
+     */
+    private static void addVertex(
+            Frame frame, ClipPolygon polygon, int k, int third, TriangleChunk chunk) {
         ScreenVertices to = chunk.clipped;
         int at = chunk.clippedVertices++;
         to.ensure(at + 1, frame.attributeCount);
@@ -105,7 +113,10 @@ final class Binner {
             to.nearness[at] = (float) nearness;
         }
         for (int i = 0; i < frame.attributeCount; i++)
-            to.attributes[i][at] = (float) polygon.attribute(k, i);
+            to.attributes[i][at] =
+                    frame.flatColors && Frame.isColor(frame.attribute[i])
+                            ? frame.vertices.attributes[i][third]
+                            : (float) polygon.attribute(k, i);
     }
 
     /** A counting sort: bands in order, within a band the order of {@link #add}. */

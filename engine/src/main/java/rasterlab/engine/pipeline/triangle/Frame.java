@@ -1,12 +1,11 @@
 package rasterlab.engine.pipeline.triangle;
 
-import java.util.Set;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
 /** What is being drawn now, for all stages. One frame at a time; arrays stay for the next. */
 final class Frame {
-    private static final VertexQuantity[] QUANTITIES = VertexQuantity.values();
+    static final VertexQuantity[] QUANTITIES = VertexQuantity.values();
 
     TriangleMesh mesh;
     TriangleView view;
@@ -16,6 +15,12 @@ final class Frame {
     final ScreenVertices vertices = new ScreenVertices();
     int attributeCount;
     int bands;
+
+    /** What each attribute is, in the enumeration's order: colours are the last ones. */
+    final VertexQuantity[] attribute = new VertexQuantity[QUANTITIES.length];
+
+    /** Whether a triangle has one colour only, that of its third vertex. */
+    boolean flatColors;
 
     /** Whether each band is cleared before it is drawn, and to what. */
     boolean clears;
@@ -31,15 +36,35 @@ final class Frame {
                 || this.out.height() != out.height())
             subpixels = new Subpixels(out.width(), out.height());
         this.out = out;
-        attributeCount = surface instanceof Surface.PerPixel pixels ? wanted(pixels).size() : 3;
+        attributeCount = 0;
+        for (VertexQuantity quantity : QUANTITIES)
+            if (needs(quantity)) attribute[attributeCount++] = quantity;
+        flatColors = vertexColors() instanceof Surface.Flat;
         vertices.ensure(mesh.vertexCount(), attributeCount);
         bands = (out.height() + TriangleScan.ROWS - 1) / TriangleScan.ROWS;
     }
 
-    private Set<VertexQuantity> wanted(Surface.PerPixel pixels) {
-        Set<VertexQuantity> wanted = pixels.colors().wants();
-        for (VertexQuantity quantity : QUANTITIES)
-            if (wanted.contains(quantity)) mesh.values(quantity);
-        return wanted;
+    private boolean needs(VertexQuantity quantity) {
+        if (!(surface instanceof Surface.PerPixel pixels))
+            return isColor(quantity) && quantity != VertexQuantity.ALPHA;
+        if (!pixels.colors().wants().contains(quantity)) return false;
+        if (!isColor(quantity)) mesh.values(quantity);
+        return true;
+    }
+
+    /** Where colours of vertices come from. */
+    Surface.OfVertices vertexColors() {
+        return surface instanceof Surface.PerPixel pixels
+                ? pixels.under()
+                : (Surface.OfVertices) surface;
+    }
+
+    /** Whether any attribute is a colour. */
+    boolean hasColors() {
+        return attributeCount > 0 && isColor(attribute[attributeCount - 1]);
+    }
+
+    static boolean isColor(VertexQuantity quantity) {
+        return quantity.compareTo(VertexQuantity.RED) >= 0;
     }
 }

@@ -1,6 +1,7 @@
 package rasterlab.engine.pipeline.triangle;
 
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.Map;
 import java.util.Set;
 import rasterlab.engine.scene.VertexQuantity;
@@ -14,28 +15,70 @@ public final class PixelBatch {
     public static final int SIZE = 512;
 
     private final Map<VertexQuantity, float[]> values = new EnumMap<>(VertexQuantity.class);
+    private final Map<VertexQuantity, float[]> right = new EnumMap<>(VertexQuantity.class);
+    private final Map<VertexQuantity, float[]> down = new EnumMap<>(VertexQuantity.class);
+    private final Set<VertexQuantity> wanted = EnumSet.noneOf(VertexQuantity.class);
+    private final Set<VertexQuantity> sloping = EnumSet.noneOf(VertexQuantity.class);
 
     /** The cell of the picture. */
     final int[] cell = new int[SIZE];
 
-    /** 1/w, linear on the picture. */
+    /** Depth, 0 to 1. */
+    final float[] depth = new float[SIZE];
+
+    /** 1/w, linear on the picture, and what it grows by to the right and down. */
     final float[] nearness = new float[SIZE];
+
+    final float[] nearnessRight = new float[SIZE];
+    final float[] nearnessDown = new float[SIZE];
 
     /** Pixels in use. */
     public int count;
 
+    /** Whether the pixel's triangle turns its inner side to the eye. */
+    public final boolean[] fromBehind = new boolean[SIZE];
+
     /** Out: the colours, 0xAARRGGBB. */
     public final int[] argb = new int[SIZE];
 
-    PixelBatch(Set<VertexQuantity> wanted) {
-        for (VertexQuantity quantity : wanted) values.put(quantity, new float[SIZE]);
+    /** Forgets what waits and makes room for what those colours want. */
+    void begin(PixelColors colors) {
+        count = 0;
+        prepare(wanted, colors.wants(), values);
+        prepare(sloping, colors.wantsSlopes(), right);
+        prepare(sloping, colors.wantsSlopes(), down);
+    }
+
+    private static void prepare(
+            Set<VertexQuantity> now, Set<VertexQuantity> next, Map<VertexQuantity, float[]> room) {
+        for (VertexQuantity quantity : Frame.QUANTITIES)
+            if (next.contains(quantity)) {
+                now.add(quantity);
+                if (!room.containsKey(quantity)) room.put(quantity, new float[SIZE]);
+            } else now.remove(quantity);
     }
 
     /** One number for each pixel, perspective-correct: not a copy. */
     public float[] values(VertexQuantity quantity) {
-        float[] array = values.get(quantity);
-        if (array == null)
+        if (!wanted.contains(quantity))
             throw new IllegalArgumentException(quantity + " was not asked for by wants()");
-        return array;
+        return values.get(quantity);
+    }
+
+    /** How fast the value grows to the right at the pixel's centre, per pixel: not a copy. */
+    public float[] right(VertexQuantity quantity) {
+        return slope(right, quantity);
+    }
+
+    /** How fast it grows downward. */
+    public float[] down(VertexQuantity quantity) {
+        return slope(down, quantity);
+    }
+
+    private float[] slope(Map<VertexQuantity, float[]> slopes, VertexQuantity quantity) {
+        if (!sloping.contains(quantity))
+            throw new IllegalArgumentException(
+                    "the slope of " + quantity + " was not asked for by wantsSlopes()");
+        return slopes.get(quantity);
     }
 }

@@ -7,9 +7,20 @@ import rasterlab.engine.scene.VertexQuantity;
 public interface PixelColors {
     /**
      * What is wanted of a pixel: {@code X, Y, Z} in eye space; the normal in eye space, of any
-     * length above 0; texture coordinates and colours as the mesh has them.
+     * length above 0; texture coordinates as the mesh has them; colours of the vertices, 0 to 1, as
+     * {@link Surface.PerPixel#under} makes them.
      */
     Set<VertexQuantity> wants();
+
+    /** Those of the wanted quantities whose slopes on the picture are wanted too. */
+    default Set<VertexQuantity> wantsSlopes() {
+        return Set.of();
+    }
+
+    /** Those that shall be linear on the picture, which is wrong in perspective. */
+    default Set<VertexQuantity> affine() {
+        return Set.of();
+    }
 
     /**
      * Writes {@code argb} of the batch's pixels. Called by several threads at once, each with a

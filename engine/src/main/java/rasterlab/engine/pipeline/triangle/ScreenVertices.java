@@ -18,7 +18,10 @@ final class ScreenVertices {
     /** See {@link ClipCode}. */
     short[] code = new short[0];
 
-    /** What the surface wants of a vertex: red, green, blue in levels 0 to 255, or others. */
+    /**
+     * What the surface wants of a vertex, as {@link Frame#attribute} lists it; colours are levels 0
+     * to 255 for surfaces of vertices, else 0 to 1.
+     */
     float[][] attributes = new float[0][];
 
     /** Makes room; what was there stays. */

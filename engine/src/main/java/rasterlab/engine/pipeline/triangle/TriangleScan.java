@@ -11,23 +11,9 @@ package rasterlab.engine.pipeline.triangle;
  *
  * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, 1988.
  */
-final class TriangleScan {
+final class TriangleScan extends Scan {
     /** Rows of a band. */
     static final int ROWS = 32;
-
-    /** The corners' numbers, so turned that the area is positive. */
-    int a;
-
-    int b;
-    int c;
-
-    /** 1 / area. */
-    float inverseArea;
-
-    /** What eB and eC grow by from a pixel to the next on its right. */
-    long stepB;
-
-    long stepC;
 
     /** The first row and the number of rows. */
     int top;
@@ -63,6 +49,7 @@ final class TriangleScan {
         a = first;
         b = area > 0 ? second : third;
         c = area > 0 ? third : second;
+        fromBehind = area > 0;
         inverseArea = 1f / Math.abs(area);
         int bx = v.x[b];
         int by = v.y[b];
@@ -83,19 +70,21 @@ final class TriangleScan {
         rowA = cross(cx - bx, cy - by, px - bx, py - by) + ownA;
         rowB = cross(ax - cx, ay - cy, px - cx, py - cy) + ownB;
         rowC = cross(bx - ax, by - ay, px - ax, py - ay) + ownC;
-        scan(
-                (long) (cx - bx) << Subpixels.BITS,
-                (long) (ax - cx) << Subpixels.BITS,
-                (long) (bx - ax) << Subpixels.BITS);
+        downB = (long) (ax - cx) << Subpixels.BITS;
+        downC = (long) (bx - ax) << Subpixels.BITS;
+        scan((long) (cx - bx) << Subpixels.BITS);
     }
 
     private static long cross(int ax, int ay, int bx, int by) {
         return (long) ax * by - (long) ay * bx;
     }
 
-    /** 0 where centres on the edge are owned, else −1: then e must be at least 1. */
-    private static int owned(int dx, int dy) {
-        return dy < 0 || dy == 0 && dx > 0 ? 0 : -1;
+    /**
+     * 0 where centres on the edge are owned, dy < 0 or dy = 0 and dx > 0; else −1: then e must be
+     * at least 1.
+     */
+    static int owned(int dx, int dy) {
+        return ~(2 * dy - (-dx >>> 31) >> 31);
     }
 
     /**
@@ -105,7 +94,7 @@ final class TriangleScan {
      * quotient by way of a reciprocal is rounded to the right side. Where e grows to the right the
      * pixels begin at k, where it falls they end there; a level edge has step 0 and k = ±∞.
      */
-    private void scan(long downA, long downB, long downC) {
+    private void scan(long downA) {
         double perA = -1.0 / stepA;
         double perB = -1.0 / stepB;
         double perC = -1.0 / stepC;

@@ -25,9 +25,12 @@ public final class VertexBlock {
     public final float[] ny = new float[SIZE];
     public final float[] nz = new float[SIZE];
 
-    /** In: the mesh's own colour, 0 to 1, or white. Out: the vertex's colour. */
+    /** In: the mesh's own colour, 0 to 1, or opaque white. Out: the vertex's colour. */
     public final float[] red = new float[SIZE];
 
     public final float[] green = new float[SIZE];
     public final float[] blue = new float[SIZE];
+
+    /** 0 is transparent, 1 opaque. */
+    public final float[] alpha = new float[SIZE];
 }

@@ -4,12 +4,12 @@ package rasterlab.engine.pipeline.triangle;
 @FunctionalInterface
 public interface VertexColors {
     /**
-     * Writes {@code red, green, blue} of the block's vertices, 0 to 1; what is beyond is cut.
-     * Called by several threads at once, each with a block of its own.
+     * Writes {@code red, green, blue, alpha} of the block's vertices, 0 to 1; what is beyond is
+     * cut. Called by several threads at once, each with a block of its own.
      */
     void color(VertexBlock block);
 
-    /** The mesh's own colours, white where it has none. */
+    /** The mesh's own colours, opaque white where it has none. */
     static VertexColors own() {
         return block -> {};
     }

@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.triangle;
 
+import java.util.Arrays;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
@@ -10,8 +11,6 @@ import rasterlab.engine.scene.VertexQuantity;
  * vector instructions. One per thread.
  */
 final class VertexStage {
-    private static final VertexQuantity[] QUANTITIES = VertexQuantity.values();
-
     private final VertexBlock block = new VertexBlock();
     private final float[] clipX = new float[VertexBlock.SIZE];
     private final float[] clipY = new float[VertexBlock.SIZE];
@@ -35,9 +34,8 @@ final class VertexStage {
         block.count = Math.min(VertexBlock.SIZE, frame.mesh.vertexCount() - from);
         project(frame, from);
         toEye(frame, from);
-        if (frame.surface instanceof Surface.Smooth smooth) color(frame, from, smooth.colors());
-        else if (frame.surface instanceof Surface.Flat flat) color(frame, from, flat.colors());
-        else keepForPixels(frame, from, (Surface.PerPixel) frame.surface);
+        keepPlaces(frame, from);
+        if (frame.hasColors()) color(frame, from);
     }
 
     private void project(Frame frame, int from) {
@@ -96,7 +94,12 @@ final class VertexStage {
         transform(matrix, 0, x, y, z, from, block.x);
         transform(matrix, 1, x, y, z, from, block.y);
         transform(matrix, 2, x, y, z, from, block.z);
-        if (!mesh.hasNormals()) return;
+        if (!mesh.hasNormals()) {
+            Arrays.fill(block.nx, 0);
+            Arrays.fill(block.ny, 0);
+            Arrays.fill(block.nz, 0);
+            return;
+        }
         float[] nx = mesh.values(VertexQuantity.NORMAL_X);
         float[] ny = mesh.values(VertexQuantity.NORMAL_Y);
         float[] nz = mesh.values(VertexQuantity.NORMAL_Z);
@@ -106,31 +109,12 @@ final class VertexStage {
         transform(turn, 2, nx, ny, nz, from, block.nz);
     }
 
-    private void color(Frame frame, int from, VertexColors colors) {
-        channel(frame.mesh, VertexQuantity.RED, from, block.red);
-        channel(frame.mesh, VertexQuantity.GREEN, from, block.green);
-        channel(frame.mesh, VertexQuantity.BLUE, from, block.blue);
-        colors.color(block);
-        levels(block.red, from, frame.vertices.attributes[0]);
-        levels(block.green, from, frame.vertices.attributes[1]);
-        levels(block.blue, from, frame.vertices.attributes[2]);
-    }
-
-    private void channel(TriangleMesh mesh, VertexQuantity quantity, int from, float[] out) {
-        if (mesh.hasColors()) System.arraycopy(mesh.values(quantity), from, out, 0, block.count);
-        else java.util.Arrays.fill(out, 0, block.count, 1);
-    }
-
-    private void levels(float[] channel, int from, float[] out) {
-        for (int i = 0; i < block.count; i++)
-            out[from + i] = 255 * Math.max(0, Math.min(1, channel[i]));
-    }
-
-    private void keepForPixels(Frame frame, int from, Surface.PerPixel surface) {
-        int k = 0;
-        for (VertexQuantity quantity : QUANTITIES) {
-            if (!surface.colors().wants().contains(quantity)) continue;
-            float[] to = frame.vertices.attributes[k++];
+    /** What is no colour, before the colours are made of it. */
+    private void keepPlaces(Frame frame, int from) {
+        for (int k = 0; k < frame.attributeCount; k++) {
+            VertexQuantity quantity = frame.attribute[k];
+            if (Frame.isColor(quantity)) return;
+            float[] to = frame.vertices.attributes[k];
             switch (quantity) {
                 case X -> System.arraycopy(block.x, 0, to, from, block.count);
                 case Y -> System.arraycopy(block.y, 0, to, from, block.count);
@@ -142,5 +126,34 @@ final class VertexStage {
                         System.arraycopy(frame.mesh.values(quantity), from, to, from, block.count);
             }
         }
+    }
+
+    private void color(Frame frame, int from) {
+        channel(frame.mesh, VertexQuantity.RED, from, block.red);
+        channel(frame.mesh, VertexQuantity.GREEN, from, block.green);
+        channel(frame.mesh, VertexQuantity.BLUE, from, block.blue);
+        channel(frame.mesh, VertexQuantity.ALPHA, from, block.alpha);
+        frame.vertexColors().colors().color(block);
+        float most = frame.surface instanceof Surface.PerPixel ? 1 : 255;
+        for (int k = 0; k < frame.attributeCount; k++) {
+            float[] to = frame.vertices.attributes[k];
+            switch (frame.attribute[k]) {
+                case RED -> cut(block.red, most, from, to);
+                case GREEN -> cut(block.green, most, from, to);
+                case BLUE -> cut(block.blue, most, from, to);
+                case ALPHA -> cut(block.alpha, most, from, to);
+                default -> {}
+            }
+        }
+    }
+
+    private void channel(TriangleMesh mesh, VertexQuantity quantity, int from, float[] out) {
+        if (mesh.hasColors()) System.arraycopy(mesh.values(quantity), from, out, 0, block.count);
+        else Arrays.fill(out, 0, block.count, 1);
+    }
+
+    private void cut(float[] channel, float most, int from, float[] out) {
+        for (int i = 0; i < block.count; i++)
+            out[from + i] = most * Math.max(0, Math.min(1, channel[i]));
     }
 }

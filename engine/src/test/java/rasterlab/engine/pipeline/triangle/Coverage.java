@@ -33,16 +33,22 @@ final class Coverage {
         int[] triangles = whole ? frame.mesh.triangles() : chunk.clippedTriangles;
         var vertices = whole ? frame.vertices : chunk.clipped;
         int at = 3 * (whole ? entry : ~entry);
-        var scan = new TriangleScan();
+        int first = triangles[at];
         int second = triangles[at + 1];
-        scan.load(
-                vertices,
-                triangles[at],
-                second,
-                triangles[at + 2],
-                frame.out,
-                band * TriangleScan.ROWS);
-        int[] counts = scan.b == second ? clockwise : counterClockwise;
+        int third = triangles[at + 2];
+        int top = band * TriangleScan.ROWS;
+        var tiny = new TinyScan();
+        if (tiny.load(vertices, first, second, third, frame.out, top)) {
+            int[] counts = tiny.fromBehind ? clockwise : counterClockwise;
+            for (int k = 0; k < tiny.count; k++) counts[tiny.cell[k]]++;
+        } else addRows(frame, vertices, first, second, third, top);
+    }
+
+    private void addRows(
+            Frame frame, ScreenVertices vertices, int first, int second, int third, int top) {
+        var scan = new TriangleScan();
+        scan.load(vertices, first, second, third, frame.out, top);
+        int[] counts = scan.fromBehind ? clockwise : counterClockwise;
         for (int row = 0; row < scan.rows; row++)
             for (int k = 0; k < scan.count[row]; k++)
                 counts[(scan.top + row) * frame.out.width() + scan.left[row] + k]++;

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
@@ -14,6 +13,7 @@ import org.joml.Matrix4d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.pipeline.FrameBytes;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 import rasterlab.engine.scene.shape.Torus;
@@ -90,38 +90,9 @@ class TrianglePipelineTest {
         var surfaces = List.of(new Surface.Smooth(LIT), new Surface.PerPixel(NORMALS));
         for (Surface surface : surfaces)
             try (var pipeline = new TrianglePipeline(threads)) {
-                for (int k = 0; k < 30; k++)
-                    pipeline.drawOn(7, TORUS, VIEW, surface, out, () -> false);
-                long[] team = team();
-                long least = Long.MAX_VALUE;
-                // The counter and the first calls of the test itself allocate; frames must not.
-                for (int round = 0; round < 3; round++) {
-                    long before = allocated(team);
-                    long counting = allocated(team) - before;
-                    before = allocated(team);
-                    for (int k = 0; k < 20; k++)
-                        pipeline.drawOn(7, TORUS, VIEW, surface, out, () -> false);
-                    least = Math.min(least, allocated(team) - before - counting);
-                }
-                assertEquals(0, least, "bytes in 20 frames");
+                FrameBytes.assertNoneInLaterFrames(
+                        () -> pipeline.drawOn(7, TORUS, VIEW, surface, out, () -> false));
             }
-    }
-
-    private static long[] team() {
-        return Thread.getAllStackTraces().keySet().stream()
-                .filter(
-                        thread ->
-                                thread == Thread.currentThread()
-                                        || thread.getName().startsWith("rasterlab-pipeline"))
-                .mapToLong(Thread::getId)
-                .toArray();
-    }
-
-    private static long allocated(long[] threads) {
-        var counter = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-        long sum = 0;
-        for (long thread : threads) sum += counter.getThreadAllocatedBytes(thread);
-        return sum;
     }
 
     @Test

@@ -5,8 +5,11 @@ import static org.lwjgl.opengl.GL30C.*;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
-/** A mesh in OpenGL's own memory: positions, and normals or colours beside them. */
+/** A mesh in OpenGL's own memory: positions, normals or colours, texture coordinates. */
 final class GlMesh implements AutoCloseable {
+    /** Of each vertex. */
+    private static final int NUMBERS = 8;
+
     private final int array = glGenVertexArrays();
     private final int vertices = glGenBuffers();
     private final int triangles = glGenBuffers();
@@ -20,8 +23,10 @@ final class GlMesh implements AutoCloseable {
         glBindVertexArray(array);
         glBindBuffer(GL_ARRAY_BUFFER, vertices);
         glBufferData(GL_ARRAY_BUFFER, interleaved(mesh, second), GL_STATIC_DRAW);
-        for (int k = 0; k < 2; k++) {
-            glVertexAttribPointer(k, 3, GL_FLOAT, false, 6 * Float.BYTES, 3L * k * Float.BYTES);
+        for (int k = 0; k < 3; k++) {
+            int numbers = k < 2 ? 3 : 2;
+            long at = 3L * k * Float.BYTES;
+            glVertexAttribPointer(k, numbers, GL_FLOAT, false, NUMBERS * Float.BYTES, at);
             glEnableVertexAttribArray(k);
         }
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles);
@@ -29,13 +34,19 @@ final class GlMesh implements AutoCloseable {
     }
 
     private static float[] interleaved(TriangleMesh mesh, VertexQuantity second) {
-        float[] all = new float[6 * mesh.vertexCount()];
-        for (int k = 0; k < 6; k++) {
-            int first = k < 3 ? VertexQuantity.X.ordinal() : second.ordinal() - 3;
-            float[] values = mesh.values(VertexQuantity.values()[first + k]);
-            for (int v = 0; v < values.length; v++) all[6 * v + k] = values[v];
-        }
+        float[] all = new float[NUMBERS * mesh.vertexCount()];
+        put(mesh, VertexQuantity.X, 3, all, 0);
+        put(mesh, second, 3, all, 3);
+        if (mesh.hasTexture()) put(mesh, VertexQuantity.TEXTURE_S, 2, all, 6);
         return all;
+    }
+
+    private static void put(
+            TriangleMesh mesh, VertexQuantity first, int count, float[] all, int at) {
+        for (int k = 0; k < count; k++) {
+            float[] values = mesh.values(VertexQuantity.values()[first.ordinal() + k]);
+            for (int v = 0; v < values.length; v++) all[NUMBERS * v + at + k] = values[v];
+        }
     }
 
     void draw() {

@@ -5,7 +5,7 @@ import static org.lwjgl.opengl.GL20C.*;
 import java.util.Locale;
 import org.joml.Matrix4d;
 
-/** The light of {@link TorusScene} as shaders: for each vertex or for each pixel. */
+/** The light of {@link TorusScene} as shaders, for each vertex or pixel, and a texture. */
 final class GlProgram implements AutoCloseable {
     private final int program = glCreateProgram();
 
@@ -14,21 +14,37 @@ final class GlProgram implements AutoCloseable {
         attach(GL_FRAGMENT_SHADER, fragment);
         glBindAttribLocation(program, 0, "position");
         glBindAttribLocation(program, 1, "normal");
+        glBindAttribLocation(program, 2, "texture");
         glLinkProgram(program);
         if (glGetProgrami(program, GL_LINK_STATUS) == 0)
             throw new AssertionError(glGetProgramInfoLog(program));
     }
 
     static GlProgram smooth() {
+        return lit("pixel = vec4(color, 1)");
+    }
+
+    static GlProgram glass() {
+        return lit("pixel = vec4(color, 0.5)");
+    }
+
+    /** The texture is the one that is bound. */
+    static GlProgram textured() {
+        return lit("pixel = vec4(color, 1) * texture(picture, st)");
+    }
+
+    private static GlProgram lit(String fragment) {
         return new GlProgram(
                 vertexHead()
-                        + "out vec3 color;\n"
+                        + "out vec3 color; out vec2 st;\n"
                         + light()
-                        + "void main() { vec4 p = vec4(position, 1) * toEye;"
+                        + "void main() { vec4 p = vec4(position, 1) * toEye; st = texture;"
                         + " color = light(p.xyz, normal * mat3(toEye));"
                         + " gl_Position = vec4(position, 1) * toClip; }",
-                "#version 330\nin vec3 color; out vec4 pixel;"
-                        + "void main() { pixel = vec4(color, 1); }");
+                "#version 330\nin vec3 color; in vec2 st; uniform sampler2D picture;"
+                        + "out vec4 pixel; void main() { "
+                        + fragment
+                        + "; }");
     }
 
     static GlProgram phong() {
@@ -55,7 +71,7 @@ final class GlProgram implements AutoCloseable {
     }
 
     private static String vertexHead() {
-        return "#version 330\nin vec3 position; in vec3 normal;\n"
+        return "#version 330\nin vec3 position; in vec3 normal; in vec2 texture;\n"
                 + "uniform mat4 toEye; uniform mat4 toClip;\n";
     }
 

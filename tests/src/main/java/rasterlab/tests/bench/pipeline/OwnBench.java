@@ -1,6 +1,8 @@
 package rasterlab.tests.bench.pipeline;
 
+import java.awt.AlphaComposite;
 import java.awt.Color;
+import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import org.joml.Vector4d;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
@@ -43,6 +45,56 @@ final class OwnBench {
                 "two Arrays.fill " + turns.text(1),
                 turns.ratio(1, 0),
                 1 / 1.1,
+                "");
+    }
+
+    /** From the finished picture onto the one that a window shows. */
+    Row present() {
+        var picture = new Raster(1920, 1080);
+        var shown = new BufferedImage(1920, 1080, BufferedImage.TYPE_INT_RGB);
+        int[] copy = new int[1920 * 1080];
+        var graphics = shown.createGraphics();
+        graphics.setComposite(AlphaComposite.Src);
+        var turns =
+                new Turns(
+                        5 * rounds,
+                        () -> graphics.drawImage(picture.image(), 0, 0, null),
+                        () -> System.arraycopy(picture.argb(), 0, copy, 0, copy.length));
+        graphics.dispose();
+        return new Row(
+                "present a frame of 1920×1080",
+                turns.text(0),
+                "System.arraycopy " + turns.text(1),
+                turns.ratio(1, 0),
+                1 / 1.1,
+                "AlphaComposite.Src");
+    }
+
+    /** What only writing the same pixels, colour and depth, would take after the clear. */
+    Row memory(TrianglePipeline pipeline) {
+        var mesh = SCENE.mesh();
+        var view = SCENE.view();
+        var surface = new Surface.Smooth(SCENE.light());
+        var out = new DepthRaster(SCENE.width(), SCENE.height());
+        int cells = SCENE.width() * SCENE.height();
+        int[] argb = new int[cells];
+        float[] depth = new float[cells];
+        var turns =
+                new Turns(
+                        rounds,
+                        () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
+                        () -> {
+                            Arrays.fill(argb, 1);
+                            Arrays.fill(depth, 1f);
+                            Arrays.fill(argb, cells / 3, 2 * cells / 3, 2);
+                            Arrays.fill(depth, cells / 3, 2 * cells / 3, 0.5f);
+                        });
+        return new Row(
+                SCENE + ", Gouraud, beside the memory limit",
+                turns.text(0),
+                "the same bytes by Arrays.fill " + turns.text(1),
+                turns.ratio(1, 0),
+                0,
                 "");
     }
 

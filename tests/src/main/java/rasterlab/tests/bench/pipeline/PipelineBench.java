@@ -63,15 +63,15 @@ public final class PipelineBench {
         var torus = new TorusBench(quick);
         var fill = new FillBench(quick);
         var jobs = new ArrayList<Job>();
-        for (boolean phong : new boolean[] {false, true})
+        for (TorusLook look : TorusLook.values())
             for (int triangles : TRIANGLES)
                 for (int[] size : SIZES) {
                     var scene = new TorusScene(triangles, size[0], size[1]);
-                    double goal = phong ? 2.5 : cores == 1 ? 2.2 : 3.5;
+                    double goal = look.goal(cores);
                     jobs.add(
                             new Job(
-                                    scene + (phong ? ", Phong" : ", Gouraud"),
-                                    () -> torus.run(scene, phong, goal, pipeline)));
+                                    scene + ", " + look.text(),
+                                    () -> torus.run(scene, look, goal, pipeline)));
                 }
         double[][] fills = {{10, 2}, {50, 1.5}, {200, 1.5}};
         for (double[] each : fills)
@@ -88,6 +88,9 @@ public final class PipelineBench {
                 List.of(
                         new Job("threads", () -> own.threads(pipeline)),
                         new Job("clear", () -> own.clear(pipeline)),
+                        new Job("present a frame", () -> own.present()),
+                        new Job("memory limit", () -> own.memory(pipeline)),
+                        new Job("heap", HeapBench::run),
                         new Job("Java2D", () -> own.java2d(pipeline))));
     }
 

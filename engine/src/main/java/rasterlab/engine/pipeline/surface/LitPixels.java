@@ -1,0 +1,76 @@
+package rasterlab.engine.pipeline.surface;
+
+import static rasterlab.engine.scene.VertexQuantity.ALPHA;
+import static rasterlab.engine.scene.VertexQuantity.BLUE;
+import static rasterlab.engine.scene.VertexQuantity.GREEN;
+import static rasterlab.engine.scene.VertexQuantity.NORMAL_X;
+import static rasterlab.engine.scene.VertexQuantity.NORMAL_Y;
+import static rasterlab.engine.scene.VertexQuantity.NORMAL_Z;
+import static rasterlab.engine.scene.VertexQuantity.RED;
+import static rasterlab.engine.scene.VertexQuantity.X;
+import static rasterlab.engine.scene.VertexQuantity.Y;
+import static rasterlab.engine.scene.VertexQuantity.Z;
+
+import java.util.EnumSet;
+import java.util.Set;
+import rasterlab.engine.color.Levels;
+import rasterlab.engine.light.PointLighting;
+import rasterlab.engine.pipeline.triangle.PixelBatch;
+import rasterlab.engine.pipeline.triangle.PixelColors;
+import rasterlab.engine.scene.VertexQuantity;
+
+/**
+ * The light of a whole scene on each pixel: Phong's way, with normals between those of the vertices
+ * brought back to length 1.
+ *
+ * <p>Source: B. T. Phong, Illumination for computer generated pictures, 1975.
+ */
+public final class LitPixels implements PixelColors {
+    private final ThreadLocal<PointShade> shades;
+    private final boolean meshColors;
+    private final Set<VertexQuantity> wants;
+
+    /**
+     * @param lighting its lights and eye in eye space; where it stands now counts
+     * @param meshColors whether the colours of the surface under this one, unlit, stand for the
+     *     material's ambient and diffuse shares and its alpha
+     */
+    public LitPixels(PointLighting lighting, boolean meshColors) {
+        PointLighting now = lighting.forThread();
+        shades = ThreadLocal.withInitial(() -> new PointShade(now));
+        this.meshColors = meshColors;
+        wants = EnumSet.range(X, NORMAL_Z);
+        if (meshColors) wants.addAll(EnumSet.range(RED, ALPHA));
+    }
+
+    @Override
+    public Set<VertexQuantity> wants() {
+        return wants;
+    }
+
+    @Override
+    public void color(PixelBatch batch) {
+        PointShade shade = shades.get();
+        float[] x = batch.values(X);
+        float[] y = batch.values(Y);
+        float[] z = batch.values(Z);
+        float[] nx = batch.values(NORMAL_X);
+        float[] ny = batch.values(NORMAL_Y);
+        float[] nz = batch.values(NORMAL_Z);
+        for (int i = 0; i < batch.count; i++) {
+            shade.place(x[i], y[i], z[i], nx[i], ny[i], nz[i]);
+            if (meshColors) colored(shade, batch, i);
+            else shade.byMaterial(batch.fromBehind[i]);
+            batch.argb[i] = Levels.argb(shade.rgba[0], shade.rgba[1], shade.rgba[2], shade.rgba[3]);
+        }
+    }
+
+    private static void colored(PointShade shade, PixelBatch batch, int i) {
+        shade.colored(
+                batch.fromBehind[i],
+                batch.values(RED)[i],
+                batch.values(GREEN)[i],
+                batch.values(BLUE)[i],
+                batch.values(ALPHA)[i]);
+    }
+}

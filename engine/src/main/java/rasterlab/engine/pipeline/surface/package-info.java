@@ -1,0 +1,11 @@
+/**
+ * Light and textures for the fast pipeline, made of {@code engine.light} and {@code
+ * engine.texture}.
+ *
+ * <p>{@code new LitVertices(lighting, meshColors)}, {@code new LitPixels(lighting, meshColors)},
+ * {@code new ColoredPixels()}, {@code new TexturedPixels(sampler, filter, environment, under)} and
+ * its {@code moved(matrix)}. Light is reckoned in the space that {@link
+ * rasterlab.engine.pipeline.triangle.TriangleView} calls the eye's; texture coordinates as in
+ * {@code engine.texture}. Start with {@link rasterlab.engine.pipeline.surface.TexturedPixels}.
+ */
+package rasterlab.engine.pipeline.surface;

@@ -1,0 +1,145 @@
+package rasterlab.engine.pipeline.triangle;
+
+/**
+ * The centres of pixels that a small triangle owns, found by asking each in its box.
+ *
+ * <p>The edge functions and the rule are those of {@link TriangleScan}. In a box of {@value #SIDE}
+ * pixels they stay below 2²³: they fit an int, and a float holds them exactly. A centre is written
+ * whether it is owned or not, and counted only if it is: no branch, which nobody could foresee.
+ */
+final class TinyScan extends Scan {
+    /** The widest and highest box, in pixels. */
+    static final int SIDE = 7;
+
+    /** The most centres in a box. */
+    static final int MOST = 24;
+
+    private static final int WIDEST = SIDE * Subpixels.ONE;
+
+    /** Pixels that are owned: their cells, eB and eC. */
+    int count;
+
+    final int[] cell = new int[MOST + 1];
+    final int[] edgeB = new int[MOST + 1];
+    final int[] edgeC = new int[MOST + 1];
+
+    /**
+     * Returns false, and does nothing, where the triangle is too large.
+     *
+     * @param bandTop first row of the band
+     */
+    boolean load(ScreenVertices v, int first, int second, int third, DepthRaster out, int bandTop) {
+        int ax = v.x[first];
+        int ay = v.y[first];
+        int bx = v.x[second] - ax;
+        int by = v.y[second] - ay;
+        int cx = v.x[third] - ax;
+        int cy = v.y[third] - ay;
+        int minX = Math.min(0, Math.min(bx, cx));
+        int maxX = Math.max(0, Math.max(bx, cx));
+        int minY = Math.min(0, Math.min(by, cy));
+        int maxY = Math.max(0, Math.max(by, cy));
+        if (maxX - minX > WIDEST || maxY - minY > WIDEST) return false;
+        int left = Math.max(0, Subpixels.firstPixel(ax + minX));
+        int columns = Math.min(out.width(), Subpixels.endPixel(ax + maxX)) - left;
+        int highest = Subpixels.firstPixel(ay + minY);
+        int lowest = Subpixels.endPixel(ay + maxY);
+        if (columns * (lowest - highest) > MOST) return false;
+        int top = Math.max(bandTop, highest);
+        int rows = Math.min(Math.min(bandTop + TriangleScan.ROWS, out.height()), lowest) - top;
+        int area = bx * cy - by * cx;
+        fromBehind = area > 0;
+        inverseArea = 1f / Math.abs(area);
+        a = first;
+        int px = (left << Subpixels.BITS) - ax;
+        int py = (top << Subpixels.BITS) - ay;
+        int at = top * out.width() + left;
+        if (area > 0) {
+            b = second;
+            c = third;
+            look(bx, by, cx, cy, px, py, at, out.width(), columns, rows);
+        } else {
+            b = third;
+            c = second;
+            look(cx, cy, bx, by, px, py, at, out.width(), columns, rows);
+        }
+        return true;
+    }
+
+    /** b, c and the first centre p are seen from a. */
+    private void look(
+            int bx,
+            int by,
+            int cx,
+            int cy,
+            int px,
+            int py,
+            int at,
+            int width,
+            int columns,
+            int rows) {
+        int rightA = by - cy << Subpixels.BITS;
+        int rightB = cy << Subpixels.BITS;
+        int rightC = -by << Subpixels.BITS;
+        int belowA = cx - bx << Subpixels.BITS;
+        int belowB = -cx << Subpixels.BITS;
+        int belowC = bx << Subpixels.BITS;
+        stepB = rightB;
+        stepC = rightC;
+        downB = belowB;
+        downC = belowC;
+        int ownA = TriangleScan.owned(cx - bx, cy - by);
+        int ownB = TriangleScan.owned(-cx, -cy);
+        int ownC = TriangleScan.owned(bx, by);
+        int rowA = (cx - bx) * (py - by) - (cy - by) * (px - bx) + ownA;
+        int rowB = cy * (px - cx) - cx * (py - cy);
+        int rowC = bx * py - by * px;
+        int found = 0;
+        for (int y = 0; y < rows; y++) {
+            int eA = rowA;
+            int eB = rowB;
+            int eC = rowC;
+            for (int x = 0; x < columns; x++) {
+                cell[found] = at + x;
+                edgeB[found] = eB;
+                edgeC[found] = eC;
+                found += ~(eA | eB + ownB | eC + ownC) >>> 31;
+                eA += rightA;
+                eB += rightB;
+                eC += rightC;
+            }
+            at += width;
+            rowA += belowA;
+            rowB += belowB;
+            rowC += belowC;
+        }
+        count = found;
+    }
+
+    /** Whether the triangle does not own the only centre in its box. */
+    static boolean misses(
+            int column,
+            int row,
+            int ax,
+            int ay,
+            int bx,
+            int by,
+            int cx,
+            int cy,
+            boolean counterClockwise) {
+        int px = column << Subpixels.BITS;
+        int py = row << Subpixels.BITS;
+        int eA = edge(bx - px, by - py, cx - px, cy - py, counterClockwise);
+        int eB = edge(cx - px, cy - py, ax - px, ay - py, counterClockwise);
+        int eC = edge(ax - px, ay - py, bx - px, by - py, counterClockwise);
+        return (eA | eB | eC) < 0;
+    }
+
+    /** Negative where the origin is not owned by an edge whose triangle is so turned. */
+    private static int edge(int fromX, int fromY, int toX, int toY, boolean counterClockwise) {
+        int cross = fromX * toY - fromY * toX;
+        return counterClockwise
+                ? -cross + TriangleScan.owned(fromX - toX, fromY - toY)
+                : cross + TriangleScan.owned(toX - fromX, toY - fromY);
+    }
+}

@@ -1,0 +1,59 @@
+package rasterlab.tests.bench.pipeline;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import rasterlab.engine.pipeline.triangle.DepthRaster;
+import rasterlab.engine.pipeline.triangle.Surface;
+import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+
+/** A million triangles in a process of its own whose heap is small. */
+final class HeapBench {
+    private static final String HEAP = "-Xmx600m";
+    private static final TorusScene SCENE = new TorusScene(1_000_000, 1920, 1080);
+
+    private HeapBench() {}
+
+    /** Makes the mesh and draws it, with all that belongs to it in the heap. */
+    public static void main(String[] none) {
+        try (var pipeline = new TrianglePipeline()) {
+            var mesh = SCENE.mesh();
+            var out = new DepthRaster(SCENE.width(), SCENE.height());
+            for (TorusLook look : TorusLook.values()) {
+                Surface surface = look.surface(SCENE);
+                for (int k = 0; k < 3; k++)
+                    pipeline.drawOn(0, mesh, SCENE.view(), surface, out, () -> false);
+            }
+        }
+    }
+
+    static Row run() {
+        return new Row(
+                SCENE + ", every look, in a heap of 600 MB",
+                "–",
+                "–",
+                Double.NaN,
+                0,
+                ended() ? "drawn" : "not drawn");
+    }
+
+    /** Whether the process did its work; what it says is shown. */
+    private static boolean ended() {
+        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+        String[] command = {
+            java, HEAP, "-cp", System.getProperty("java.class.path"), HeapBench.class.getName()
+        };
+        try {
+            Process process = new ProcessBuilder(List.of(command)).inheritIO().start();
+            if (process.waitFor(5, TimeUnit.MINUTES)) return process.exitValue() == 0;
+            process.destroyForcibly();
+            return false;
+        } catch (IOException e) {
+            throw new IllegalStateException("no process for the small heap", e);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
+    }
+}

@@ -1,0 +1,56 @@
+package rasterlab.tests.bench.pipeline;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.engine.pipeline.triangle.DepthRaster;
+import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+
+/** The pipeline's pictures beside OpenGL's; skipped where there is no OpenGL. */
+class OpenGlPictureTest {
+    /** The share of pixels that may be off by more than 2 levels. */
+    private static final double BOUND = 1e-4;
+
+    private static GlContext context;
+    private static String missing = "";
+
+    @BeforeAll
+    static void open() {
+        try {
+            context = GlContext.open();
+        } catch (NoOpenGl e) {
+            missing = e.getMessage();
+        }
+    }
+
+    @AfterAll
+    static void close() {
+        if (context != null) context.close();
+    }
+
+    @ParameterizedTest(name = "{0} looks otherwise than in OpenGL")
+    @EnumSource(TorusLook.class)
+    void pixelsAreThoseOfOpenGl(TorusLook look) {
+        assumeTrue(context != null, missing);
+        var scene = new TorusScene(20_000, 960, 540);
+        var mesh = scene.mesh();
+        var out = new DepthRaster(scene.width(), scene.height());
+        try (var pipeline = new TrianglePipeline();
+                var torus = new GlTorus(scene, look, mesh)) {
+            pipeline.drawOn(
+                    TorusScene.BACKGROUND,
+                    mesh,
+                    scene.view(),
+                    look.surface(scene),
+                    out,
+                    () -> false);
+            torus.draw();
+            var difference = Difference.of(out.raster().argb(), torus.read());
+            assertTrue(difference.off() <= BOUND * difference.pixels(), difference.text());
+        }
+    }
+}
