@@ -7,7 +7,7 @@ import rasterlab.engine.transform.SphericalView;
  * A scene as it is looked at; what is empty is left to whoever draws it.
  *
  * @param projection one of {@code Renderer.projections()}
- * @param visibility one of {@code Renderer.visibilities()}
+ * @param visibility one of {@code Renderer.visibilities()}, or {@code Renderer.SURFACES}
  * @param shading one of {@code Renderer.shadings()}
  * @param texture one of {@code TextureMode.names()}
  */

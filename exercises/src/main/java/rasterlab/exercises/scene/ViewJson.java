@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.paint.TextureMode;
@@ -25,9 +26,14 @@ final class ViewJson {
                 source(file),
                 file.optional("camera").map(ViewJson::camera),
                 name("projection", Optional.of(file), Renderer.projections()),
-                name("visibility", look, Renderer.visibilities()),
+                name("visibility", look, visibilities()),
                 name("shading", look, Renderer.shadings()),
                 name("texture", look, TextureMode.names()));
+    }
+
+    private static List<String> visibilities() {
+        return Stream.concat(Renderer.visibilities().stream(), Stream.of(Renderer.SURFACES))
+                .toList();
     }
 
     private static SceneSource source(Place file) {

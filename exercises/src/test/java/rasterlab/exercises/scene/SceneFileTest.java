@@ -174,7 +174,8 @@ class SceneFileTest {
                         "\"zfloat\"",
                         "\"z\"",
                         "$.look.visibility: no visibility 'z'; there are "
-                                + String.join(", ", Renderer.visibilities())),
+                                + String.join(", ", Renderer.visibilities())
+                                + ", raycast-surface"),
                 argumentSet(
                         "a light stands nowhere",
                         "\"at\": [0, 0, 300],",
