@@ -60,8 +60,8 @@ class BadSceneTest {
                         "m.obj",
                         SQUARE + "f 1 2 2\n",
                         "no face with an area"),
-                refusal("index is out of range", "m.obj", SQUARE + "f 1 2 5\n", "'5'"),
-                refusal("index 0 is taken", "m.obj", SQUARE + "f 0 1 2\n", "'0'"),
+                refusal("index is out of range", "m.obj", SQUARE + "f 1 2 5\n", "vertex 5"),
+                refusal("index 0 is taken", "m.obj", SQUARE + "f 0 1 2\n", "vertex 0"),
                 refusal("NaN is a place", "m.obj", "v NaN 0 0\n" + good, "'NaN'"),
                 refusal("infinity is a place", "m.obj", "v 0 1e999 0\n" + good, "'1e999'"),
                 refusal(
@@ -98,8 +98,8 @@ class BadSceneTest {
                         "--far",
                         "5"),
                 refusal("near is NaN", "m.obj", good, "NaN", "--near", "NaN"),
-                refusal("picture has no pixel", "m.obj", good, "0x1", "--size", "0x1"),
-                refusal("picture is too large", "m.obj", good, "8193x1", "--size", "8193x1"));
+                refusal("picture has no pixel", "m.obj", good, "got 0×1", "--size", "0x1"),
+                refusal("picture is too large", "m.obj", good, "got 8193×1", "--size", "8193x1"));
     }
 
     private static Arguments refusal(
