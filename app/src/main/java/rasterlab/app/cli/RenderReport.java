@@ -112,6 +112,7 @@ record RenderReport(
 
     static void writeCounts(JsonGenerator json, PictureDifference found) throws IOException {
         json.writeNumberField("wrongPixels", found.wrongPixels());
+        json.writeNumberField("wrongByMoreThan2Levels", found.plainlyWrongPixels());
         json.writeNumberField("pixels", found.pixels());
         json.writeNumberField("share", found.share());
         json.writeNumberField("largestLevelDifference", found.largestLevelDifference());

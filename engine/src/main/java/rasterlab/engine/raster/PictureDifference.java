@@ -4,6 +4,8 @@ package rasterlab.engine.raster;
  * How a picture differs from the expected one, pixel by pixel.
  *
  * @param wrongPixels pixels whose colour differs in any channel
+ * @param plainlyWrongPixels those of them that differ by more than {@link #ROUNDING} levels, which
+ *     is more than light in floats rather than doubles makes
  * @param pixels pixels of the picture
  * @param largestLevelDifference the largest |expected − actual| of any of the channels alpha, red,
  *     green, blue, in levels 0 to 255
@@ -11,7 +13,10 @@ package rasterlab.engine.raster;
  *     dark × around each, so that a single wrong pixel is found by shape as well as by colour
  */
 public record PictureDifference(
-        long wrongPixels, long pixels, int largestLevelDifference, Raster mask) {
+        long wrongPixels, long plainlyWrongPixels, long pixels, int largestLevelDifference, Raster mask) {
+    /** Levels by which rounding alone may change a channel. */
+    public static final int ROUNDING = 2;
+
     /** Colour of a wrong pixel in the mask; nothing else in the mask has it. */
     public static final int WRONG = PixelMark.ARGB;
 
@@ -35,13 +40,16 @@ public record PictureDifference(
         int[] want = expected.argb();
         int[] have = actual.argb();
         long wrong = 0;
+        long plain = 0;
         int largest = 0;
         for (int i = 0; i < want.length; i++) {
             if (want[i] == have[i]) continue;
             wrong++;
-            largest = Math.max(largest, levelDifference(want[i], have[i]));
+            int levels = levelDifference(want[i], have[i]);
+            if (levels > ROUNDING) plain++;
+            largest = Math.max(largest, levels);
         }
-        return new PictureDifference(wrong, want.length, largest, mask(expected, have));
+        return new PictureDifference(wrong, plain, want.length, largest, mask(expected, have));
     }
 
     /** Wrong pixels as a share of all, 0 to 1. */

@@ -67,14 +67,14 @@ final class OrderScenes {
                 });
     }
 
-    /** Sheets in the plane that (1, 0, 0) and (0, 0.8, 0.6) span. */
+    /** Sheets in the plane z = 0, which no rounding leads out of. */
     private static Quad sheet(int k) {
         double along = 110 * Math.cos(0.4 * k);
         double across = 110 * Math.sin(0.4 * k);
         return Quad.whole(
                 new Vector(0, 0, 0),
-                new Vector(along, 0.8 * across, 0.6 * across),
-                new Vector(-across, 0.8 * along, 0.6 * along));
+                new Vector(along, across, 0),
+                new Vector(-across, along, 0));
     }
 
     /** A hall that begins far behind the eye, and a beam from beside the eye to the far wall. */
