@@ -1,6 +1,7 @@
 package rasterlab.engine.visibility;
 
 import java.util.Map;
+import java.util.function.BooleanSupplier;
 import rasterlab.contract.DepthOrder;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Topic;
@@ -12,6 +13,9 @@ import rasterlab.engine.visibility.order.SteppedOrder;
 /**
  * Faces and pieces of them in an order in which none hides one after it, each painted over the ones
  * before: a method of topic {@code depth-order}, in {@link SightSpace}.
+ *
+ * <p>A piece is filled as its whole face, up to its cuts, and not by its own corners: those lie on
+ * the edges of the face only nearly, and pixels on such an edge would be lost.
  */
 final class OrderedPieces implements SteppedVisibility {
     private final SteppedOrder method;
@@ -34,7 +38,21 @@ final class OrderedPieces implements SteppedVisibility {
      */
     @Override
     public VisibilityWalk walk(ViewedMesh view, FacePaint paint, Raster out) {
-        return new Walk(view, paint, out);
+        return new Walk(view, paint, out, () -> {});
+    }
+
+    @Override
+    public VisibilityWork draw(
+            ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled) {
+        Runnable pulse = () -> Cancellation.check(cancelled);
+        pulse.run();
+        VisibilityWalk walk = new Walk(view, paint, out, pulse);
+        boolean more;
+        do {
+            pulse.run();
+            more = walk.advance();
+        } while (more);
+        return walk.work();
     }
 
     private final class Walk implements VisibilityWalk {
@@ -44,18 +62,23 @@ final class OrderedPieces implements SteppedVisibility {
         private final FaceBrush brush;
         private final OrderWalk order;
         private final ScreenPolygon whole;
+        private final Raster out;
+        private final SpanSink cut = this::fillCut;
+        private CutLine[] cuts;
+        private int face;
 
-        Walk(ViewedMesh view, FacePaint paint, Raster out) {
+        Walk(ViewedMesh view, FacePaint paint, Raster out, Runnable pulse) {
             this.view = view;
+            this.out = out;
             space = new SightSpace(view);
             brush = new FaceBrush(paint, out, tally);
             whole = new ScreenPolygon(view.mesh().mostCorners());
-            order = started();
+            order = started(pulse);
         }
 
-        private OrderWalk started() {
+        private OrderWalk started(Runnable pulse) {
             try {
-                return method.walk(space.sight(), this::paint);
+                return method.walk(space.sight(), this::paint, pulse);
             } catch (IllegalArgumentException e) {
                 throw new IllegalArgumentException(
                         "the faces, as this view shows them, cannot be put in order: "
@@ -64,17 +87,25 @@ final class OrderedPieces implements SteppedVisibility {
             }
         }
 
+        /** The pixels that the whole face owns on the piece's sides of all its cuts. */
         private void paint(int polygon, double[] corners) {
-            int face = space.face(polygon);
-            if (space.whole(polygon, corners)) {
-                whole.load(view, face);
-                brush.fill(whole, face);
-                return;
+            face = space.face(polygon);
+            cuts = order.cuts().stream().map(space::line).toArray(CutLine[]::new);
+            whole.load(view, face);
+            if (cuts.length == 0) brush.fill(whole, face);
+            else whole.fill(out.width(), out.height(), cut);
+        }
+
+        private void fillCut(int y, int from, int to) {
+            int first = from;
+            int end = to;
+            for (CutLine line : cuts) {
+                int begin = line.from(y, first, end);
+                end = line.to(y, first, end);
+                first = begin;
+                if (first >= end) return;
             }
-            double[] piece = space.toView(corners);
-            var cut = new ScreenPolygon(piece.length / 3);
-            cut.load(view, piece);
-            brush.fill(cut, face);
+            brush.span(face, y, first, end);
         }
 
         @Override

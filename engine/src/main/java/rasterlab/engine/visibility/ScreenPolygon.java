@@ -60,18 +60,6 @@ final class ScreenPolygon {
         load(view);
     }
 
-    /**
-     * Takes any flat convex polygon.
-     *
-     * @param corners x, y, z of each corner in eye space
-     */
-    void load(ViewedMesh view, double[] corners) {
-        whole.size = 0;
-        for (int i = 0; i < corners.length; i += 3)
-            whole.add(corners[i], corners[i + 1], corners[i + 2]);
-        load(view);
-    }
-
     private void load(ViewedMesh view) {
         whole.cut(view.near(), 1, nearCut);
         nearCut.cut(view.far(), -1, cut);

@@ -1,8 +1,9 @@
 package rasterlab.engine.visibility;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import rasterlab.engine.transform.PictureFit;
+import rasterlab.engine.visibility.order.Cut;
 import rasterlab.engine.visibility.order.Sight;
 
 /**
@@ -18,6 +19,7 @@ final class SightSpace {
     /** The widest tangent of the cone. */
     private static final double WIDEST = 0.25;
 
+    private final ViewedMesh view;
     private final boolean central;
     private final int[] faces;
     private final double[][] polygons;
@@ -27,6 +29,7 @@ final class SightSpace {
 
     /** Faces that own no pixel of the picture are left out, others cut at near and far planes. */
     SightSpace(ViewedMesh view) {
+        this.view = view;
         central = view.transform().central();
         List<double[]> cut = new ArrayList<>();
         faces = new int[view.mesh().faceCount()];
@@ -83,20 +86,18 @@ final class SightSpace {
         return faces[polygon];
     }
 
-    boolean whole(int polygon, double[] corners) {
-        return Arrays.equals(polygons[polygon], corners);
-    }
-
-    /** Corners of a piece in view space, x, y, z of each. */
-    double[] toView(double[] corners) {
-        var back = new double[corners.length];
-        for (int i = 0; i < corners.length; i += 3) {
-            double z = corners[i + 2];
-            double across = central ? shrink : shrink * z;
-            back[i] = corners[i] / across;
-            back[i + 1] = corners[i + 1] / across;
-            back[i + 2] = central ? z : end - extent / z;
-        }
-        return back;
+    /**
+     * A cut as a line on the picture: pixel (x, y) is seen along (σX/ρ, σY/ρ, 1) or (σX, σY, 1).
+     */
+    CutLine line(Cut cut) {
+        PictureFit fit = view.fit();
+        double across = central ? shrink / view.transform().distance() : shrink;
+        double perX = across * cut.x();
+        double perY = across * cut.y();
+        return new CutLine(
+                cut.z() + perX * fit.toPlaneX(0) + perY * fit.toPlaneY(0),
+                perX / fit.pixelsPerUnit(),
+                -perY / fit.pixelsPerUnit(),
+                cut.near());
     }
 }

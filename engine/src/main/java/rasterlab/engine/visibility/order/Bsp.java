@@ -1,13 +1,14 @@
 package rasterlab.engine.visibility.order;
 
+import java.util.List;
 import java.util.Map;
 import rasterlab.contract.PieceSink;
 
 /** Far side, plane, near side, at every node of a tree of planes: {@link BspTree}. */
 final class Bsp implements SteppedOrder {
     @Override
-    public OrderWalk walk(Sight sight, PieceSink out) {
-        return new Walk(sight, out);
+    public OrderWalk walk(Sight sight, PieceSink out, Runnable pulse) {
+        return new Walk(sight, out, pulse);
     }
 
     @Override
@@ -21,11 +22,12 @@ final class Bsp implements SteppedOrder {
         private final BspTree tree;
         private final BspTree.Tour tour;
         private OrderStep step;
+        private List<Cut> cuts = List.of();
 
-        Walk(Sight sight, PieceSink out) {
+        Walk(Sight sight, PieceSink out, Runnable pulse) {
             this.out = out;
             exponent = sight.exponent();
-            tree = new BspTree(sight.facets());
+            tree = new BspTree(sight.facets(), pulse);
             tour = tree.tour();
         }
 
@@ -33,6 +35,7 @@ final class Bsp implements SteppedOrder {
         public boolean advance() {
             if (!tour.hasNext()) return false;
             Facet next = tour.next();
+            cuts = next.cuts();
             out.piece(next.polygon(), next.corners());
             double distance = Math.scalb(-next.plane().c(), exponent);
             step = OrderStep.paint(next.polygon(), distance);
@@ -42,6 +45,11 @@ final class Bsp implements SteppedOrder {
         @Override
         public OrderStep step() {
             return step;
+        }
+
+        @Override
+        public List<Cut> cuts() {
+            return cuts;
         }
 
         @Override

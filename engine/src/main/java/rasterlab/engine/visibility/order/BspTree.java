@@ -22,6 +22,7 @@ final class BspTree {
     /** The most pieces, against inputs whose cuts would fill the memory. */
     private static final int MOST_PIECES = 1_000_000;
 
+    private final Runnable pulse;
     private final Node root;
     private long comparisons;
     private long splits;
@@ -36,7 +37,11 @@ final class BspTree {
         Node farTree;
     }
 
-    BspTree(List<Facet> facets) {
+    /**
+     * @param pulse run before each division
+     */
+    BspTree(List<Facet> facets, Runnable pulse) {
+        this.pulse = pulse;
         pieces = facets.size();
         root = facets.isEmpty() ? null : divided(facets);
         var undone = new ArrayDeque<Node>();
@@ -51,6 +56,7 @@ final class BspTree {
     }
 
     private Node divided(List<Facet> facets) {
+        pulse.run();
         var node = new Node();
         Facet chosen = chosen(facets);
         for (Facet facet : facets) {

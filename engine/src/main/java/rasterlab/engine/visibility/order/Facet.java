@@ -1,5 +1,6 @@
 package rasterlab.engine.visibility.order;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import rasterlab.engine.scene.Mesh;
@@ -12,8 +13,10 @@ import rasterlab.engine.scene.Mesh;
  * @param seen the same corners in seen coordinates
  * @param turn 1 if the cross product of each edge's two ends has the polygon on its positive side,
  *     −1 if on its negative one
+ * @param cuts those that made this piece
  */
-record Facet(int polygon, double[] corners, double[] seen, EyePlane plane, int turn) {
+record Facet(
+        int polygon, double[] corners, double[] seen, EyePlane plane, int turn, List<Cut> cuts) {
     /** A whole polygon. */
     static Facet whole(int polygon, double[] corners, double[] seen) {
         var face = new int[seen.length / 3];
@@ -26,7 +29,7 @@ record Facet(int polygon, double[] corners, double[] seen, EyePlane plane, int t
                             + mesh.normalY(0) * plane.ny()
                             + mesh.normalZ(0) * plane.nz();
             // det(p₀, p₁, p₂) has the sign of c, which is not above 0, where both normals agree.
-            return new Facet(polygon, corners, seen, plane, along > 0 ? -1 : 1);
+            return new Facet(polygon, corners, seen, plane, along > 0 ? -1 : 1, List.of());
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException(
                     e.getMessage().replaceFirst("^face 0", "polygon " + polygon), e);
@@ -38,10 +41,11 @@ record Facet(int polygon, double[] corners, double[] seen, EyePlane plane, int t
      * beyond the tolerance.
      */
     List<Facet> cut(EyePlane by) {
-        return List.of(side(by, 1), side(by, -1));
+        return List.of(side(by, true), side(by, false));
     }
 
-    private Facet side(EyePlane by, int sign) {
+    private Facet side(EyePlane by, boolean near) {
+        int sign = near ? 1 : -1;
         var kept = new Corners(seen.length / 3 + 1);
         int count = seen.length / 3;
         for (int i = 0; i < count; i++) {
@@ -52,7 +56,14 @@ record Facet(int polygon, double[] corners, double[] seen, EyePlane plane, int t
             if (here > 0 && there < 0 || here < 0 && there > 0)
                 kept.add(i, next, here / (here - there));
         }
-        return new Facet(polygon, kept.inWorld(), kept.inSeen(), plane, turn);
+        return new Facet(
+                polygon, kept.inWorld(), kept.inSeen(), plane, turn, with(Cut.of(plane, by, near)));
+    }
+
+    private List<Cut> with(Cut cut) {
+        var all = new ArrayList<>(cuts);
+        all.add(cut);
+        return List.copyOf(all);
     }
 
     /** The corners of a piece, in both spaces. */

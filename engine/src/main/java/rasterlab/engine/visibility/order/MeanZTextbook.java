@@ -15,7 +15,7 @@ import rasterlab.contract.PieceSink;
  */
 final class MeanZTextbook implements SteppedOrder {
     @Override
-    public OrderWalk walk(Sight sight, PieceSink out) {
+    public OrderWalk walk(Sight sight, PieceSink out, Runnable pulse) {
         return new Walk(sight, out);
     }
 

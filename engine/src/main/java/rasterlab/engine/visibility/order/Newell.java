@@ -43,8 +43,8 @@ final class Newell implements SteppedOrder {
     }
 
     @Override
-    public OrderWalk walk(Sight sight, PieceSink out) {
-        return new Walk(sight, out);
+    public OrderWalk walk(Sight sight, PieceSink out, Runnable pulse) {
+        return new Walk(sight, out, pulse);
     }
 
     @Override
@@ -54,6 +54,7 @@ final class Newell implements SteppedOrder {
 
     private final class Walk implements OrderWalk {
         private final PieceSink out;
+        private final Runnable pulse;
         private final EyeFrame frame;
         private final int exponent;
         private final FiveTests tests = new FiveTests();
@@ -66,9 +67,11 @@ final class Newell implements SteppedOrder {
         private final int polygons;
         private long splits;
         private OrderStep step;
+        private List<Cut> cuts = List.of();
 
-        Walk(Sight sight, PieceSink out) {
+        Walk(Sight sight, PieceSink out, Runnable pulse) {
             this.out = out;
+            this.pulse = pulse;
             exponent = sight.exponent();
             List<Facet> facets = sight.facets();
             polygons = facets.size();
@@ -84,9 +87,10 @@ final class Newell implements SteppedOrder {
 
         @Override
         public boolean advance() {
+            pulse.run();
             if (!edgeOn.isEmpty()) {
                 Facet facet = edgeOn.remove();
-                out.piece(facet.polygon(), facet.corners());
+                give(facet);
                 step = OrderStep.paint(facet.polygon(), mostDepth(facet));
                 return true;
             }
@@ -110,6 +114,11 @@ final class Newell implements SteppedOrder {
                         "%d polygons must need at most %d %s, got %d with %d pieces left to paint"
                                 .formatted(
                                         polygons, most, what, count, left.size() + waiting.size()));
+        }
+
+        private void give(Facet facet) {
+            cuts = facet.cuts();
+            out.piece(facet.polygon(), facet.corners());
         }
 
         private double mostDepth(Facet facet) {
@@ -142,7 +151,7 @@ final class Newell implements SteppedOrder {
 
         private void paint(Extent p) {
             waiting.remove(waiting.size() - 1);
-            out.piece(p.facet().polygon(), p.facet().corners());
+            give(p.facet());
             step = step(OrderStep.Kind.PAINT, p, p);
         }
 
@@ -195,6 +204,11 @@ final class Newell implements SteppedOrder {
         @Override
         public OrderStep step() {
             return step;
+        }
+
+        @Override
+        public List<Cut> cuts() {
+            return cuts;
         }
 
         @Override

@@ -1,5 +1,6 @@
 package rasterlab.engine.visibility.order;
 
+import java.util.List;
 import java.util.Map;
 
 /** Orders polygons step by step; what is painted goes to the sink it was made with. */
@@ -9,6 +10,11 @@ public interface OrderWalk {
 
     /** What was done last. */
     OrderStep step();
+
+    /** The cuts that made the piece that was given last to the sink; none for a whole polygon. */
+    default List<Cut> cuts() {
+        return List.of();
+    }
 
     /** What was done so far: name in the plural to number. */
     Map<String, Long> operations();

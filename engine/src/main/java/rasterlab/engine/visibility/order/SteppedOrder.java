@@ -6,7 +6,16 @@ import rasterlab.contract.PieceSink;
 /** A method that can be watched while it orders. */
 public interface SteppedOrder extends DepthOrder {
     /** A walk that has painted nothing yet. */
-    OrderWalk walk(Sight sight, PieceSink out);
+    default OrderWalk walk(Sight sight, PieceSink out) {
+        return walk(sight, out, () -> {});
+    }
+
+    /**
+     * The same, of which the caller may tire.
+     *
+     * @param pulse run now and then, before the first step too; what it throws ends the work
+     */
+    OrderWalk walk(Sight sight, PieceSink out, Runnable pulse);
 
     /** What a step's value is. */
     String decision();
