@@ -28,6 +28,7 @@ import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.view.ViewTopic;
+import rasterlab.engine.visibility.depth.DepthBufferTopic;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
 import rasterlab.engine.visibility.order.DepthOrderTopic;
 
@@ -57,6 +58,7 @@ public final class Topics {
                 new AxisTopic(),
                 new VisibleFacesTopic(),
                 new DepthOrderTopic(),
+                new DepthBufferTopic(),
                 new SplineFunctionTopic(),
                 new CurveTopic(),
                 new ShadeTopic(),

@@ -38,7 +38,9 @@ public record Exercise(
     private static Map<String, String> withEnglish(String name, Map<String, String> texts) {
         if (!texts.containsKey("en"))
             throw new IllegalArgumentException(
-                    name + " needs a text in English ('en'), got only " + texts.keySet());
+                    name
+                            + " needs a text in English ('en'), got only "
+                            + String.join(", ", texts.keySet()));
         return Map.copyOf(texts);
     }
 

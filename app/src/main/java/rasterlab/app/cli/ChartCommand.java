@@ -1,6 +1,5 @@
 package rasterlab.app.cli;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -8,33 +7,30 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
-import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
-import rasterlab.app.perspective.PerspectiveChart;
-import rasterlab.app.perspective.Stretch;
-import rasterlab.engine.transform.PerspectiveAmount.Sample;
+import rasterlab.engine.naming.Named;
 
-/** Draws a chart of a formula, where there is nothing to measure. */
+/** Draws a chart of a formula, and of what was measured where there is such. */
 @Command(
         name = "chart",
         mixinStandardHelpOptions = true,
         description = {
-            "Draws the chart of a formula and prints its table.",
+            "Draws a chart and prints its table.",
             "perspective: the amount of perspective, gamma = 1 + 2*dz'/z', over z'/dz': how many",
-            "  times larger the nearer of two equal depths appears, and where that runs away."
+            "  times larger the nearer of two equal depths appears, and where that runs away.",
+            "depth-precision: the smallest distance that depth buffers tell apart half way to the",
+            "  far plane, as a share of the depth, over far/near: measured, and by formula."
         },
         footer = {"", "Example: ./lab chart perspective --out gamma.svg"})
 final class ChartCommand implements Callable<Integer> {
-    private static final String ONLY = "perspective";
     private static final List<String> EXTENSIONS = List.of(".svg", ".png", ".csv");
 
     private final Console console;
 
-    @Parameters(index = "0", paramLabel = "CHART", description = "perspective")
-    private String chart;
+    @Parameters(index = "0", paramLabel = "CHART", description = "perspective or depth-precision")
+    private String name;
 
     @Option(
             names = "--out",
@@ -54,18 +50,25 @@ final class ChartCommand implements Callable<Integer> {
 
     @Override
     public Integer call() {
-        if (!chart.equals(ONLY))
-            throw Complaint.badInput("no chart '" + chart + "'; there is " + ONLY);
+        Chart chart = chart();
         for (Path file : files) {
             extension(file);
             WholeFile.requireWritable(file);
         }
-        table().lines().forEach(console.out()::println);
+        chart.table().get().lines().forEach(console.out()::println);
         for (Path file : files) {
-            WholeFile.write(file, content(extension(file), language.inWindow()));
+            WholeFile.write(file, chart.content(extension(file), language.inWindow()));
             console.err().println("wrote " + file);
         }
         return ExitCode.DONE;
+    }
+
+    private Chart chart() {
+        try {
+            return Named.find("chart", name, Chart.all(), Chart::name);
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput(e.getMessage());
+        }
     }
 
     private static String extension(Path file) {
@@ -79,24 +82,5 @@ final class ChartCommand implements Callable<Integer> {
                                         file
                                                 + ": unknown extension; allowed are "
                                                 + String.join(", ", EXTENSIONS)));
-    }
-
-    private static byte[] content(String extension, Language language) {
-        return switch (extension) {
-            case ".svg" -> PerspectiveChart.svg(language);
-            case ".png" -> PngFile.bytes(PerspectiveChart.image(language));
-            default -> PerspectiveChart.csv().getBytes(StandardCharsets.UTF_8);
-        };
-    }
-
-    private static TextTable table() {
-        var table = new TextTable("z'/dz'", "gamma", "stretch");
-        for (Sample sample : PerspectiveChart.table())
-            table.add(
-                    List.of(
-                            String.format(Locale.ROOT, "%.1f", sample.distance()),
-                            String.format(Locale.ROOT, "%.3f", sample.gamma()),
-                            Stretch.of(sample.distance()).code()));
-        return table;
     }
 }

@@ -1,6 +1,9 @@
 package rasterlab.app.cli;
 
 import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import picocli.CommandLine.TypeConversionException;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -12,6 +15,18 @@ enum ReportLanguage {
     /** "en" or "ru". */
     String code() {
         return name().toLowerCase(Locale.ROOT);
+    }
+
+    /**
+     * The language of that code, in capitals too.
+     *
+     * @throws TypeConversionException if there is none; the message lists those there are
+     */
+    static ReportLanguage named(String code) {
+        for (ReportLanguage each : values()) if (each.code().equalsIgnoreCase(code)) return each;
+        String codes =
+                Stream.of(values()).map(ReportLanguage::code).collect(Collectors.joining(", "));
+        throw new TypeConversionException("expected one of " + codes + ", got '" + code + "'");
     }
 
     Language inWindow() {

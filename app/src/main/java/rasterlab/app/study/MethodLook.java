@@ -9,7 +9,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.canvas.MethodColours;
 
 /** How a method looks in a chart; no two methods of one chart have both in common. */
-record MethodLook(Color colour, Marker marker) {
+public record MethodLook(Color colour, Marker marker) {
     /** Seven, which has no divisor in common with the palette's eleven colours. */
     private static final List<Marker> MARKERS =
             List.of(
@@ -25,7 +25,7 @@ record MethodLook(Color colour, Marker marker) {
      * @param methods all of the topic in teaching order, those without a place on the chart too, so
      *     that a method looks the same whatever the others did
      */
-    static Map<String, MethodLook> of(List<String> methods) {
+    public static Map<String, MethodLook> of(List<String> methods) {
         Map<String, Color> colours = MethodColours.among(methods);
         var looks = new LinkedHashMap<String, MethodLook>();
         for (String method : methods)

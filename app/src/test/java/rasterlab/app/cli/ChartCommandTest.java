@@ -1,12 +1,15 @@
 package rasterlab.app.cli;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
@@ -36,22 +39,72 @@ class ChartCommandTest {
     void writesEveryForm() throws Exception {
         Path png = folder.resolve("g.PNG");
         Path csv = folder.resolve("g.csv");
-        Ran.lab("chart", "perspective", "--out", png.toString(), "--out", csv.toString())
-                .assertDone();
+        Ran ran = Ran.lab("chart", "perspective", "--out", png.toString(), "--out", csv.toString());
+        ran.assertDone();
+        assertEquals("wrote " + png + "\nwrote " + csv + "\n", ran.err());
         BufferedImage picture = ImageIO.read(png.toFile());
         assertEquals("1000×700", picture.getWidth() + "×" + picture.getHeight());
-        assertTrue(has(picture, MethodColours.BLUE), "the curve's colour");
+        assertFalse(has(picture, MethodColours.BLUE, 500, 0), "the curve does not fall");
+        assertTrue(has(picture, MethodColours.BLUE, 500, 350), "the curve does not end low");
         List<String> lines = Files.readAllLines(csv);
         assertEquals("distance,gamma,stretch", lines.get(0));
         assertEquals("0.25,9.0,runs-away", lines.get(1));
         assertTrue(lines.contains("4.0,1.5,calm"), lines.toString());
     }
 
-    private static boolean has(BufferedImage picture, Color colour) {
-        for (int y = 0; y < picture.getHeight(); y++)
-            for (int x = 0; x < picture.getWidth(); x++)
+    @Test
+    void depthPrecisionIsMeasuredBesideItsFormula() throws Exception {
+        Path png = folder.resolve("d.png");
+        Path csv = folder.resolve("d.csv");
+        Ran ran =
+                Ran.lab(
+                        "chart",
+                        "depth-precision",
+                        "--out",
+                        png.toString(),
+                        "--out",
+                        csv.toString());
+        ran.assertDone();
+        List<String> rows =
+                ran.out().lines().map(row -> row.strip().replaceAll(" +", " ")).toList();
+        assertEquals("format far/near measured predicted", rows.get(0));
+        for (String row :
+                List.of(
+                        "z16 1e+03 7.576e-03 7.622e-03",
+                        "z24 1e+03 2.977e-05 2.977e-05",
+                        "reversed-z 1e+06 5.684e-08 5.684e-08"))
+            assertTrue(rows.contains(row), row + " in " + rows);
+        List<String> lines = Files.readAllLines(csv);
+        assertEquals("format,far/near,measured,predicted", lines.get(0));
+        assertEquals(1 + 6 * 17, lines.size());
+        BufferedImage picture = ImageIO.read(png.toFile());
+        assertEquals("1000×700", picture.getWidth() + "×" + picture.getHeight());
+        assertTrue(
+                has(picture, MethodColours.of("zfloat"), 0, 350)
+                        || has(picture, MethodColours.of("zfloat"), 500, 0),
+                "the colour of zfloat");
+    }
+
+    /** Whether a quarter of the picture, with that corner at its top left, has the colour. */
+    private static boolean has(BufferedImage picture, Color colour, int left, int top) {
+        for (int y = top; y < top + 350; y++)
+            for (int x = left; x < left + 500; x++)
                 if (picture.getRGB(x, y) == colour.getRGB()) return true;
         return false;
+    }
+
+    @Test
+    void russianDepthPrecisionHasNoEnglishWords() throws Exception {
+        Path svg = folder.resolve("d.svg");
+        Ran.lab("chart", "depth-precision", "--lang", "ru", "--out", svg.toString()).assertDone();
+        assertTrue(Files.readString(svg).contains("измерено делением пополам"), "its marks");
+        assertEquals(
+                List.of(),
+                Pattern.compile(">([^<]*[a-zA-Z]{3}[^<]*)<")
+                        .matcher(Files.readString(svg))
+                        .results()
+                        .map(found -> found.group(1).strip())
+                        .toList());
     }
 
     @Test
@@ -60,6 +113,7 @@ class ChartCommandTest {
         Ran.lab("chart", "perspective", "--lang", "ru", "--out", svg.toString()).assertDone();
         String text = Files.readString(svg);
         assertTrue(text.contains("как в параллельной проекции"), "its limit");
+        assertEquals(2, text.split("fill-opacity:0\\.").length - 1, "bands");
         assertEquals(
                 List.of(),
                 Pattern.compile(">([^<]*[a-zA-Z]{3}[^<]*)<")
@@ -70,9 +124,24 @@ class ChartCommandTest {
     }
 
     @Test
+    void pictureIsInItsLanguageToo() throws Exception {
+        byte[] english = pngIn("en");
+        assertArrayEquals(english, pngIn("EN"));
+        assertFalse(Arrays.equals(english, pngIn("ru")), "the Russian picture is the English one");
+    }
+
+    private byte[] pngIn(String language) throws Exception {
+        Path png = folder.resolve(language + ".png");
+        Ran.lab("chart", "perspective", "--lang", language, "--out", png.toString()).assertDone();
+        return Files.readAllBytes(png);
+    }
+
+    @Test
     void mistakesAreFoundBeforeAnythingIsWritten() {
         Ran.lab("chart", "perspektive")
-                .assertComplains(2, "./lab chart: no chart 'perspektive'; there is perspective");
+                .assertComplains(
+                        2,
+                        "./lab chart: no chart 'perspektive'; there are perspective, depth-precision");
         Path strange = folder.resolve("g.json");
         Ran.lab("chart", "perspective", "--out", strange.toString())
                 .assertComplains(
@@ -80,5 +149,13 @@ class ChartCommandTest {
                         "./lab chart: "
                                 + strange
                                 + ": unknown extension; allowed are .svg, .png, .csv");
+        Path nowhere = folder.resolve("no/g.svg");
+        Ran.lab("chart", "perspective", "--out", nowhere.toString())
+                .assertComplains(
+                        2,
+                        "./lab chart: "
+                                + nowhere
+                                + ": cannot be written: no folder "
+                                + nowhere.getParent());
     }
 }

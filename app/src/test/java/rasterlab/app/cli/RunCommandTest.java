@@ -101,7 +101,7 @@ class RunCommandTest {
 
     @Test
     void refusalHasTheMethodsMessage() {
-        Ran ran = Ran.labReading("{\"from\":[0,0],\"to\":[2000000000,1]}", "run", "line", "dda");
+        Ran ran = Ran.labReading("{\"from\":[0,0],\"to\":[20000000,1]}", "run", "line", "dda");
         assertTrue(ran.err().startsWith("./lab run: dda refuses: "), ran.err());
         assertEquals("", ran.out());
         assertEquals(3, ran.exitCode());

@@ -43,6 +43,10 @@ final class RunExamples {
                             "{\"polygons\":[[[0,0,5],[1,0,5],[0,1,5]],"
                                     + "[[0,0,9],[2,0,9],[2,2,9],[0,2,9]]],\"eye\":[0,0,0]}"),
                     Map.entry(
+                            "depth-buffer",
+                            "{\"near\":1,\"far\":1000,\"depths\":[900,2],\"to\":[901,800],"
+                                    + "\"pixels\":5}"),
+                    Map.entry(
                             "matrix",
                             "{\"name\":\"ROTAXIS\",\"through\":[1,2,3],\"direction\":[1,2,2],"
                                     + "\"angle\":37}"),

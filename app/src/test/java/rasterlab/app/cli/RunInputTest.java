@@ -47,7 +47,7 @@ class RunInputTest {
                 argumentSet(
                         "unknown field is ignored",
                         "{\"form\":[0,0],\"to\":[1,1]}",
-                        "/form: unknown field; allowed are [from, to, window]"),
+                        "/form: unknown field; allowed are from, to, window"),
                 argumentSet(
                         "the last of two fields wins",
                         "{\"from\":[0,0],\"from\":[0,1],\"to\":[1,1]}",
@@ -91,7 +91,7 @@ class RunInputTest {
                 argumentSet(
                         "name longer than the library takes is a fault",
                         "{\"" + "k".repeat(60_000) + "\":[0,0],\"to\":[1,1]}",
-                        "/" + "k".repeat(39) + "…: unknown field; allowed are [from, to, window]"),
+                        "/" + "k".repeat(39) + "…: unknown field; allowed are from, to, window"),
                 argumentSet(
                         "number as a string",
                         "{\"from\":[\"0\",0],\"to\":[1,1]}",

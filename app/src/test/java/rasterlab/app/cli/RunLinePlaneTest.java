@@ -70,7 +70,7 @@ class RunLinePlaneTest {
                         "normal without a point is a plane",
                         2,
                         "{\"line\":[[0,0,1],[1,0,2]],\"normal\":[0,0,1]}",
-                        "/: expected either plane, or normal and point, got [line, normal]"),
+                        "/: expected either plane, or normal and point, got line, normal"),
                 argumentSet(
                         "one point twice is a line",
                         2,

@@ -148,6 +148,6 @@ class RunRasterTest {
                         "parametric",
                         "{\"center\":[0,0],\"radius\":1,\"x\":2}",
                         2,
-                        "/x: unknown field; allowed are [center, radius]"));
+                        "/x: unknown field; allowed are center, radius"));
     }
 }

@@ -23,17 +23,11 @@ import rasterlab.engine.study.Topic;
 class RunStepsTest {
     /** Their steps are formulas or matrices one after the other; nothing is decided. */
     private static final List<String> UNDECIDED =
-            List.of("transform", "rotate-axis", "rotate", "view");
+            List.of("transform", "rotate-axis", "rotate", "view", "shade");
 
     /** One formula each: an answer lists its terms, and there is nothing to walk. */
     private static final List<String> FORMULAS =
-            List.of(
-                    "shade",
-                    "vertex-normals",
-                    "shade-face",
-                    "color",
-                    "texture-mapping",
-                    "texture-filter");
+            List.of("shade-face", "color", "texture-mapping", "texture-filter");
 
     /** All other methods have steps, but for the topics above. */
     private static final List<String> WITHOUT_STEPS =
@@ -50,7 +44,13 @@ class RunStepsTest {
                     "rotate quaternion",
                     "rotate total-angle",
                     "rotate-axis rodrigues",
-                    "rotate-axis quaternion");
+                    "rotate-axis quaternion",
+                    "depth-buffer z16",
+                    "depth-buffer z24",
+                    "depth-buffer z32",
+                    "depth-buffer zfloat",
+                    "depth-buffer reversed-z",
+                    "depth-buffer linear-16");
 
     /** What textbooks' programs do as they are printed, and how that is told. */
     private static final Map<String, String> GIVEN_UP =
@@ -195,6 +195,17 @@ class RunStepsTest {
                         "{\"points\":[[1,2]],\"degrees\":90,\"times\":0}",
                         "{\"points\":[[1.0,2.0]],\"steps\":[[]]"),
                 argumentSet(
+                        "drift is told of the first row only",
+                        "depth-buffer",
+                        "incremental-z16",
+                        "{\"near\":1,\"far\":2,\"depths\":[1,2],\"to\":[2,2],\"pixels\":3}",
+                        "\"steps\":[[{\"pixel\":0,\"sum\":0.0,\"code\":0,\"decision\":0.0},"
+                                + "{\"pixel\":1,\"sum\":32767.5,\"code\":32768,\"decision\":0.0},"
+                                + "{\"pixel\":2,\"sum\":65535.0,\"code\":65535,\"decision\":0.0}],"
+                                + "[{\"pixel\":0,\"sum\":65535.0,\"code\":65535,\"decision\":0.0},"
+                                + "{\"pixel\":1,\"sum\":65535.0,\"code\":65535,\"decision\":0.0},"
+                                + "{\"pixel\":2,\"sum\":65535.0,\"code\":65535,\"decision\":0.0}]]"),
+                argumentSet(
                         "recursive fill has no steps",
                         "fill",
                         "recursive-textbook",
@@ -209,6 +220,31 @@ class RunStepsTest {
                         "{\"center\":[0,0],\"radius\":1}",
                         "\"steps\":[{\"u\":0,\"v\":1,\"decision\":0.0},"
                                 + "{\"u\":1,\"v\":1,\"decision\":1.0}]"),
+                argumentSet(
+                        "a term is added twice, or the cut is not told",
+                        "shade",
+                        "lambert",
+                        "{\"normal\":[0,0,1],\"to-light\":[0,0,1],\"to-eye\":[0,0,1],"
+                                + "\"material\":{\"emission\":[0.5,0,0],\"diffuse\":[1,1,0]},"
+                                + "\"light\":{\"diffuse\":[0.75,0.5,0]}}",
+                        "{\"step\":\"diffuse\",\"value\":[0.75,0.5,0.0],\"sum\":[1.25,0.5,0.0]},"
+                                + "{\"step\":\"specular\",\"value\":[0.0,0.0,0.0],"
+                                + "\"sum\":[1.25,0.5,0.0]},"
+                                + "{\"step\":\"cut to [0, 1]\",\"value\":[1.0,0.5,0.0],"
+                                + "\"sum\":[1.0,0.5,0.0]}]"),
+                argumentSet(
+                        "face without area is added, or the sum is that of another vertex",
+                        "vertex-normals",
+                        "area",
+                        "{\"vertices\":[[0,0,0],[2,0,0],[0,2,0],[0,1,0],[0,0,1]],"
+                                + "\"triangles\":[[0,3,2],[0,1,2],[0,2,4]]}",
+                        "\"decision\":\"area of the face over the largest\",\"steps\":["
+                                + "{\"face\":1,\"vertex\":0,\"decision\":1.0,\"sum\":[0.0,0.0,1.0]},"
+                                + "{\"face\":1,\"vertex\":1,\"decision\":1.0,\"sum\":[0.0,0.0,1.0]},"
+                                + "{\"face\":1,\"vertex\":2,\"decision\":1.0,\"sum\":[0.0,0.0,1.0]},"
+                                + "{\"face\":2,\"vertex\":0,\"decision\":0.5,\"sum\":[0.5,0.0,1.0]},"
+                                + "{\"face\":2,\"vertex\":2,\"decision\":0.5,\"sum\":[0.5,0.0,1.0]},"
+                                + "{\"face\":2,\"vertex\":4,\"decision\":0.5,\"sum\":[0.5,0.0,0.0]}]"),
                 argumentSet(
                         "convex window has no steps",
                         "clip-segment",

@@ -8,7 +8,9 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -16,10 +18,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.Topics;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
+import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 
 class StudyCommandTest {
@@ -50,7 +56,8 @@ class StudyCommandTest {
         int measurements = json.path("measurements").size();
         assertTrue(measurements > 0);
         assertEquals(measurements + 1, Files.readAllLines(folder.resolve("line.csv")).size());
-        assertEquals(measurements + 1, ran.out().lines().count());
+        assertEquals(
+                measurements, ran.out().lines().filter(row -> row.contains("length-")).count());
         assertTrue(json.path("machine").hasNonNull("java"));
         assertTrue(Files.readString(folder.resolve("line.svg")).contains("<svg"));
     }
@@ -66,13 +73,42 @@ class StudyCommandTest {
                         Deviation.NONE,
                         Verdict.Kind.ENDLESS,
                         "");
-        String row =
-                StudyCommand.table(new Study("line", "pixel", "pixels", List.of(endless)))
-                        .lines()
-                        .get(1);
+        var study = new Study("line", "pixel", "pixels", List.of(endless));
+        assertEquals(
+                List.of("naive-textbook", "w", "–", "–", "–", "–", "endless"),
+                List.of(StudyTable.narrow(study).get(2).trim().split(" +")));
         assertEquals(
                 List.of("naive-textbook", "w", "16", "–", "–", "–", "–", "endless"),
-                List.of(row.trim().split(" +")));
+                List.of(StudyTable.wide(study).get(1).trim().split(" +")));
+    }
+
+    @ParameterizedTest(name = "the table of {0} is wider than a terminal")
+    @MethodSource("topics")
+    void narrowTableKeepsItsWidth(Topic<?, ?, ?> topic) {
+        var cost =
+                new Cost(1234567.8, 123456.7, 12345678.9, Map.of("items", 1L, "comparisons", 3L));
+        var error = new Deviation(1.0 / 3, 12_345, 0, 20_000, "pixel");
+        var measured = new ArrayList<Measurement>();
+        for (var method : topic.methods())
+            for (var load : topic.workloads())
+                measured.add(
+                        new Measurement(
+                                method.name(),
+                                load.name(),
+                                load.size(),
+                                cost,
+                                error,
+                                Verdict.Kind.DEGRADED,
+                                ""));
+        var lines =
+                StudyTable.narrow(
+                        new Study(topic.name(), topic.item(), topic.errorUnit(), measured));
+        for (String line : lines) assertTrue(line.length() <= StudyTable.WIDTH, line);
+        assertEquals("--wide adds what was counted: comparisons", lines.get(lines.size() - 1));
+    }
+
+    static Stream<Topic<?, ?, ?>> topics() {
+        return Topics.all().stream();
     }
 
     /**
@@ -81,7 +117,7 @@ class StudyCommandTest {
      */
     @Test
     void viewShowsThatTakingItApartSavesOperations() {
-        Ran ran = Ran.lab("study", "view", "--quick");
+        Ran ran = Ran.lab("study", "view", "--quick", "--wide");
         List<String[]> rows = ran.out().lines().map(row -> row.split("  +")).toList();
         int additions = List.of(rows.get(0)).indexOf("additions/point");
         int products = List.of(rows.get(0)).indexOf("multiplications/point");
@@ -115,6 +151,15 @@ class StudyCommandTest {
                                 + nowhere
                                 + ": cannot be written: no folder "
                                 + nowhere.getParent());
+    }
+
+    @Test
+    void unknownLanguageIsToldThoseThereAre() {
+        Ran.lab("study", "line", "--lang", "fr")
+                .assertComplains(
+                        2,
+                        "./lab study: invalid value for option '--lang': expected one of en, ru,"
+                                + " got 'fr' (see `./lab study --help`)");
     }
 
     @Test

@@ -145,7 +145,7 @@ class TransformRunTest {
                         "matrix",
                         "formula",
                         "{\"name\":\"ROT3DX\",\"angle\":1,\"k\":2}",
-                        "/k: ROT3DX has no such parameter; allowed are [angle]"),
+                        "/k: ROT3DX has no such parameter; allowed are angle"),
                 argumentSet(
                         "a value out of range",
                         2,

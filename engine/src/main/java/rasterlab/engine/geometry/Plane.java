@@ -56,21 +56,26 @@ public record Plane(Vector normal, double c) {
     }
 
     /**
-     * μ = (c − n·p₁) / (n·p*), where the line meets the plane.
+     * μ = (c − n·p₁) / (n·p*), where the line meets the plane; 0 only where p₁ seems to be in it.
      *
      * @throws IllegalArgumentException if the line is parallel to the plane, n·p* being 0, or μ or
      *     what it is computed from is beyond doubles
      */
     public double meets(Line line) {
         Vector direction = line.direction();
-        // By powers of two, so that n·p* is 0 only where n and p* say so.
-        Vector n = normal.shifted(-normal.exponent());
-        double slope = n.dot(direction.shifted(-direction.exponent()));
-        if (slope == 0)
+        Vector from = line.from();
+        ProductSum slope =
+                ProductSum.of(
+                        new double[] {normal.x(), normal.y(), normal.z()},
+                        new double[] {direction.x(), direction.y(), direction.z()});
+        if (slope.mantissa() == 0)
             throw new IllegalArgumentException(
-                    "line must not be parallel to the plane, but n·p* is " + slope);
-        double rise = Math.scalb(c, -normal.exponent()) - n.dot(line.from());
-        double mu = Math.scalb(rise / slope, -direction.exponent());
+                    "line must not be parallel to the plane, but n·p* is " + slope.mantissa());
+        ProductSum rise =
+                ProductSum.of(
+                        new double[] {-normal.x(), -normal.y(), -normal.z(), c},
+                        new double[] {from.x(), from.y(), from.z(), 1});
+        double mu = rise.over(slope);
         if (!Double.isFinite(mu))
             throw new IllegalArgumentException(
                     "line must meet the plane at a μ within doubles, got " + mu);

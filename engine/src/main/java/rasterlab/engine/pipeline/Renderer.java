@@ -53,8 +53,8 @@ public final class Renderer {
         SHADINGS.named(shading);
         if (outline && !method.implementation().drawsOutlines())
             throw new IllegalArgumentException(
-                    "visibility '%s' draws no outlines; %s do"
-                            .formatted(visibility, String.join(" and ", outlining())));
+                    "visibility '%s' draws no outlines; those that do are %s"
+                            .formatted(visibility, String.join(", ", outlining())));
     }
 
     private static List<String> outlining() {

@@ -82,7 +82,7 @@ class RenderRequestTest {
                         central,
                         10,
                         true,
-                        "visibility 'zfloat' draws no outlines; painter-textbook and painter do"),
+                        "visibility 'zfloat' draws no outlines; those that do are painter-textbook, painter"),
                 argumentSet(
                         "outline is silently dropped by raycast",
                         "raycast",
@@ -91,6 +91,6 @@ class RenderRequestTest {
                         10,
                         true,
                         "visibility 'raycast' draws no outlines;"
-                                + " painter-textbook and painter do"));
+                                + " those that do are painter-textbook, painter"));
     }
 }

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
-import java.util.HashSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
@@ -60,15 +59,7 @@ class TriangleMeshTest {
                 argumentSet(
                         "colours are invented",
                         (Executable) () -> mesh(THREE).values(VertexQuantity.RED),
-                        "the mesh has no red of vertices"),
-                argumentSet(
-                        "a torus without a hole is let in",
-                        (Executable) () -> new Torus(1, 1, 3, 3),
-                        "torus needs 0 < minor < major < ∞, got minor 1.0, major 1.0"),
-                argumentSet(
-                        "a torus of an odd number is let in",
-                        (Executable) () -> Torus.ofTriangles(2, 1, 101),
-                        "no torus has exactly 101 triangles: 2·rings·sides is needed"));
+                        "the mesh has no red of vertices"));
     }
 
     @Test
@@ -80,33 +71,6 @@ class TriangleMeshTest {
         triangles[0] = 9;
         assertEquals(0, mesh.values(VertexQuantity.X)[0]);
         assertEquals(0, mesh.triangles()[0]);
-    }
-
-    /** Each edge of a closed surface is there once in each direction. */
-    @Test
-    void theTorusIsClosedAndHasTheTrianglesAskedFor() {
-        for (int count : new int[] {10_000, 100_000}) {
-            var mesh = Torus.ofTriangles(1, 0.4, count).mesh();
-            assertEquals(count, mesh.triangleCount());
-            var edges = new HashSet<String>();
-            int[] corners = mesh.triangles();
-            for (int i = 0; i < corners.length; i++) {
-                int next = i % 3 == 2 ? i - 2 : i + 1;
-                String edge = place(mesh, corners[next]) + place(mesh, corners[i]);
-                if (!edges.remove(edge))
-                    edges.add(place(mesh, corners[i]) + place(mesh, corners[next]));
-            }
-            assertEquals(0, edges.size(), "edges without a neighbour");
-        }
-    }
-
-    private static String place(TriangleMesh mesh, int vertex) {
-        return mesh.values(VertexQuantity.X)[vertex]
-                + " "
-                + mesh.values(VertexQuantity.Y)[vertex]
-                + " "
-                + mesh.values(VertexQuantity.Z)[vertex]
-                + ";";
     }
 
     @Test

@@ -61,6 +61,13 @@ class MatrixStackTest {
     }
 
     @Test
+    @DisplayName("who asks for the top holds the stack's own matrix")
+    void topIsACopy() {
+        stack.top(MatrixMode.MODELVIEW).translate(1, 2, 3);
+        assertEquals(new Matrix4d(), stack.top(MatrixMode.MODELVIEW));
+    }
+
+    @Test
     @DisplayName("all modes change one matrix")
     void modesHaveStacksOfTheirOwn() {
         stack.mode(MatrixMode.PROJECTION);

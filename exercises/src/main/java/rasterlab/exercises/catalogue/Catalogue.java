@@ -84,7 +84,10 @@ public final class Catalogue {
         Exercise exercise = exercises.get(id);
         if (exercise == null)
             throw new IllegalArgumentException(
-                    "no exercise called '" + id + "'; there are " + exercises.keySet());
+                    "no exercise called '"
+                            + id
+                            + "'; there are "
+                            + String.join(", ", exercises.keySet()));
         return exercise;
     }
 }

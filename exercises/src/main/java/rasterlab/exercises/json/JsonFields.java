@@ -84,7 +84,8 @@ public final class JsonFields {
     public String word(String field, List<String> allowed) {
         String text = text(field);
         if (!allowed.contains(text))
-            throw wrong(field, "must be one of " + allowed + ", got '" + text + "'");
+            throw wrong(
+                    field, "must be one of " + String.join(", ", allowed) + ", got '" + text + "'");
         return text;
     }
 

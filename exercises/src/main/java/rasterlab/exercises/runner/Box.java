@@ -7,6 +7,9 @@ interface Box {
     /** What to tell people about it. */
     Isolation isolation();
 
+    /** Whether the command's process starts another, in which the child's Java machine runs. */
+    boolean nested();
+
     /**
      * The whole command, program first.
      *

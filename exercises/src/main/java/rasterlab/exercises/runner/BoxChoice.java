@@ -75,7 +75,8 @@ final class BoxChoice {
 
     /** Why a child in the box does not answer; empty when it does. */
     private Optional<String> selfTest(Box box) {
-        try (Child child = new Child(launcher.start(box.command(ChildKind.RUN, false)))) {
+        try (Child child =
+                new Child(launcher.start(box.command(ChildKind.RUN, false)), box.nested())) {
             try {
                 child.ask(new Request(Wire.PING, out -> {}), limit, (status, payload) -> status);
                 return Optional.empty();

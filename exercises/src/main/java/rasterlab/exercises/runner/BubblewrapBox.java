@@ -50,6 +50,11 @@ final class BubblewrapBox implements Box {
     }
 
     @Override
+    public boolean nested() {
+        return true;
+    }
+
+    @Override
     public List<String> command(ChildKind kind, boolean warm) {
         List<String> command =
                 new ArrayList<>(Programs.limits(limit != Isolation.ProcessLimit.TOO_LOW));

@@ -7,6 +7,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
 import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionException;
@@ -14,6 +15,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import rasterlab.exercises.child.Frames;
 import rasterlab.exercises.child.Wire;
 import rasterlab.exercises.score.Message;
@@ -32,7 +34,11 @@ final class Child implements AutoCloseable {
     /** Longer than the system needs to end a killed process, unless it hangs in the kernel. */
     private static final Duration DEATH = Duration.ofSeconds(2);
 
+    /** How often it is looked whether a process that is no child of ours has come or gone. */
+    private static final Duration POLL = Duration.ofMillis(1);
+
     private final Process process;
+    private final boolean boxed;
     private final ExecutorService threads =
             Executors.newCachedThreadPool(Daemons.named("rasterlab-child"));
     private final BlockingQueue<byte[]> frames = new ArrayBlockingQueue<>(4);
@@ -40,8 +46,12 @@ final class Child implements AutoCloseable {
     private volatile String complaint = "";
     private long nonce;
 
-    Child(Process process) {
+    /**
+     * @param boxed whether the process is a box, in which the child proper is another
+     */
+    Child(Process process, boolean boxed) {
         this.process = process;
+        this.boxed = boxed;
         threads.execute(this::readFrames);
         threads.execute(this::drainStderr);
     }
@@ -168,16 +178,39 @@ final class Child implements AutoCloseable {
     }
 
     /**
-     * Kills the process and all below it, and waits for its end, though not beyond {@link #DEATH}.
+     * Kills the process and all below it, and waits for their end, though not beyond {@link
+     * #DEATH}.
      */
     @Override
     public void close() {
-        process.descendants().forEach(ProcessHandle::destroyForcibly);
+        List<ProcessHandle> below = started();
+        below.forEach(ProcessHandle::destroyForcibly);
+        awaitEnd(below);
         process.destroyForcibly();
         waitFor(DEATH);
         threads.shutdownNow();
         // The reader may have been stopped before it could tell one who waits for an answer.
         frames.clear();
         frames.offer(END);
+    }
+
+    /**
+     * The processes below. A box starts exactly one, which then starts others, and that one is
+     * waited for: without its box it would neither go on nor end.
+     */
+    private List<ProcessHandle> started() {
+        long deadline = System.nanoTime() + DEATH.toNanos();
+        while (true) {
+            List<ProcessHandle> below = process.descendants().toList();
+            boolean all = !boxed || !below.isEmpty() || !process.isAlive();
+            if (all || System.nanoTime() > deadline) return below;
+            LockSupport.parkNanos(POLL.toNanos());
+        }
+    }
+
+    private static void awaitEnd(List<ProcessHandle> killed) {
+        long deadline = System.nanoTime() + DEATH.toNanos();
+        while (killed.stream().anyMatch(ProcessHandle::isAlive) && System.nanoTime() < deadline)
+            LockSupport.parkNanos(POLL.toNanos());
     }
 }

@@ -59,7 +59,7 @@ final class Children implements AutoCloseable {
 
     private Child start(ChildKind kind, boolean warm) {
         started.removeIf(child -> !child.isAlive());
-        Child child = new Child(launcher.start(box.command(kind, warm)));
+        Child child = new Child(launcher.start(box.command(kind, warm)), box.nested());
         started.add(child);
         return child;
     }

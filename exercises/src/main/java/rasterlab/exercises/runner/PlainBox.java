@@ -20,6 +20,11 @@ final class PlainBox implements Box {
     }
 
     @Override
+    public boolean nested() {
+        return false;
+    }
+
+    @Override
     public List<String> command(ChildKind kind, boolean warm) {
         List<String> command = new ArrayList<>(Programs.limits(false));
         command.add(Programs.java());

@@ -31,6 +31,6 @@ public final class TopicGradings {
                                         "no topic '"
                                                 + name
                                                 + "' can be graded; there are "
-                                                + names()));
+                                                + String.join(", ", names())));
     }
 }

@@ -159,6 +159,11 @@ class GradingLifeTest {
         }
 
         @Override
+        public boolean nested() {
+            return box.nested();
+        }
+
+        @Override
         public List<String> command(ChildKind kind, boolean warm) {
             return warm ? List.of("/no/such/program") : box.command(kind, warm);
         }

@@ -119,7 +119,7 @@ final class LinePlaneRun implements TopicRun {
         if (given.has("normal") != given.has("point") || byNormal == given.has("plane"))
             throw Complaint.badInput(
                     "/: expected either plane, or normal and point, got "
-                            + new TreeSet<>(given.names()));
+                            + String.join(", ", new TreeSet<>(given.names())));
         try {
             if (byNormal)
                 return Plane.through(vector(given.get(POINT), 0), vector(given.get(NORMAL), 0));

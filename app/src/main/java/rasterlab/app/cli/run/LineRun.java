@@ -22,6 +22,9 @@ import rasterlab.engine.study.Topic;
 
 /** Topic {@code line}: {@code from}, {@code to}, optional {@code window}; {@code pixels} out. */
 public final class LineRun implements TopicRun {
+    /** The most steps of a method that cannot begin at the window: some seconds. */
+    private static final int MOST_STEPS = 500_000_000;
+
     private static final JsonField<int[]> FROM =
             JsonField.required("from", json -> json.integers(2));
     private static final JsonField<int[]> TO = JsonField.required("to", json -> json.integers(2));
@@ -50,7 +53,8 @@ public final class LineRun implements TopicRun {
         return new Form(
                 """
                 {"from":[x,y], "to":[x,y], "window":[xmin,ymin,xmax,ymax]}, the window being \
-                optional""",
+                optional; a segment of more than 500000000 steps only for a method that \
+                begins at the window""",
                 """
                 {"pixels":[[x,y],...]} in drawing order, and for wu \
                 {"coverage":[1..255,...]} beside it""");
@@ -60,6 +64,8 @@ public final class LineRun implements TopicRun {
     public Answer answer(String method, byte[] text, int length, boolean steps) {
         Input input = input(text, length);
         LineRasterizer line = topic.method(method).implementation();
+        if (!(line instanceof WindowedLine))
+            Work.requireAtMost("/to", MOST_STEPS, "steps by " + method, input.segment().steps());
         return watch.call(method, () -> draw(method, line, input, steps));
     }
 

@@ -79,7 +79,9 @@ final class MatrixJson {
                         field,
                         matrix.name()
                                 + " has no such parameter; "
-                                + (own.isEmpty() ? "it has none" : "allowed are " + own));
+                                + (own.isEmpty()
+                                        ? "it has none"
+                                        : "allowed are " + String.join(", ", own)));
     }
 
     private static double[] otherwise(Given given, MatrixParameter parameter) {

@@ -20,6 +20,9 @@ public final class PointInPolygonRun implements TopicRun {
     /** The most edges looked at whose steps are written. */
     private static final int MOST_STEPS = 1_000_000;
 
+    /** The most edges that all points are compared with: some seconds. */
+    private static final int MOST_WORK = 250_000_000;
+
     private static final JsonField<double[]> POLYGON =
             JsonField.required("polygon", json -> json.points(2, 3, PointJson.MOST));
     private static final JsonField<double[]> POINTS = PointJson.points(2);
@@ -48,7 +51,7 @@ public final class PointInPolygonRun implements TopicRun {
     public Form form() {
         return new Form(
                 """
-                {"polygon":[[x,y],...], "points":[[x,y],...]}""",
+                {"polygon":[[x,y],...], "points":[[x,y],...]}, corners times points at most 250000000""",
                 """
                 {"inside":[true,...]}""");
     }
@@ -58,6 +61,8 @@ public final class PointInPolygonRun implements TopicRun {
         Given given = StrictJson.object(text, length, POLYGON, POINTS);
         Points polygon = Points.of(given.get(POLYGON));
         Points points = Points.of(given.get(POINTS));
+        long work = (long) polygon.size() * points.size();
+        Work.requireAtMost("/points", MOST_WORK, "corners times points", work);
         double[] polygonX = polygon.xs();
         double[] polygonY = polygon.ys();
         PointInPolygon judge = topic.method(method).implementation();

@@ -22,6 +22,9 @@ final class RotateRun implements TopicRun {
     /** The most turns, those of all points together, whose steps one answer has. */
     private static final int MOST_TURNS = 100_000;
 
+    /** The most turns of all points together: some seconds. */
+    private static final int MOST_WORK = 500_000_000;
+
     private static final JsonField<double[]> POINTS = PointJson.points(2);
     private static final JsonField<Double> DEGREES =
             JsonField.required("degrees", StrictJson::number);
@@ -52,7 +55,8 @@ final class RotateRun implements TopicRun {
     public Form form() {
         return new Form(
                 """
-                {"points":[[x,y],...], "degrees":a, "times":n}, times being optional""",
+                {"points":[[x,y],...], "degrees":a, "times":n}, times being optional; points \
+                times turns at most 500000000""",
                 """
                 {"points":[[x,y],...]}""");
     }
@@ -62,11 +66,13 @@ final class RotateRun implements TopicRun {
         Given given = StrictJson.object(text, length, POINTS, DEGREES, TIMES);
         double[] points = given.get(POINTS);
         PlaneRotation rotation = topic.method(method).implementation();
+        int times = given.find(TIMES).orElse(1);
+        Work.requireAtMost("/times", MOST_WORK, "points times turns", points.length / 2L * times);
         if (steps) return stepped(method, rotation, given);
         watch.call(
                 method,
                 () -> {
-                    rotation.rotate(given.get(DEGREES), given.find(TIMES).orElse(1), points);
+                    rotation.rotate(given.get(DEGREES), times, points);
                     return points;
                 });
         return json -> PointJson.write(json, points, 2);

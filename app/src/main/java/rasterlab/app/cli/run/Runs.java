@@ -39,6 +39,7 @@ public final class Runs {
                         new AxisRun(watch),
                         new VisibleFacesRun(watch),
                         new DepthOrderRun(watch),
+                        new DepthBufferRun(watch),
                         new SplineFunctionRun(watch),
                         new CurveRun(watch),
                         new ShadeRun(watch),

@@ -2,6 +2,7 @@ package rasterlab.app.cli.run;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.List;
 import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
@@ -16,6 +17,7 @@ import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.light.shade.Shades;
 import rasterlab.engine.light.shade.TermShader;
 import rasterlab.engine.light.shade.Terms;
+import rasterlab.engine.light.shade.Terms.Addition;
 import rasterlab.engine.study.Topic;
 
 /**
@@ -62,7 +64,6 @@ final class ShadeRun implements TopicRun {
 
     @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
-        if (steps) throw Steps.none(method);
         LitPoint point =
                 point(
                         StrictJson.object(
@@ -78,11 +79,29 @@ final class ShadeRun implements TopicRun {
         PointShader shader = topic.method(method).implementation();
         double[] intensity = watch.call(method, () -> shader.intensity(point));
         List<Terms> terms = watch.call(method, () -> terms(shader, point));
+        if (steps && terms.isEmpty()) throw Steps.none(method);
         return json -> {
             json.writeFieldName("intensity");
             JsonNumbers.write(json, intensity);
-            for (Terms each : terms) write(json, each);
+            for (Terms each : terms) {
+                write(json, each);
+                if (steps) Steps.write(json, steps(each, intensity), ShadeRun::write);
+            }
         };
+    }
+
+    /** The terms one by one, and the cut where there is something to cut. */
+    private static List<Addition> steps(Terms terms, double[] intensity) {
+        List<Addition> steps = terms.additions();
+        if (!Arrays.equals(terms.sum(), intensity))
+            steps.add(new Addition("cut to [0, 1]", intensity, intensity));
+        return steps;
+    }
+
+    private static void write(JsonGenerator json, Addition step) throws IOException {
+        json.writeStringField("step", step.term());
+        write(json, "value", step.value());
+        write(json, "sum", step.sum());
     }
 
     private static List<Terms> terms(PointShader shader, LitPoint point) {

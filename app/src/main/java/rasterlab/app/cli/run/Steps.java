@@ -43,8 +43,7 @@ final class Steps {
      * @throws Complaint if they are too many
      */
     static void requireAtMost(long most, String what, long count) {
-        if (count > most)
-            throw Complaint.badInput("--steps: at most " + most + " " + what + ", got " + count);
+        Work.requireAtMost("--steps", most, what, count);
     }
 
     /**
@@ -63,6 +62,12 @@ final class Steps {
     static <T> void write(JsonGenerator json, String formula, List<T> steps, Fields<T> fields)
             throws IOException {
         json.writeStringField("decision", formula);
+        json.writeFieldName("steps");
+        writeArray(json, steps, fields);
+    }
+
+    /** Writes {@code steps} that decide nothing. */
+    static <T> void write(JsonGenerator json, List<T> steps, Fields<T> fields) throws IOException {
         json.writeFieldName("steps");
         writeArray(json, steps, fields);
     }

@@ -6,7 +6,8 @@ import rasterlab.engine.geometry.Plane;
 import rasterlab.engine.geometry.Vector;
 
 /**
- * The course's formula with n·p* = 0 refused, and by powers of two near 1: {@link Plane#meets}.
+ * The course's formula with n·p* = 0 refused, and products by powers of two near 1: {@link
+ * Plane#meets}.
  *
  * <p>Both products are rounded: where the line is nearly parallel, n·p* and with it μ lose digits.
  */

@@ -27,7 +27,7 @@ final class LinePlaneMethods {
                 new Method<>(
                         "formula",
                         new About(
-                                "μ = (c − n·p₁) / (n·p*), n and p* by powers of two near 1",
+                                "μ = (c − n·p₁) / (n·p*), products by powers of two near 1",
                                 "n·(p₁ + μ·p*) = c",
                                 "6 multiplications, 8 additions and a division per line, and"
                                         + " changes of exponents",

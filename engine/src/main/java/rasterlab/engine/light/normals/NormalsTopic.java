@@ -2,6 +2,7 @@ package rasterlab.engine.light.normals;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import rasterlab.contract.VertexNormals;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -97,6 +98,15 @@ public final class NormalsTopic implements Topic<VertexNormals, Triangles, Image
     @Override
     public boolean usable(Deviation deviation) {
         return deviation.worst() <= USABLE;
+    }
+
+    @Override
+    public Map<String, Long> operations(VertexNormals method, Triangles surface) {
+        if (!(method instanceof SteppedNormals stepped)) return Map.of();
+        NormalsWalk walk = stepped.walk(surface.vertices(), surface.triangles());
+        long added = 0;
+        while (walk.advance()) added++;
+        return Map.of("normals added", added, "faces left out", (long) walk.leftOut());
     }
 
     @Override

@@ -13,7 +13,7 @@ import rasterlab.engine.light.UnitVector;
  * 20(6), 1971 (plain); G. Thürmer, C. A. Wüthrich, Computing vertex normals from polygonal facets,
  * Journal of Graphics Tools 3(1), 1998 (angles).
  */
-final class WeightedNormals implements VertexNormals {
+public final class WeightedNormals implements SteppedNormals {
     /** A sum below this share of its weights has no direction. */
     private static final double CANCELLED = 1e-9;
 
@@ -23,30 +23,61 @@ final class WeightedNormals implements VertexNormals {
         this.weight = weight;
     }
 
+    /** By the faces' angles at the vertex: the mean that no cut of a flat face changes. */
+    public static VertexNormals byAngle() {
+        return new WeightedNormals(Weight.ANGLE);
+    }
+
     @Override
-    public double[] normals(double[] vertices, int[] triangles) {
-        Triangles.require(vertices, triangles);
-        var sums = new double[vertices.length];
-        var weights = new double[vertices.length / 3];
-        double unitOfArea = largestArea(vertices, triangles);
-        var normal = new double[3];
-        for (int face = 0; face < triangles.length; face += 3) {
-            TriangleNormal.cross(vertices, triangles, face, normal);
-            double area = UnitVector.length(normal);
-            if (!UnitVector.normalise(normal)) continue;
-            for (int corner = 0; corner < 3; corner++) {
-                double angle =
-                        weight == Weight.ANGLE
-                                ? TriangleNormal.angle(vertices, triangles, face, corner)
-                                : 0;
-                double share = weight.of(area / unitOfArea, angle);
-                int vertex = triangles[face + corner];
-                weights[vertex] += share;
-                for (int c = 0; c < 3; c++) sums[3 * vertex + c] += share * normal[c];
-            }
+    public NormalsWalk walk(double[] vertices, int[] triangles) {
+        return new Walk(vertices, triangles);
+    }
+
+    @Override
+    public String weightFormula() {
+        return weight.formula();
+    }
+
+    private final class Walk extends FaceSums {
+        private final double[] vertices;
+        private final int[] triangles;
+        private final double[] weights;
+        private final double unitOfArea;
+        private double area;
+
+        Walk(double[] vertices, int[] triangles) {
+            super(vertices, triangles);
+            this.vertices = vertices;
+            this.triangles = triangles;
+            weights = new double[vertices.length / 3];
+            unitOfArea = largestArea(vertices, triangles);
         }
-        finish(sums, weights);
-        return sums;
+
+        @Override
+        boolean begins() {
+            area = UnitVector.length(normal);
+            return UnitVector.normalise(normal);
+        }
+
+        @Override
+        double weightAt(int at, int corner) {
+            double angle =
+                    weight == Weight.ANGLE
+                            ? TriangleNormal.angle(vertices, triangles, at, corner)
+                            : 0;
+            return weight.of(area / unitOfArea, angle);
+        }
+
+        @Override
+        void added(int vertex, double share) {
+            weights[vertex] += share;
+        }
+
+        @Override
+        public double[] normals() {
+            finish(sums, weights);
+            return sums;
+        }
     }
 
     private static double largestArea(double[] vertices, int[] triangles) {

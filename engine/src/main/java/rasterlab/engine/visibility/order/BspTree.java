@@ -67,7 +67,8 @@ final class BspTree {
         splits++;
         if (++pieces > MOST_PIECES)
             throw new IllegalArgumentException(
-                    "polygons must need at most " + MOST_PIECES + " pieces, more are left");
+                    "%d polygons must need at most %d pieces, got %d"
+                            .formatted(pieces - splits, MOST_PIECES, pieces));
         List<Facet> both = facet.cut(plane);
         node.near.add(both.get(0));
         node.far.add(both.get(1));

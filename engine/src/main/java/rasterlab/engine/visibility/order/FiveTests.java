@@ -64,6 +64,10 @@ final class FiveTests {
         return !none && (plane.sides(other.seen()) & EyePlane.NEAR) == 0;
     }
 
+    long comparisons() {
+        return comparisons;
+    }
+
     Map<String, Long> operations() {
         return Map.of(
                 "comparisons", comparisons,

@@ -26,6 +26,22 @@ final class Newell implements SteppedOrder {
     /** The most pieces, against inputs whose cuts would fill the memory. */
     private static final int MOST_PIECES = 1_000_000;
 
+    /** The most pairs of polygons that are compared: some seconds. */
+    private static final long MOST_COMPARISONS = 500_000_000;
+
+    private final int mostPieces;
+    private final long mostComparisons;
+
+    Newell() {
+        this(MOST_PIECES, MOST_COMPARISONS);
+    }
+
+    /** One that gives up earlier. */
+    Newell(int mostPieces, long mostComparisons) {
+        this.mostPieces = mostPieces;
+        this.mostComparisons = mostComparisons;
+    }
+
     @Override
     public OrderWalk walk(Sight sight, PieceSink out) {
         return new Walk(sight, out);
@@ -36,7 +52,7 @@ final class Newell implements SteppedOrder {
         return "largest depth z of a corner of the polygon or piece, in units of the input";
     }
 
-    private static final class Walk implements OrderWalk {
+    private final class Walk implements OrderWalk {
         private final PieceSink out;
         private final EyeFrame frame;
         private final int exponent;
@@ -47,6 +63,7 @@ final class Newell implements SteppedOrder {
         /** P is the last; each before it is marked and waits for the next. */
         private final List<Extent> waiting = new ArrayList<>();
 
+        private final int polygons;
         private long splits;
         private OrderStep step;
 
@@ -54,6 +71,7 @@ final class Newell implements SteppedOrder {
             this.out = out;
             exponent = sight.exponent();
             List<Facet> facets = sight.facets();
+            polygons = facets.size();
             frame = new EyeFrame(facets);
             for (Facet facet : facets)
                 if (facet.plane().holdsEye()) edgeOn.add(facet);
@@ -77,7 +95,21 @@ final class Newell implements SteppedOrder {
                 waiting.add(left.removeFarthest());
             }
             resolve(waiting.get(waiting.size() - 1));
+            requireEndInSight();
             return true;
+        }
+
+        private void requireEndInSight() {
+            requireAtMost(mostPieces, "pieces", polygons + splits);
+            requireAtMost(mostComparisons, "comparisons", tests.comparisons());
+        }
+
+        private void requireAtMost(long most, String what, long count) {
+            if (count > most)
+                throw new IllegalArgumentException(
+                        "%d polygons must need at most %d %s, got %d with %d pieces left to paint"
+                                .formatted(
+                                        polygons, most, what, count, left.size() + waiting.size()));
         }
 
         private double mostDepth(Facet facet) {
@@ -145,15 +177,16 @@ final class Newell implements SteppedOrder {
             return false;
         }
 
-        /** Cuts one if it has corners on both sides; all that waited are sorted in again. */
+        /**
+         * Cuts one if it has corners on both sides. What waited for it still does; those that came
+         * after it are sorted in again with its pieces.
+         */
         private boolean cut(Extent one, Extent by, EyePlane plane) {
             if (plane.sides(one.facet().seen()) != (EyePlane.NEAR | EyePlane.FAR)) return false;
             splits++;
-            if (left.size() + waiting.size() >= MOST_PIECES)
-                throw new IllegalArgumentException(
-                        "polygons must need at most " + MOST_PIECES + " pieces, more are left");
-            for (Extent each : waiting) if (each != one) left.add(each);
-            waiting.clear();
+            List<Extent> later = waiting.subList(waiting.indexOf(one), waiting.size());
+            for (Extent each : later) if (each != one) left.add(each);
+            later.clear();
             for (Facet piece : one.facet().cut(plane)) left.add(extent(piece));
             step = step(OrderStep.Kind.CUT, one, by);
             return true;

@@ -15,7 +15,7 @@ import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.Surface;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 import rasterlab.engine.pipeline.triangle.TriangleView;
-import rasterlab.engine.scene.Torus;
+import rasterlab.engine.scene.shape.Torus;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.transform.GlMatrices;
 

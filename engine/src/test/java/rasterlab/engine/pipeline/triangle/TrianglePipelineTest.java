@@ -14,9 +14,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.pipeline.FrameBytes;
-import rasterlab.engine.scene.Torus;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
+import rasterlab.engine.scene.shape.Torus;
 import rasterlab.engine.transform.GlMatrices;
 
 class TrianglePipelineTest {

@@ -1,10 +1,12 @@
 package rasterlab.engine.visibility.order;
 
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import rasterlab.engine.study.Deviation;
 
 /** Very many scenes against the reference: all of them with {@code -Drasterlab.full=true}. */
@@ -26,6 +28,19 @@ class DepthOrderFullTest {
                         topic.correct(deviation),
                         name + ", seed " + SEED + ", scene " + scene + ": " + deviation);
             }
+        }
+    }
+
+    @Test
+    @EnabledIfSystemProperty(named = "rasterlab.full", matches = "true")
+    void aThousandThatAllCutEachOtherAreRefused() {
+        Sight sight = triangles(1_000, new Random(SEED));
+        for (String name : List.of("newell", "bsp")) {
+            var method = new DepthOrderTopic().method(name).implementation();
+            assertThrows(
+                    IllegalArgumentException.class,
+                    () -> method.order(sight.polygons(), sight.eye(), (polygon, corners) -> {}),
+                    name);
         }
     }
 

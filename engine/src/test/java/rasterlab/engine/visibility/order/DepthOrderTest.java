@@ -9,6 +9,7 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -84,6 +85,49 @@ class DepthOrderTest {
     void crossingSquaresAreCutOnce() {
         assertEquals(3, painted("newell", hazard("through-each-other")).size());
         assertEquals(3, painted("bsp", hazard("through-each-other")).size());
+    }
+
+    /** What waited for a polygon of a circle still waits when that one is cut. */
+    @Test
+    void cutLeavesAloneWhatWaited() {
+        OrderWalk walk = new Newell().walk(everyOneThroughTheOthers(60), (polygon, corners) -> {});
+        long steps = 0;
+        while (walk.advance()) steps++;
+        long splits = walk.operations().get("splits");
+        assertTrue(steps < 6 * splits, steps + " steps, " + splits + " cuts");
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("endless")
+    void newellGivesUp(Newell method, String complaint) {
+        OrderWalk walk = method.walk(everyOneThroughTheOthers(60), (polygon, corners) -> {});
+        var refusal =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> {
+                            while (walk.advance()) {}
+                        });
+        assertEquals(complaint, refusal.getMessage());
+    }
+
+    static Stream<Arguments> endless() {
+        return Stream.of(
+                argumentSet(
+                        "cuts fill the memory",
+                        new Newell(200, 100_000_000),
+                        "60 polygons must need at most 200 pieces, got 201 with 155 pieces left to paint"),
+                argumentSet(
+                        "comparisons never end",
+                        new Newell(1_000_000, 10_000),
+                        "60 polygons must need at most 10000 comparisons, got 10070 with 161 pieces left to paint"));
+    }
+
+    /** Each of the same random triangles in every run meets most others. */
+    static Sight everyOneThroughTheOthers(int count) {
+        var random = new Random(1972);
+        var triangles = new double[count][];
+        for (int k = 0; k < count; k++) triangles[k] = random.doubles(9, -100, 100).toArray();
+        return new Sight(triangles, new double[] {300, -400, 350});
     }
 
     /** n² against n·log n: 64 times the polygons cost 4,000 times as much, or some 150 times. */

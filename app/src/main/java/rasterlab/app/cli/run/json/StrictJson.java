@@ -117,8 +117,8 @@ public final class StrictJson {
                         .collect(Collectors.joining(", "));
     }
 
-    private static List<String> sorted(JsonField<?>... fields) {
-        return Stream.of(fields).map(JsonField::name).sorted().toList();
+    private static String sorted(JsonField<?>... fields) {
+        return Stream.of(fields).map(JsonField::name).sorted().collect(Collectors.joining(", "));
     }
 
     public boolean startsObject() {

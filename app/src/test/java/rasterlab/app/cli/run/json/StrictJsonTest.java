@@ -98,7 +98,7 @@ class StrictJsonTest {
                 argumentSet(
                         "an inner object has an unknown field",
                         good + "\"items\":[{\"size\":1}]",
-                        "/items/0/size: unknown field; allowed are [count, points]"));
+                        "/items/0/size: unknown field; allowed are count, points"));
     }
 
     private static Given read(String text) {

@@ -1,0 +1,75 @@
+package rasterlab.app.cli;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import rasterlab.app.language.Language;
+import rasterlab.app.outcome.PngFile;
+import rasterlab.app.perspective.PerspectiveChart;
+import rasterlab.app.perspective.Stretch;
+import rasterlab.app.precision.DepthPrecisionChart;
+import rasterlab.engine.transform.PerspectiveAmount;
+import rasterlab.engine.visibility.depth.DepthPrecision;
+
+/**
+ * A chart that {@code ./lab chart} draws.
+ *
+ * @param table what is printed
+ * @param csv what a file of values has
+ */
+record Chart(
+        String name,
+        Supplier<TextTable> table,
+        Function<Language, byte[]> svg,
+        Function<Language, byte[]> png,
+        Supplier<String> csv) {
+    static List<Chart> all() {
+        return List.of(
+                new Chart(
+                        "perspective",
+                        Chart::perspective,
+                        PerspectiveChart::svg,
+                        language -> PngFile.bytes(PerspectiveChart.image(language)),
+                        PerspectiveChart::csv),
+                new Chart(
+                        "depth-precision",
+                        Chart::depthPrecision,
+                        DepthPrecisionChart::svg,
+                        language -> PngFile.bytes(DepthPrecisionChart.image(language)),
+                        DepthPrecisionChart::csv));
+    }
+
+    /** The chart as a file of that kind: .svg, .png or .csv. */
+    byte[] content(String extension, Language language) {
+        return switch (extension) {
+            case ".svg" -> svg.apply(language);
+            case ".png" -> png.apply(language);
+            default -> csv.get().getBytes(StandardCharsets.UTF_8);
+        };
+    }
+
+    private static TextTable perspective() {
+        var table = new TextTable("z'/dz'", "gamma", "stretch");
+        for (PerspectiveAmount.Sample sample : PerspectiveChart.table())
+            table.add(
+                    List.of(
+                            String.format(Locale.ROOT, "%.1f", sample.distance()),
+                            String.format(Locale.ROOT, "%.3f", sample.gamma()),
+                            Stretch.of(sample.distance()).code()));
+        return table;
+    }
+
+    private static TextTable depthPrecision() {
+        var table = new TextTable("format", "far/near", "measured", "predicted");
+        for (DepthPrecision.Sample sample : DepthPrecisionChart.table())
+            table.add(
+                    List.of(
+                            sample.format(),
+                            String.format(Locale.ROOT, "%.0e", sample.ratio()),
+                            String.format(Locale.ROOT, "%.3e", sample.measured()),
+                            String.format(Locale.ROOT, "%.3e", sample.predicted())));
+        return table;
+    }
+}

@@ -1,0 +1,107 @@
+package rasterlab.app.cli;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.study.StudyCounts;
+import rasterlab.engine.study.Cost;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Study;
+
+/** The measurements of a study as lines of text. */
+final class StudyTable {
+    /** The columns of a terminal or page that the narrow table keeps to. */
+    static final int WIDTH = 100;
+
+    /** What a method that did not end or crashed has instead of numbers. */
+    private static final String NOT_TIMED = "–";
+
+    private StudyTable() {}
+
+    /** Times and errors, under a line with their units; what it leaves out is named below. */
+    static List<String> narrow(Study study) {
+        var table =
+                new TextTable("method", "workload", "ns", "spread", "error", "wrong", "verdict");
+        for (Measurement each : study.measurements())
+            table.add(
+                    Stream.of(named(each), times(each), errors(each))
+                            .flatMap(List::stream)
+                            .toList());
+        var lines = new ArrayList<String>();
+        lines.addAll(
+                wrapped(
+                        "ns per %s: median, and quartiles as spread; error: the largest [%s]"
+                                .formatted(study.item(), study.errorUnit())));
+        lines.addAll(table.lines());
+        List<String> counts = StudyCounts.of(study).names();
+        if (!counts.isEmpty())
+            lines.addAll(wrapped("--wide adds what was counted: " + String.join(", ", counts)));
+        return lines;
+    }
+
+    private static List<String> wrapped(String text) {
+        return Wrapping.lines(text, WIDTH, String::length);
+    }
+
+    /** All columns, the units in their heads. */
+    static List<String> wide(Study study) {
+        StudyCounts counts = StudyCounts.of(study);
+        var heads = new ArrayList<String>(List.of("method", "workload", "size"));
+        heads.add("ns/" + study.item());
+        heads.add("spread");
+        counts.names().forEach(name -> heads.add(name + "/" + study.item()));
+        heads.addAll(List.of("error [" + study.errorUnit() + "]", "wrong", "verdict"));
+        var table = new TextTable(heads);
+        for (Measurement each : study.measurements()) {
+            var row = new ArrayList<String>(named(each));
+            row.add(String.valueOf(each.size()));
+            row.addAll(times(each));
+            counts.cells(each).forEach(cell -> row.add(shortened(cell)));
+            row.addAll(errors(each));
+            table.add(row);
+        }
+        return table.lines();
+    }
+
+    private static List<String> named(Measurement measured) {
+        return List.of(measured.method(), measured.workload());
+    }
+
+    private static List<String> times(Measurement measured) {
+        Cost cost = measured.cost();
+        if (!cost.timed()) return List.of(NOT_TIMED, NOT_TIMED);
+        return List.of(
+                number(cost.medianNanos()),
+                number(cost.lowNanos()) + "–" + number(cost.highNanos()));
+    }
+
+    private static List<String> errors(Measurement measured) {
+        Deviation error = measured.error();
+        String verdict = measured.kind().code();
+        if (!measured.cost().timed()) return List.of(NOT_TIMED, NOT_TIMED, verdict);
+        return List.of(
+                rounded(error.worst()), String.valueOf(error.missing() + error.extra()), verdict);
+    }
+
+    private static String shortened(String count) {
+        return count.contains(".") ? number(Double.parseDouble(count)) : count;
+    }
+
+    /** Two places, none from 1,000 on, or two digits where two places would be 0. */
+    private static String number(double value) {
+        String form = value >= 1_000 ? "%.0f" : value == 0 || value >= 0.01 ? "%.2f" : "%.1e";
+        return String.format(Locale.ROOT, form, value);
+    }
+
+    /** Three digits; the files have all. */
+    private static String rounded(double error) {
+        if (error == 0) return "0";
+        String form = error >= 0.001 && error < 1000 ? "%.3f" : "%.2e";
+        return Double.isFinite(error)
+                ? String.format(Locale.ROOT, form, error)
+                : String.valueOf(error);
+    }
+}

@@ -1,0 +1,162 @@
+package rasterlab.app.precision;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.Styler.LegendPosition;
+import org.knowm.xchart.style.XYStyler;
+import org.knowm.xchart.style.lines.SeriesLines;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.study.ChartPicture;
+import rasterlab.app.study.MethodLook;
+import rasterlab.engine.visibility.depth.DepthPrecision;
+import rasterlab.engine.visibility.depth.DepthPrecision.Sample;
+
+/**
+ * The smallest distance told apart half way to the far plane, over far/near, both logarithmic: a
+ * mark where it was measured, a line where a formula predicts it.
+ */
+public final class DepthPrecisionChart {
+    private static final double LEAST_RATIO = 10;
+    private static final double MOST_RATIO = 1e9;
+    private static final double LOWEST = 1e-10;
+    private static final double HIGHEST = 10;
+
+    /** The step of floats changes at powers of two, about three times per decade. */
+    private static final int LINE_PER_DECADE = 100;
+
+    private static final int MARKS_PER_DECADE = 2;
+
+    /** Its line shows on both sides of the one that lies on it. */
+    private static final String WIDE = "z24";
+
+    /** Its line lies on the wide one, so its marks stand between those. */
+    private static final String COVERED = "zfloat";
+
+    private DepthPrecisionChart() {}
+
+    /** A few values to read, a factor of ten apart. */
+    public static List<Sample> table() {
+        return DepthPrecision.samples(1);
+    }
+
+    public static BufferedImage image(Language language) {
+        return ChartPicture.image(
+                graphics ->
+                        chart(language).paint(graphics, ChartPicture.WIDTH, ChartPicture.HEIGHT));
+    }
+
+    public static byte[] svg(Language language) {
+        return ChartPicture.svg(
+                graphics ->
+                        chart(language).paint(graphics, ChartPicture.WIDTH, ChartPicture.HEIGHT));
+    }
+
+    /** The marks as comma-separated values. */
+    public static String csv() {
+        return DepthPrecision.samples(MARKS_PER_DECADE).stream()
+                .map(
+                        sample ->
+                                "%s,%s,%s,%s"
+                                        .formatted(
+                                                sample.format(),
+                                                sample.ratio(),
+                                                sample.measured(),
+                                                sample.predicted()))
+                .collect(
+                        Collectors.joining(
+                                "\r\n", "format,far/near,measured,predicted\r\n", "\r\n"));
+    }
+
+    static XYChart chart(Language language) {
+        Texts texts = Texts.of("precision", language);
+        XYChart chart =
+                new XYChartBuilder()
+                        .title(texts.text("title"))
+                        .xAxisTitle(texts.text("ratio"))
+                        .yAxisTitle(texts.text("distance"))
+                        .build();
+        style(chart.getStyler());
+        chart.addAnnotation(new PrecisionNotes(texts, LOWEST, HIGHEST));
+        Map<String, MethodLook> looks = MethodLook.of(DepthPrecision.FORMATS);
+        List<Sample> lines = DepthPrecision.samples(LINE_PER_DECADE);
+        List<Sample> marks = DepthPrecision.samples(MARKS_PER_DECADE);
+        looks.forEach((format, look) -> line(chart, look, of(format, lines)));
+        looks.forEach((format, look) -> marks(chart, look, of(format, marks)));
+        return chart;
+    }
+
+    private static List<Sample> of(String format, List<Sample> samples) {
+        return samples.stream().filter(sample -> sample.format().equals(format)).toList();
+    }
+
+    private static void line(XYChart chart, MethodLook look, List<Sample> samples) {
+        List<Sample> inside = samples.stream().filter(s -> s.predicted() <= HIGHEST).toList();
+        String format = samples.get(0).format();
+        XYSeries series =
+                chart.addSeries(
+                        format + " predicted",
+                        inside.stream().mapToDouble(Sample::ratio).toArray(),
+                        inside.stream().mapToDouble(Sample::predicted).toArray());
+        series.setShowInLegend(false);
+        series.setMarker(SeriesMarkers.NONE);
+        series.setLineColor(look.colour());
+        series.setLineStyle(new BasicStroke(format.equals(WIDE) ? 6f : 2f));
+    }
+
+    private static void marks(XYChart chart, MethodLook look, List<Sample> samples) {
+        String format = samples.get(0).format();
+        int first = format.equals(COVERED) ? 1 : 0;
+        List<Sample> marked =
+                IntStream.range(0, samples.size())
+                        .filter(i -> i % MARKS_PER_DECADE == first)
+                        .mapToObj(samples::get)
+                        .toList();
+        XYSeries series =
+                chart.addSeries(
+                        format,
+                        marked.stream().mapToDouble(Sample::ratio).toArray(),
+                        marked.stream().mapToDouble(Sample::measured).toArray());
+        series.setMarker(look.marker());
+        series.setMarkerColor(look.colour());
+        series.setLineStyle(SeriesLines.NONE);
+    }
+
+    /** A power of ten, "10⁻⁷". */
+    private static String power(double value) {
+        long exponent = Math.round(Math.log10(value));
+        if (exponent == 0 || exponent == 1) return exponent == 0 ? "1" : "10";
+        return "10"
+                + Long.toString(exponent)
+                        .chars()
+                        .mapToObj(
+                                c -> c == '-' ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹".substring(c - '0', c - '0' + 1))
+                        .collect(Collectors.joining());
+    }
+
+    private static void style(XYStyler styler) {
+        styler.setXAxisLogarithmic(true).setXAxisMin(LEAST_RATIO).setXAxisMax(MOST_RATIO);
+        styler.setYAxisLogarithmic(true).setYAxisMin(LOWEST).setYAxisMax(HIGHEST);
+        styler.setXAxisTickLabelsFormattingFunction(DepthPrecisionChart::power);
+        styler.setYAxisTickLabelsFormattingFunction(DepthPrecisionChart::power);
+        styler.setLegendPosition(LegendPosition.OutsideE);
+        styler.setLocale(Locale.ROOT);
+        styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
+        styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
+        styler.setChartTitleBoxVisible(false);
+        styler.setChartBackgroundColor(Color.WHITE);
+        styler.setPlotBackgroundColor(Color.WHITE);
+        styler.setMarkerSize(11);
+    }
+}

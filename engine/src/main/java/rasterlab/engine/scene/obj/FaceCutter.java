@@ -1,0 +1,150 @@
+package rasterlab.engine.scene.obj;
+
+import java.util.Arrays;
+import rasterlab.engine.polygon.triangulation.EarClipping;
+import rasterlab.engine.scene.Mesh;
+
+/**
+ * Makes faces that a {@link Mesh} takes out of any: flat convex ones stay, others are cut into
+ * triangles, seen along their normal's largest coordinate, and what has no area is left out.
+ */
+final class FaceCutter {
+    /** Cutting takes time of up to the square of the corners. */
+    static final int MOST_CORNERS = 1000;
+
+    /** As {@link Mesh} has it: twice the area over the squared size. */
+    private static final double TOLERANCE = 1e-9;
+
+    private final TextLines lines;
+    private final Notes notes;
+    private final Doubles positions;
+    private final Faces faces;
+    private final double[] normal = new double[3];
+
+    FaceCutter(TextLines lines, Notes notes, Doubles positions, Faces faces) {
+        this.lines = lines;
+        this.notes = notes;
+        this.positions = positions;
+        this.faces = faces;
+    }
+
+    void add(FaceLine line, int material, int smoothing) throws BrokenFileException {
+        int[] corners = apart(line);
+        if (!hasArea(line, corners)) {
+            leaveOut("face");
+        } else if (isTaken(line, corners)) {
+            keep(line, corners, material, smoothing);
+        } else {
+            int[] triples = triangles(line, corners);
+            notes.count(
+                    "a face that is not flat or not convex was cut into triangles",
+                    lines.file(),
+                    lines.number());
+            for (int i = 0; i < triples.length; i += 3) {
+                int[] triangle = {
+                    corners[triples[i]], corners[triples[i + 1]], corners[triples[i + 2]]
+                };
+                if (isTaken(line, triangle)) keep(line, triangle, material, smoothing);
+                else leaveOut("triangle of a face");
+            }
+        }
+    }
+
+    private void leaveOut(String what) {
+        notes.count(what + " without area was left out", lines.file(), lines.number());
+    }
+
+    private void keep(FaceLine line, int[] corners, int material, int smoothing) {
+        for (int k : corners)
+            faces.corner(line.vertex.get(k), line.texture.get(k), line.normal.get(k));
+        faces.close(material, smoothing);
+    }
+
+    /** The corners without those that lie where the next one does. */
+    private int[] apart(FaceLine line) {
+        var kept = new Ints();
+        int n = line.vertex.size();
+        for (int k = 0; k < n; k++) {
+            boolean differs = false;
+            for (int axis = 0; axis < 3; axis++)
+                differs |= at(line, k, axis) != at(line, (k + 1) % n, axis);
+            if (differs) kept.add(k);
+        }
+        return kept.all();
+    }
+
+    private double at(FaceLine line, int corner, int axis) {
+        return positions.get(3 * line.vertex.get(corner) + axis);
+    }
+
+    /**
+     * Sums the fan's cross products into {@link #normal}. Where they cancel out though the corners
+     * do not lie on one line, the face covers as much from either side.
+     */
+    private boolean hasArea(FaceLine line, int[] corners) throws BrokenFileException {
+        Arrays.fill(normal, 0);
+        double size = 0;
+        double sum = 0;
+        for (int k = 1; k + 1 < corners.length; k++) {
+            double[] a = edge(line, corners[0], corners[k]);
+            double[] b = edge(line, corners[0], corners[k + 1]);
+            double[] cross = {
+                a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+            };
+            for (int axis = 0; axis < 3; axis++) normal[axis] += cross[axis];
+            size = Math.max(size, Math.max(square(a), square(b)));
+            sum += Math.sqrt(square(cross));
+        }
+        boolean area = Math.sqrt(square(normal)) > TOLERANCE * size;
+        if (!area && sum > 2 * TOLERANCE * size)
+            throw lines.broken("face crosses itself: seen from anywhere its parts cancel out");
+        return area;
+    }
+
+    private double[] edge(FaceLine line, int from, int to) {
+        double[] edge = new double[3];
+        for (int axis = 0; axis < 3; axis++) edge[axis] = at(line, to, axis) - at(line, from, axis);
+        return edge;
+    }
+
+    private static double square(double[] v) {
+        return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+    }
+
+    private boolean isTaken(FaceLine line, int[] corners) {
+        double[] xyz = new double[3 * corners.length];
+        int[] face = new int[corners.length];
+        for (int k = 0; k < corners.length; k++) {
+            face[k] = k;
+            for (int axis = 0; axis < 3; axis++) xyz[3 * k + axis] = at(line, corners[k], axis);
+        }
+        try {
+            return new Mesh(xyz, new int[][] {face}).faceCount() == 1;
+        } catch (IllegalArgumentException refused) {
+            return false;
+        }
+    }
+
+    private int[] triangles(FaceLine line, int[] corners) throws BrokenFileException {
+        if (corners.length > MOST_CORNERS)
+            throw lines.broken(
+                    "a face that is not flat or not convex may have %d corners, got %d"
+                            .formatted(MOST_CORNERS, corners.length));
+        int away = 0;
+        for (int axis = 1; axis < 3; axis++)
+            if (Math.abs(normal[axis]) > Math.abs(normal[away])) away = axis;
+        int right = (away + (normal[away] > 0 ? 1 : 2)) % 3;
+        int up = 3 - away - right;
+        double[] x = new double[corners.length];
+        double[] y = new double[corners.length];
+        for (int k = 0; k < corners.length; k++) {
+            x[k] = at(line, corners[k], right);
+            y[k] = at(line, corners[k], up);
+        }
+        try {
+            return new EarClipping().triangulate(x, y);
+        } catch (IllegalArgumentException refused) {
+            throw lines.broken("face cannot be cut into triangles: " + refused.getMessage());
+        }
+    }
+}

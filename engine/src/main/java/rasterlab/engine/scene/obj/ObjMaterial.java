@@ -1,0 +1,41 @@
+package rasterlab.engine.scene.obj;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * How the faces of a model look. Colours are red, green and blue, 0 to 1 unless a light shines
+ * through {@code emitted}.
+ *
+ * @param name as in the file
+ * @param ambient Ka
+ * @param diffuse Kd
+ * @param specular Ks
+ * @param emitted Ke, at least 0
+ * @param shininess Ns, the exponent of the highlight, 0 to 1000
+ * @param opacity d, or 1 − Tr: 0 is transparent, 1 opaque
+ * @param diffuseMap map_Kd, the texture's file name
+ * @param illumination illum, the lighting model's number, 0 to 10
+ */
+public record ObjMaterial(
+        String name,
+        List<Double> ambient,
+        List<Double> diffuse,
+        List<Double> specular,
+        List<Double> emitted,
+        double shininess,
+        double opacity,
+        Optional<String> diffuseMap,
+        int illumination) {
+    public ObjMaterial {
+        ambient = List.copyOf(ambient);
+        diffuse = List.copyOf(diffuse);
+        specular = List.copyOf(specular);
+        emitted = List.copyOf(emitted);
+    }
+
+    /** What faces have that no material is named for: light grey without a highlight. */
+    static ObjMaterial unnamed() {
+        return new MaterialValues("").material();
+    }
+}

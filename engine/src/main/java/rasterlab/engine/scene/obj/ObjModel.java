@@ -1,0 +1,129 @@
+package rasterlab.engine.scene.obj;
+
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.engine.scene.Mesh;
+import rasterlab.engine.scene.TriangleMesh;
+
+/**
+ * A model as it was read: flat convex faces with an area, the corners of each naming a position, a
+ * normal and, where the file has them, texture coordinates; one material for each face.
+ */
+public final class ObjModel {
+    private final double[] positions;
+    private final double[] colors;
+    private final double[] places;
+    private final double[] normals;
+    private final Faces faces;
+    private final List<ObjMaterial> materials;
+    private final List<String> notes;
+
+    ObjModel(
+            Vertices vertices,
+            double[] normals,
+            Faces faces,
+            List<ObjMaterial> materials,
+            List<String> notes) {
+        positions = vertices.positions.all();
+        colors = vertices.colors.all();
+        places = vertices.places.all();
+        this.normals = normals;
+        this.faces = faces;
+        this.materials = materials;
+        this.notes = notes;
+    }
+
+    /**
+     * The faces of one material.
+     *
+     * @param mesh with normals; with texture coordinates where any of its corners has them, the
+     *     others at (0, 0); with colours where the file has any; equal corners are one vertex
+     */
+    public record Part(ObjMaterial material, TriangleMesh mesh) {}
+
+    /** What was passed over or changed, one sentence each, with the place of the first. */
+    public List<String> notes() {
+        return notes;
+    }
+
+    /** In the order of the files; faces above the first usemtl have one whose name is empty. */
+    public List<ObjMaterial> materials() {
+        return materials;
+    }
+
+    /** x, y, z of each vertex, a copy. */
+    public double[] positions() {
+        return positions.clone();
+    }
+
+    /** Red, green and blue of each vertex from 0 to 1, a copy; empty where the file has none. */
+    public double[] colors() {
+        return colors.clone();
+    }
+
+    /** s and t of each place of a texture, a copy. */
+    public double[] texturePlaces() {
+        return places.clone();
+    }
+
+    /** x, y, z of each normal, of length 1, a copy; those the file lacks come last. */
+    public double[] normals() {
+        return normals.clone();
+    }
+
+    public int faceCount() {
+        return faces.count();
+    }
+
+    public int cornerCount(int face) {
+        return faces.corners(face);
+    }
+
+    /** The number of a corner's position. */
+    public int position(int face, int corner) {
+        return faces.vertex(face, corner);
+    }
+
+    /** The number of a corner's place of the texture, or −1. */
+    public int texturePlace(int face, int corner) {
+        return faces.texture(face, corner);
+    }
+
+    /** The number of a corner's normal. */
+    public int normal(int face, int corner) {
+        return faces.normal(face, corner);
+    }
+
+    /** The number of a face's material. */
+    public int material(int face) {
+        return faces.material(face);
+    }
+
+    /** The faces in their order over the positions in theirs. */
+    public Mesh mesh() {
+        int[][] corners = new int[faceCount()][];
+        for (int f = 0; f < corners.length; f++) {
+            corners[f] = new int[cornerCount(f)];
+            for (int k = 0; k < corners[f].length; k++) corners[f][k] = position(f, k);
+        }
+        return new Mesh(positions, corners);
+    }
+
+    /** Triangles for each material that has faces, in the order of the materials. */
+    public List<Part> parts() {
+        var builders = new PartBuilder[materials.size()];
+        for (int f = 0; f < faceCount(); f++) {
+            int m = material(f);
+            if (builders[m] == null) builders[m] = new PartBuilder(faces);
+            builders[m].add(f);
+        }
+        List<Part> parts = new ArrayList<>();
+        for (int m = 0; m < builders.length; m++)
+            if (builders[m] != null)
+                parts.add(
+                        new Part(
+                                materials.get(m),
+                                builders[m].mesh(positions, colors, places, normals)));
+        return parts;
+    }
+}

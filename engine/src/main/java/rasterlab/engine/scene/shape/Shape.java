@@ -1,0 +1,43 @@
+package rasterlab.engine.scene.shape;
+
+import java.util.List;
+import rasterlab.engine.scene.Mesh;
+import rasterlab.engine.scene.TriangleMesh;
+
+/** A surface that knows its points, their normals and where it meets a ray. */
+public interface Shape {
+    /** The smallest length of a shape, in world units. */
+    double SMALLEST = 1e-30;
+
+    /** The largest length of a shape, in world units. */
+    double LARGEST = 1e30;
+
+    /** The pieces it is put together from, each with parameters of its own. */
+    List<Patch> patches();
+
+    /**
+     * Looks for the nearest point of this shape that {@code ray} meets, from either side; what is
+     * beyond the nearest one that the ray has met before is left alone.
+     */
+    void meet(Ray ray);
+
+    /**
+     * Triangles with normals and texture coordinates.
+     *
+     * @param uSteps steps of u on each patch, at least 3 where it goes once round
+     * @param vSteps steps of v on each patch; discs take one
+     */
+    default TriangleMesh triangles(int uSteps, int vSteps) {
+        return new Tessellation(this, uSteps, vSteps).mesh();
+    }
+
+    /**
+     * Flat faces over shared vertices: quadrilaterals, and triangles about poles.
+     *
+     * @param uSteps as for {@link #triangles}
+     * @param vSteps as for {@link #triangles}
+     */
+    default Mesh faces(int uSteps, int vSteps) {
+        return new Tessellation(this, uSteps, vSteps).faces();
+    }
+}
