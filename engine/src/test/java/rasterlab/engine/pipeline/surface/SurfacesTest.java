@@ -15,8 +15,8 @@ import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.Surface;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 import rasterlab.engine.pipeline.triangle.TriangleView;
-import rasterlab.engine.scene.shape.Torus;
 import rasterlab.engine.scene.TriangleMesh;
+import rasterlab.engine.scene.shape.Torus;
 import rasterlab.engine.transform.GlMatrices;
 
 class SurfacesTest {
