@@ -30,6 +30,7 @@ import rasterlab.engine.transform.rotate.RotateTopic;
 import rasterlab.engine.transform.view.ViewTopic;
 import rasterlab.engine.visibility.depth.DepthBufferTopic;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
+import rasterlab.engine.visibility.hidden.HiddenSurfacesTopic;
 import rasterlab.engine.visibility.order.DepthOrderTopic;
 
 /** The list of every topic there is. */
@@ -59,6 +60,7 @@ public final class Topics {
                 new VisibleFacesTopic(),
                 new DepthOrderTopic(),
                 new DepthBufferTopic(),
+                new HiddenSurfacesTopic(),
                 new SplineFunctionTopic(),
                 new CurveTopic(),
                 new ShadeTopic(),

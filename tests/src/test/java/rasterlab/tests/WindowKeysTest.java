@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Component;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
+import java.util.List;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -18,6 +19,9 @@ import rasterlab.engine.line.Segment;
 class WindowKeysTest extends WindowHarness {
     /** Colour around what has the keyboard, in the light theme. */
     private static final int FOCUS = StageColours.LIGHT.focus().getRGB();
+
+    /** In the order of the window. */
+    private static final List<String> TABS = List.of("line", "clip", "visibility");
 
     /** Radians that an arrow key turns the vase about its axis, as in the coursework. */
     private static final double STEP = 0.03 * Math.PI;
@@ -78,15 +82,18 @@ class WindowKeysTest extends WindowHarness {
 
     private void choose(String tab, String way) {
         switch (way) {
-            case "mouse" -> window.tabbedPane("tabs").selectTab(tab.equals("line") ? 0 : 1);
+            case "mouse" -> window.tabbedPane("tabs").selectTab(TABS.indexOf(tab));
             case "mnemonic" -> {
                 robot.pressKey(KeyEvent.VK_ALT);
                 press(tab.equals("line") ? KeyEvent.VK_L : KeyEvent.VK_H);
                 robot.releaseKey(KeyEvent.VK_ALT);
             }
             default -> {
-                focus("tabs");
-                press(tab.equals("line") ? KeyEvent.VK_LEFT : KeyEvent.VK_RIGHT);
+                int key = tab.equals("line") ? KeyEvent.VK_LEFT : KeyEvent.VK_RIGHT;
+                while (!frame.shownTab().equals(tab)) {
+                    focus("tabs");
+                    press(key);
+                }
             }
         }
         robot.waitForIdle();

@@ -108,7 +108,17 @@ class WindowTest extends WindowHarness {
     }
 
     @ParameterizedTest(name = "Russian does not fit: {0}×{1}, {2}")
-    @CsvSource({"900, 600, line", "900, 600, visibility", "1280, 720, line"})
+    @CsvSource({
+        "900, 600, line",
+        "900, 600, visibility",
+        "900, 600, spline",
+        "1280, 720, line",
+        "1280, 720, spline",
+        "2560, 1440, spline",
+        "900, 600, clip",
+        "1280, 720, clip",
+        "2560, 1440, clip"
+    })
     void noTextIsCutInRussian(int width, int height, String tab) {
         GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
         window.resizeTo(new Dimension(width, height));
@@ -119,7 +129,7 @@ class WindowTest extends WindowHarness {
 
     @Test
     void everyControlCanBeNamedByAssistiveTechnology() {
-        for (String tab : List.of("line", "visibility")) {
+        for (String tab : List.of("line", "clip", "visibility", "spline")) {
             show(tab);
             List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
             assertEquals(List.of(), nameless, tab);

@@ -3,6 +3,7 @@ package rasterlab.app.canvas;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import javax.swing.JEditorPane;
+import javax.swing.text.DefaultCaret;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Method;
@@ -21,6 +22,9 @@ public final class AboutText extends JEditorPane {
         setEditable(false);
         getAccessibleContext().setAccessibleName(labels.text("about"));
         setOpaque(false);
+        // A new text is not to scroll the inspector.
+        if (getCaret() instanceof DefaultCaret caret)
+            caret.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
         setBorder(null);
         putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
     }

@@ -36,7 +36,8 @@ public final class Actions extends JPanel {
         button.setToolTipText(texts.text("action." + key + ".hint"));
         button.addActionListener(e -> action.run());
         buttons.put(key, button);
-        add(button, "wmin 0");
+        boolean alone = key.equals("copyCommand") && getComponentCount() % 2 == 0;
+        add(button, alone ? "span 2, wmin 0" : "wmin 0");
     }
 
     public void enable(String key, boolean enabled) {

@@ -7,6 +7,8 @@ import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
 
@@ -36,6 +38,11 @@ public final class Copying {
         put(new PictureSelection(picture), onFailure);
     }
 
+    /** Copies an SVG document, as a drawing to those who know SVG and as text to all. */
+    public static void svg(String document, Consumer<Throwable> onFailure) {
+        put(new SvgSelection(document), onFailure);
+    }
+
     private static void put(Transferable content, Consumer<Throwable> onFailure) {
         try {
             Toolkit.getDefaultToolkit().getSystemClipboard().setContents(content, null);
@@ -59,6 +66,28 @@ public final class Copying {
         public Object getTransferData(DataFlavor flavor) throws UnsupportedFlavorException {
             if (!isDataFlavorSupported(flavor)) throw new UnsupportedFlavorException(flavor);
             return picture;
+        }
+    }
+
+    private record SvgSelection(String document) implements Transferable {
+        private static final DataFlavor SVG =
+                new DataFlavor("image/svg+xml;class=java.io.InputStream", "SVG");
+
+        @Override
+        public DataFlavor[] getTransferDataFlavors() {
+            return new DataFlavor[] {SVG, DataFlavor.stringFlavor};
+        }
+
+        @Override
+        public boolean isDataFlavorSupported(DataFlavor flavor) {
+            return SVG.equals(flavor) || DataFlavor.stringFlavor.equals(flavor);
+        }
+
+        @Override
+        public Object getTransferData(DataFlavor flavor) throws UnsupportedFlavorException {
+            if (DataFlavor.stringFlavor.equals(flavor)) return document;
+            if (!SVG.equals(flavor)) throw new UnsupportedFlavorException(flavor);
+            return new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8));
         }
     }
 }

@@ -5,13 +5,17 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import rasterlab.app.language.Language;
+import rasterlab.app.light.MachBandsChart;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.perspective.PerspectiveChart;
 import rasterlab.app.perspective.Stretch;
 import rasterlab.app.precision.DepthPrecisionChart;
+import rasterlab.app.visibility.GrowthChart;
 import rasterlab.engine.transform.PerspectiveAmount;
 import rasterlab.engine.visibility.depth.DepthPrecision;
+import rasterlab.engine.visibility.hidden.Growth;
 
 /**
  * A chart that {@code ./lab chart} draws.
@@ -26,6 +30,7 @@ record Chart(
         Function<Language, byte[]> png,
         Supplier<String> csv) {
     static List<Chart> all() {
+        var growth = new GrowthChart();
         return List.of(
                 new Chart(
                         "perspective",
@@ -38,7 +43,19 @@ record Chart(
                         Chart::depthPrecision,
                         DepthPrecisionChart::svg,
                         language -> PngFile.bytes(DepthPrecisionChart.image(language)),
-                        DepthPrecisionChart::csv));
+                        DepthPrecisionChart::csv),
+                new Chart(
+                        "mach-bands",
+                        Chart::machBands,
+                        MachBandsChart::svg,
+                        language -> PngFile.bytes(MachBandsChart.image(language)),
+                        MachBandsChart::csv),
+                new Chart(
+                        "visibility-growth",
+                        () -> growth(growth),
+                        growth::svg,
+                        language -> PngFile.bytes(growth.image(language)),
+                        growth::csv));
     }
 
     /** The chart as a file of that kind: .svg, .png or .csv. */
@@ -70,6 +87,36 @@ record Chart(
                             String.format(Locale.ROOT, "%.0e", sample.ratio()),
                             String.format(Locale.ROOT, "%.3e", sample.measured()),
                             String.format(Locale.ROOT, "%.3e", sample.predicted())));
+        return table;
+    }
+
+    private static TextTable machBands() {
+        var table = new TextTable("shading", "largest step", "largest bend per face");
+        MachBandsChart.profiles()
+                .forEach(
+                        (shading, profile) ->
+                                table.add(
+                                        List.of(
+                                                shading,
+                                                thousandths(profile.largestStep()),
+                                                thousandths(profile.largestKink()))));
+        return table;
+    }
+
+    private static String thousandths(double share) {
+        return String.format(Locale.ROOT, "%.3f", share);
+    }
+
+    private static TextTable growth(GrowthChart growth) {
+        var table = new TextTable("method", "N, one area", "N, one size", "n");
+        for (String method : growth.methods())
+            table.add(
+                    Stream.concat(
+                                    Stream.of(method),
+                                    Stream.of(Growth.Axis.values())
+                                            .map(axis -> growth.growth(method, axis).exponent())
+                                            .map(p -> String.format(Locale.ROOT, "%.2f", p)))
+                            .toList());
         return table;
     }
 }

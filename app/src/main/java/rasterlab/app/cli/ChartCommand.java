@@ -21,7 +21,10 @@ import rasterlab.engine.naming.Named;
             "perspective: the amount of perspective, gamma = 1 + 2*dz'/z', over z'/dz': how many",
             "  times larger the nearer of two equal depths appears, and where that runs away.",
             "depth-precision: the smallest distance that depth buffers tell apart half way to the",
-            "  far plane, as a share of the depth, over far/near: measured, and by formula."
+            "  far plane, as a share of the depth, over far/near: measured, and by formula.",
+            "mach-bands: brightness across a faceted sphere by flat, Gouraud's and Phong's shading.",
+            "visibility-growth: the counted work of each visibility method over the number of faces N",
+            "  and of pixels n, and its exponents: about N^2 against n*N, measured."
         },
         footer = {"", "Example: ./lab chart perspective --out gamma.svg"})
 final class ChartCommand implements Callable<Integer> {
@@ -29,7 +32,10 @@ final class ChartCommand implements Callable<Integer> {
 
     private final Console console;
 
-    @Parameters(index = "0", paramLabel = "CHART", description = "perspective or depth-precision")
+    @Parameters(
+            index = "0",
+            paramLabel = "CHART",
+            description = "perspective, depth-precision, mach-bands or visibility-growth")
     private String name;
 
     @Option(

@@ -6,19 +6,21 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.BooleanSupplier;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.engine.pipeline.DepthRange;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 
 /** Renders a scene in software. */
@@ -37,28 +39,19 @@ import rasterlab.engine.transform.SphericalView;
 final class RenderCommand implements Callable<Integer> {
     private final Console console;
 
-    @Parameters(
-            index = "0",
-            paramLabel = "SCENE",
-            description = "${COMPLETION-CANDIDATES}",
-            completionCandidates = EngineNames.OfScenes.class)
-    private String sceneName;
+    @Mixin private SceneArgument shown;
 
     @Option(
             names = "--visibility",
             paramLabel = "METHOD",
-            description = "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}",
+            description = {
+                "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}.",
+                "raycast-surface draws the curved surface itself instead of the faces that stand for it,"
+                        + " with --shading phong or auto"
+            },
             completionCandidates = EngineNames.OfVisibilities.class,
             defaultValue = "zfloat")
     private String visibility;
-
-    @Option(
-            names = "--shading",
-            paramLabel = "METHOD",
-            description = "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}",
-            completionCandidates = EngineNames.OfShadings.class,
-            defaultValue = "flat")
-    private String shading;
 
     @Option(
             names = "--projection",
@@ -91,14 +84,29 @@ final class RenderCommand implements Callable<Integer> {
             defaultValue = "1")
     private double zoom;
 
-    @Option(names = "--outline", description = "draws the faces' edges; painters only")
-    private boolean outline;
+    @Option(
+            names = "--near",
+            paramLabel = "N",
+            description = "draws nothing nearer, in world units along the line of sight")
+    private Double near;
+
+    @Option(names = "--far", paramLabel = "F", description = "draws nothing farther")
+    private Double far;
+
+    @Mixin private LookOptions look;
+
+    @Mixin private TextureOptions texture;
 
     @Option(names = "--reference", description = "the exact picture, whatever --visibility says")
     private boolean reference;
 
     @Option(names = "--diff", paramLabel = "OTHER.png", description = "counts the wrong pixels")
     private Path other;
+
+    @Option(
+            names = "--errors",
+            description = "counts the pixels of flat and Gouraud shading that differ from Phong's")
+    private boolean errors;
 
     @Option(names = "--out", paramLabel = "FILE.png", description = "writes the picture")
     private Path out;
@@ -110,38 +118,59 @@ final class RenderCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         RenderRequest request = request();
-        if (out == null && other == null)
+        if (out == null && other == null && !errors)
             throw Complaint.badInput(
                     "nothing to do; give --out FILE.png, --diff OTHER.png or both");
         if (out != null) requirePng(out);
+        RenderMemory.require(request, (other == null ? 0 : 3) + (errors ? 3 : 0));
         Optional<BufferedImage> expected =
                 Optional.ofNullable(other)
                         .map(file -> PngFile.read(file, request.width(), request.height()));
+        var progress = new RenderProgress(console.err());
         long start = System.nanoTime();
-        Raster picture = new Renderer().render(request, Thread.currentThread()::isInterrupted);
+        Raster picture = drawn(request, progress);
         double milliseconds = (System.nanoTime() - start) / 1e6;
         Optional<PictureDifference> difference =
                 expected.map(image -> PictureDifference.of(copied(image), picture));
         if (out != null) WholeFile.write(out, PngFile.bytes(picture.image()));
-        new RenderReport(request, milliseconds, out, other, difference).write(console.out());
+        Optional<ShadingErrors> shadings =
+                errors ? Optional.of(ShadingErrors.of(request, progress)) : Optional.empty();
+        new RenderReport(request, milliseconds, out, other, difference, shadings)
+                .write(console.out());
         return ExitCode.DONE;
+    }
+
+    private static Raster drawn(RenderRequest request, BooleanSupplier cancelled) {
+        try {
+            return new Renderer().render(request, cancelled);
+        } catch (IllegalArgumentException refusal) {
+            throw Complaint.refused(request.visibility() + " refuses: " + refusal.getMessage());
+        }
     }
 
     private RenderRequest request() {
         try {
-            Scene scene = Scenes.named(sceneName).zoomed(zoom);
+            ShownScene opened = shown.open(console);
+            Scene scene = texture.laid(opened.scene().zoomed(zoom));
+            SphericalView eye = camera == null ? scene.defaultCamera() : camera;
+            Projection chosen = Projection.named(opened.option("--projection", projection));
+            String method = opened.option("--visibility", visibility);
             return new RenderRequest(
                     scene,
-                    reference ? Renderer.REFERENCE : visibility,
-                    shading,
-                    projection,
-                    camera == null ? scene.defaultCamera() : camera,
+                    eye,
+                    chosen,
+                    depths(chosen, eye.rho()),
                     size.width(),
                     size.height(),
-                    outline);
+                    look.look(opened, reference ? Renderer.REFERENCE : method, eye.rho()));
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());
         }
+    }
+
+    private DepthRange depths(Projection chosen, double rho) {
+        DepthRange all = DepthRange.all(chosen, rho);
+        return new DepthRange(near == null ? all.near() : near, far == null ? all.far() : far);
     }
 
     private static void requirePng(Path file) {

@@ -2,13 +2,18 @@ package rasterlab.app.shell;
 
 import java.awt.EventQueue;
 import java.util.function.Consumer;
+import rasterlab.app.clip.ClipLabModel;
+import rasterlab.app.clip.ClipTopics;
 import rasterlab.app.line.LineLabModel;
+import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.visibility.VisibilityLabModel;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.pipeline.Renderer;
 
 /** The labs' models, which outlive the panels that show them; used on the event thread. */
-public record LabModels(LineLabModel line, VisibilityLabModel visibility) implements AutoCloseable {
+public record LabModels(
+        LineLabModel line, ClipLabModel clip, VisibilityLabModel visibility, SplineLabModel spline)
+        implements AutoCloseable {
     /**
      * Every lab as it opens.
      *
@@ -18,13 +23,17 @@ public record LabModels(LineLabModel line, VisibilityLabModel visibility) implem
         var renderer = new Renderer();
         return new LabModels(
                 new LineLabModel(new LineTopic(), EventQueue::invokeLater, onFailure),
-                new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure));
+                new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
+                new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
+                new SplineLabModel(EventQueue::invokeLater, onFailure));
     }
 
     /** Ends background work. */
     @Override
     public void close() {
         line.close();
+        clip.close();
         visibility.close();
+        spline.close();
     }
 }

@@ -3,9 +3,11 @@ package rasterlab.app.shell;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
+import rasterlab.app.clip.ClipPanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LinePanel;
+import rasterlab.app.spline.SplinePanel;
 import rasterlab.app.visibility.VisibilityPanel;
 import rasterlab.engine.naming.Named;
 
@@ -30,15 +32,21 @@ public final class LabTabs implements AutoCloseable {
             LabModels models, Language language, Consumer<Throwable> onFailure) {
         Texts texts = Texts.of("shell", language);
         var line = new LinePanel(models.line(), language, onFailure);
+        var clip = new ClipPanel(models.clip(), language, onFailure);
         var visibility = new VisibilityPanel(models.visibility(), language, onFailure);
+        var spline = new SplinePanel(models.spline(), language, onFailure);
         return new LabTabs(
                 language,
                 List.of(
                         tab("line", texts, line, line::focusPicture),
-                        tab("visibility", texts, visibility, visibility::focusPicture)),
+                        tab("clip", texts, clip, clip::focusPicture),
+                        tab("visibility", texts, visibility, visibility::focusPicture),
+                        tab("spline", texts, spline, spline::focusPicture)),
                 () -> {
                     line.close();
+                    clip.close();
                     visibility.close();
+                    spline.close();
                 });
     }
 

@@ -3,17 +3,32 @@ package rasterlab.app.tour;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
 import rasterlab.app.shell.LabTheme;
+import rasterlab.app.spline.SplineMode;
 import rasterlab.engine.line.Segment;
 
 /** Every tab of the window in each language and theme, painted without a display. */
 final class LabPictures implements TourPart {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 800;
-    private static final List<String> TABS = List.of("line", "visibility");
+
+    /** A tab, and how it is prepared. */
+    private record Shot(String name, String tab, Consumer<LabModels> prepare) {}
+
+    private static final List<Shot> SHOTS =
+            List.of(
+                    new Shot("line", "line", LabPictures::showWhatFails),
+                    new Shot("clip", "clip", models -> {}),
+                    new Shot("visibility", "visibility", models -> {}),
+                    new Shot("spline", "spline", models -> {}),
+                    new Shot(
+                            "function",
+                            "spline",
+                            models -> models.spline().show(SplineMode.FUNCTION)));
 
     @Override
     public String key() {
@@ -22,32 +37,34 @@ final class LabPictures implements TourPart {
 
     @Override
     public void make(TourPage page) throws InterruptedException {
-        for (String tab : TABS) {
-            page.heading(page.texts().text("labs." + tab));
+        for (Shot shot : SHOTS) {
+            page.heading(page.texts().text("labs." + shot.name()));
             List<TourPage.Figure> figures = new ArrayList<>();
             for (LabTheme theme : LabTheme.values())
                 for (Language language : Language.values())
-                    figures.add(figure(page, tab, theme, language));
+                    figures.add(figure(page, shot, theme, language));
             page.gallery(figures);
         }
     }
 
     private static TourPage.Figure figure(
-            TourPage page, String tab, LabTheme theme, Language language)
+            TourPage page, Shot shot, LabTheme theme, Language language)
             throws InterruptedException {
         String look = theme.name().toLowerCase(Locale.ROOT);
         String caption = language.ownName() + ", " + page.texts().text("theme." + look);
-        page.say(page.texts().text("labs." + tab) + ": " + caption);
-        String name = "lab-" + tab + "-" + language.locale().getLanguage() + "-" + look;
+        page.say(page.texts().text("labs." + shot.name()) + ": " + caption);
+        String name = "lab-" + shot.name() + "-" + language.locale().getLanguage() + "-" + look;
         return page.picture(
                 name,
-                LabSnapshot.of(tab, theme, language, LabPictures::showWhatFails, WIDTH, HEIGHT),
+                LabSnapshot.of(shot.tab(), theme, language, shot.prepare(), WIDTH, HEIGHT),
                 caption);
     }
 
-    /** A faulty method on a line that it draws wrongly, so that wrong pixels are seen. */
+    /** Faulty methods where they fail, so that wrong pixels and parts are seen. */
     private static void showWhatFails(LabModels models) {
         models.line().show(new Segment(17, 9, 2, 3));
         models.line().chooseMethod("bresenham-textbook");
+        models.clip().chooseMethod("cohen-sutherland-textbook");
+        models.clip().compareWith("cohen-sutherland");
     }
 }

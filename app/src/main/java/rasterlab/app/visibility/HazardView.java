@@ -1,7 +1,7 @@
 package rasterlab.app.visibility;
 
 import java.util.Locale;
-import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.SphericalView;
 
 /** Views that show how visibility methods work, and three on which one fails. */

@@ -2,7 +2,7 @@ package rasterlab.app.visibility;
 
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.SphericalView;
 
 /**

@@ -10,8 +10,7 @@ import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.pipeline.Renderer;
-import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.study.Method;
 
 /** The hidden-surface lab's choosers, live numbers and the explanation of the chosen method. */
@@ -46,7 +45,7 @@ final class VisibilityInspector {
         scene =
                 names(
                         "scene",
-                        Scenes.all().stream().map(Scene::name).toList(),
+                        Scenes.names(),
                         name -> model.choose(choice -> choice.withScene(name)));
         visibility =
                 new MethodChooser(

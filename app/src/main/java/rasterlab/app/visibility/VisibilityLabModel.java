@@ -14,7 +14,7 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.Scenes;
+import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.visibility.Visibility;
@@ -223,9 +223,8 @@ public final class VisibilityLabModel implements AutoCloseable {
     private static boolean same(RenderRequest one, RenderRequest other) {
         return one.scene().name().equals(other.scene().name())
                 && one.scene().pictureScale() == other.scene().pictureScale()
-                && one.visibility().equals(other.visibility())
-                && one.shading().equals(other.shading())
-                && one.projection().equals(other.projection())
+                && one.look().equals(other.look())
+                && one.projection() == other.projection()
                 && one.camera().equals(other.camera())
                 && one.width() == other.width()
                 && one.height() == other.height();

@@ -11,6 +11,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.clip.polygon.PolygonClipTopic;
+import rasterlab.engine.clip.segment.SegmentClipTopic;
+import rasterlab.engine.clip.volume.VolumeClipTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PixelMark;
@@ -21,13 +24,20 @@ class MethodColoursTest {
         return new LineTopic().methods().stream().map(Method::name).toList();
     }
 
+    static Stream<List<String>> topics() {
+        return Stream.concat(
+                Stream.of(lineMethods(), Renderer.visibilities()),
+                Stream.of(new SegmentClipTopic(), new PolygonClipTopic(), new VolumeClipTopic())
+                        .map(topic -> topic.methods().stream().map(Method::name).toList()));
+    }
+
     static Stream<String> methods() {
-        return Stream.concat(lineMethods().stream(), Renderer.visibilities().stream());
+        return topics().flatMap(List::stream);
     }
 
     @Test
     void givesNoTwoMethodsOfATopicTheSameColour() {
-        for (List<String> topic : List.of(lineMethods(), Renderer.visibilities()))
+        for (List<String> topic : topics().toList())
             assertEquals(
                     topic.size(),
                     new HashSet<>(topic.stream().map(MethodColours::of).toList()).size(),

@@ -53,6 +53,17 @@ class ChartCommandTest {
     }
 
     @Test
+    void machBandsAreStepsThenBendsThenNeither() throws Exception {
+        Path csv = folder.resolve("m.csv");
+        Ran ran = Ran.lab("chart", "mach-bands", "--out=" + csv);
+        ran.assertDone();
+        assertTrue(ran.out().contains("gouraud"), ran.out());
+        List<String> lines = Files.readAllLines(csv);
+        assertEquals("faces,flat,gouraud,phong", lines.get(0));
+        assertEquals(1 + 8 * 51, lines.size());
+    }
+
+    @Test
     void depthPrecisionIsMeasuredBesideItsFormula() throws Exception {
         Path png = folder.resolve("d.png");
         Path csv = folder.resolve("d.csv");
@@ -141,7 +152,8 @@ class ChartCommandTest {
         Ran.lab("chart", "perspektive")
                 .assertComplains(
                         2,
-                        "./lab chart: no chart 'perspektive'; there are perspective, depth-precision");
+                        "./lab chart: no chart 'perspektive'; there are perspective, depth-precision,"
+                                + " mach-bands, visibility-growth");
         Path strange = folder.resolve("g.json");
         Ran.lab("chart", "perspective", "--out", strange.toString())
                 .assertComplains(

@@ -17,6 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.scene.catalogue.Scenes;
 
 class RenderCommandTest {
     @TempDir Path folder;
@@ -91,10 +92,21 @@ class RenderCommandTest {
         assertFalse(Files.exists(Path.of(out)), "no picture is left");
     }
 
+    @Test
+    void methodThatCannotDrawTheSceneRefuses() {
+        String out = folder.resolve("d.png").toString();
+        Ran ran = render("--visibility=convex", "--out", out);
+        assertEquals(3, ran.exitCode());
+        assertTrue(
+                ran.err().startsWith("./lab render: convex refuses: the scene must be one convex"),
+                ran.err());
+        assertFalse(Files.exists(Path.of(out)), "no picture is left");
+    }
+
     static Stream<Arguments> mistakes() {
         return Stream.of(
-                mistake("visibility is unknown", "there are painter-textbook,", "--visibility=z"),
-                mistake("shading is unknown", "there are tone, flat", "--shading=phong"),
+                mistake("visibility is unknown", "there are none, back-face,", "--visibility=z"),
+                mistake("shading is unknown", "there are tone, wire, flat,", "--shading=fong"),
                 mistake("projection is unknown", "perspective, parallel", "--projection=fisheye"),
                 mistake("size has no height", "expected WIDTHxHEIGHT", "--size=80"),
                 mistake("size is 0", "from 1×1 to 8192×8192 pixels, got 0×9", "--size=0x9"),
@@ -107,10 +119,26 @@ class RenderCommandTest {
                 mistake("camera is no number", "'x' is not a number", "--camera=1,x,3"),
                 mistake("camera is not finite", "finite angle", "--camera=NaN,1,3"),
                 mistake("camera is in the origin", "got 0.0", "--camera=1,1,0"),
+                mistake("far is before near", "got near 9.0, far 3.0", "--near=9", "--far=3"),
+                mistake("near is in the eye", "above 0 in perspective", "--near=0"),
+                mistake("texture filter is unknown", "no texture filter 'x'", "--texture=x"),
+                mistake("term is unknown", "no light term 'glow'", "--terms=ambient,glow"),
+                mistake("culled side is unknown", "none, back, front", "--cull=left"),
+                mistake("hidden lines are unknown", "removed, dashed", "--hidden-lines=x"),
+                mistake("stereo is unknown", "anaglyph, side-by-side", "--stereo=3d"),
+                mistake("eyes have no number", "such as 3deg", "--stereo=anaglyph", "--eyes=deg"),
+                mistake("eyes of one picture", "--eyes needs --stereo", "--eyes=3"),
+                mistake("stereo is parallel", "needs perspective", PARALLEL, "--stereo=anaglyph"),
+                mistake("depth cue is too strong", "up to 1, got 3.0", "--depth-cue=3"),
+                mistake("wrap needs a texture", "scene 'vase' has none", "--wrap=repeat"),
+                mistake("texture is missing", "no such file", "--texture-image=no.png"),
+                mistake("texture is text", "not a PNG or JPEG", "--texture-image=pom.xml"),
                 mistake("other picture is missing", "no such file to read", "--diff=no.png"),
                 mistake("other picture is a folder", "is a folder", "--diff=."),
                 mistake("other picture is text", "is not a PNG picture", "--diff=pom.xml"));
     }
+
+    private static final String PARALLEL = "--projection=parallel";
 
     private static Arguments mistake(String name, String part, String... options) {
         return argumentSet(name, part, options);
@@ -150,20 +178,79 @@ class RenderCommandTest {
 
     @Test
     void helpNamesEveryMethodThatTheEngineHas() {
-        String help = Ran.lab("render", "--help").out();
+        String help = Ran.lab("render", "--help").out().replaceAll("\\s+", " ");
         for (String name : Renderer.visibilities()) assertTrue(help.contains(name), name);
-        assertTrue(help.contains("vase, house"), help);
+        for (String name : Scenes.names()) assertTrue(help.contains(name), name);
         assertTrue(Ran.lab("completion").out().contains("painter-textbook"), "not completed");
     }
 
     @Test
     void unknownSceneAndNothingToDo() {
         Ran.lab("render", "vas", "--out", "x.png")
-                .assertComplains(2, "./lab render: no scene 'vas'; there are vase, house");
+                .assertComplains(
+                        2,
+                        "./lab render: no scene 'vas'; there are "
+                                + String.join(", ", Scenes.names()));
         Ran.lab("render", "vase")
                 .assertComplains(
                         2,
                         "./lab render: nothing to do; give --out FILE.png, --diff OTHER.png"
                                 + " or both");
+    }
+
+    @Test
+    void reportNamesEverythingThatWasUsed() throws Exception {
+        String out = folder.resolve("d.png").toString();
+        Ran ran =
+                render(
+                        "--shading=auto",
+                        "--projection=isometric",
+                        "--far=600",
+                        "--cull=back",
+                        "--terms=diffuse",
+                        "--depth-cue",
+                        "--no-two-sided",
+                        "--size=20x10",
+                        "--out=" + out);
+        ran.assertDone();
+        JsonNode report = new ObjectMapper().readTree(ran.out());
+        assertEquals("flat", report.path("shading").asText());
+        assertEquals(
+                "corners have no normals of their own", report.path("shadingBecause").asText());
+        assertEquals("none", report.path("texture").asText());
+        assertFalse(report.path("camera").path("anglesUsed").asBoolean(true));
+        assertTrue(report.path("near").isNull(), "nothing is too near in parallel projection");
+        assertEquals(600, report.path("far").asDouble());
+        assertEquals("back", report.path("cull").asText());
+        assertEquals("[\"diffuse\"]", report.path("terms").toString());
+        assertEquals(0.8, report.path("depthCue").asDouble());
+        assertFalse(report.path("twoSided").asBoolean(true));
+    }
+
+    @Test
+    void errorsOfCheaperShadingsAreCounted() throws Exception {
+        Ran ran = render("--errors", "--size=80x60");
+        ran.assertDone();
+        JsonNode errors = new ObjectMapper().readTree(ran.out()).path("errorsAgainstPhong");
+        for (String shading : new String[] {"flat", "gouraud"}) {
+            assertEquals(4800, errors.path(shading).path("pixels").asInt(), shading);
+            assertTrue(errors.path(shading).path("largestLevelDifference").asInt() > 0, shading);
+        }
+    }
+
+    @Test
+    void eyesAreTakenInUnitsAndDegrees() throws Exception {
+        String out = folder.resolve("e.png").toString();
+        for (String[] eyes : new String[][] {{"20", "20"}, {"90deg", "1000"}}) {
+            Ran ran =
+                    render(
+                            "--stereo=side-by-side",
+                            "--eyes=" + eyes[0],
+                            "--size=20x10",
+                            "--out=" + out);
+            ran.assertDone();
+            JsonNode report = new ObjectMapper().readTree(ran.out());
+            assertEquals(Double.parseDouble(eyes[1]), report.path("eyes").asDouble(), 1e-9);
+        }
     }
 }

@@ -47,6 +47,11 @@ final class RunExamples {
                             "{\"near\":1,\"far\":1000,\"depths\":[900,2],\"to\":[901,800],"
                                     + "\"pixels\":5}"),
                     Map.entry(
+                            "hidden-surfaces",
+                            "{\"vertices\":[[0,0,0],[8,0,0],[0,8,0],[0,0,8]],\"faces\":"
+                                    + "[[0,2,1],[0,1,3],[0,3,2],[1,2,3]],\"theta\":40,"
+                                    + "\"phi\":60,\"rho\":50,\"size\":[24,18]}"),
+                    Map.entry(
                             "matrix",
                             "{\"name\":\"ROTAXIS\",\"through\":[1,2,3],\"direction\":[1,2,2],"
                                     + "\"angle\":37}"),

@@ -50,7 +50,8 @@ class RunStepsTest {
                     "depth-buffer z32",
                     "depth-buffer zfloat",
                     "depth-buffer reversed-z",
-                    "depth-buffer linear-16");
+                    "depth-buffer linear-16",
+                    "hidden-surfaces raycast");
 
     /** What textbooks' programs do as they are printed, and how that is told. */
     private static final Map<String, String> GIVEN_UP =

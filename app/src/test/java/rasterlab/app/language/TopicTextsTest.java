@@ -16,13 +16,23 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.clip.polygon.PolygonClipTopic;
+import rasterlab.engine.clip.segment.SegmentClipTopic;
+import rasterlab.engine.clip.segment.SteppedSegmentClipper;
+import rasterlab.engine.clip.volume.SteppedVolumeClipper;
+import rasterlab.engine.clip.volume.VolumeClipTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.spline.CurveTopic;
+import rasterlab.engine.spline.SplineFunctionTopic;
+import rasterlab.engine.spline.SteppedCurve;
+import rasterlab.engine.spline.SteppedSpline;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
 
 /** The Russian of what the engine says in English about methods and hazards. */
 class TopicTextsTest {
@@ -30,17 +40,18 @@ class TopicTextsTest {
     private static final String ENGLISH = ".en";
 
     @ParameterizedTest(name = "the English was changed and its translation was not: {0}")
-    @ValueSource(strings = {"line", "visibility"})
+    @ValueSource(strings = {"line", "visibility", "clip", "spline"})
     void eachTranslationStandsBelowWhatTheEngineSays(String topic) throws IOException {
         Properties russian = russian(topic);
         english(topic).forEach((key, text) -> assertEquals(text, russian.get(key + ENGLISH), key));
     }
 
     @ParameterizedTest(name = "a text has no translation, or a translation no text: {0}")
-    @ValueSource(strings = {"line", "visibility"})
+    @ValueSource(strings = {"line", "visibility", "clip", "spline"})
     void translatesWhatThereIsAndNothingElse(String topic) throws IOException {
         var translated = new TreeSet<>(russian(topic).stringPropertyNames());
         translated.removeIf(key -> key.endsWith(ENGLISH));
+        if (topic.equals("spline")) translated.removeIf(key -> key.startsWith("refusal."));
         assertEquals(new TreeSet<>(english(topic).keySet()), translated);
     }
 
@@ -56,8 +67,28 @@ class TopicTextsTest {
         assertEquals(List.of(), nameless);
     }
 
+    @Test
+    void everyHazardOfClippingHasAShortNameInBothLanguages() {
+        for (Language language : Language.values()) {
+            Texts labels = Texts.of("clip", language);
+            var nameless = new TreeMap<String, String>();
+            clip("segments", new SegmentClipTopic(), nameless);
+            clip("polygon", new PolygonClipTopic(), nameless);
+            clip("volume", new VolumeClipTopic(), nameless);
+            nameless.keySet().removeIf(key -> !key.startsWith("hazard.") || labels.has(key));
+            assertEquals(Map.of(), nameless, language.name());
+        }
+    }
+
     private static Map<String, String> english(String topic) {
         var said = new TreeMap<String, String>();
+        if (topic.equals("spline")) return spline(said);
+        if (topic.equals("clip")) {
+            clip("segments", new SegmentClipTopic(), said);
+            clip("polygon", new PolygonClipTopic(), said);
+            clip("volume", new VolumeClipTopic(), said);
+            return said;
+        }
         Stream<? extends Method<?>> methods =
                 topic.equals("line")
                         ? new LineTopic().methods().stream()
@@ -69,6 +100,28 @@ class TopicTextsTest {
                 refusals(hazard.input(), said);
             }
         return said;
+    }
+
+    /** What methods say when they refuse is looked at in the lab's own tests. */
+    private static Map<String, String> spline(Map<String, String> said) {
+        for (Topic<?, ?, ?> topic : List.of(new CurveTopic(), new SplineFunctionTopic())) {
+            topic.methods().forEach(method -> about(method, said));
+            for (Hazard<?> hazard : topic.hazards())
+                said.put("hazard." + hazard.name(), hazard.description());
+        }
+        return said;
+    }
+
+    private static void clip(String mode, Topic<?, ?, ?> topic, Map<String, String> said) {
+        for (Hazard<?> hazard : topic.hazards())
+            said.put("hazard." + mode + "." + hazard.name(), hazard.description());
+        for (Method<?> method : topic.methods()) {
+            about(method, said);
+            if (method.implementation() instanceof SteppedSegmentClipper stepped)
+                said.put("decision." + method.name(), stepped.decisionFormula());
+            if (method.implementation() instanceof SteppedVolumeClipper stepped)
+                said.put("decision." + method.name(), stepped.decisionFormula());
+        }
     }
 
     /** What methods say when they refuse, as a pattern with the number of steps left open. */
@@ -95,6 +148,10 @@ class TopicTextsTest {
         said.put(method.name() + ".failures", about.failures());
         said.put(method.name() + ".source", about.source());
         if (method.implementation() instanceof SteppedLine stepped)
+            said.put("decision." + method.name(), stepped.decisionFormula());
+        if (method.implementation() instanceof SteppedCurve stepped)
+            said.put("decision." + method.name(), stepped.decisionFormula());
+        if (method.implementation() instanceof SteppedSpline stepped)
             said.put("decision." + method.name(), stepped.decisionFormula());
     }
 

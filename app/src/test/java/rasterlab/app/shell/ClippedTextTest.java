@@ -8,23 +8,46 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.clip.ClipLabModel;
+import rasterlab.app.clip.ClipMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.spline.CurveForm;
+import rasterlab.app.spline.Sampling;
+import rasterlab.app.spline.SplineLabModel;
+import rasterlab.app.spline.SplineMode;
+import rasterlab.contract.SplineEnds;
 
 class ClippedTextTest {
+    /** What else the tab of splines shows, each with texts of its own. */
+    private static final List<Consumer<SplineLabModel>> OTHER_SPLINES =
+            List.of(
+                    model -> model.curve().chooseForm(CurveForm.PIECES),
+                    model -> model.curve().compareWith("adaptive-naive"),
+                    model -> model.curve().chooseForm(CurveForm.B_SPLINE),
+                    model -> model.curve().sample(Sampling.equal(9)),
+                    model -> model.curve().show(model.curve().hazards().get(4).input()),
+                    model -> model.show(SplineMode.FUNCTION),
+                    model -> model.function().chooseEnds(SplineEnds.slopes(-1.25, 3)),
+                    model -> model.function().chooseMethod("monotone"),
+                    model -> model.function().show(model.function().hazards().get(0).input()));
+
     static Stream<Arguments> sizes() {
         return Stream.of(Language.values())
                 .flatMap(
                         language ->
                                 Stream.of(
                                         Arguments.of(language, 900, 560),
-                                        Arguments.of(language, 1280, 680)));
+                                        Arguments.of(language, 1280, 680),
+                                        Arguments.of(language, 2560, 1380)));
     }
 
     @ParameterizedTest(name = "a label is cut off: {0} in {1}×{2}")
@@ -45,12 +68,31 @@ class ClippedTextTest {
             OffscreenPainter.paint(tab.panel(), width, height);
             assertEquals(List.of(), clipped(tab.panel()), tab.name());
         }
+        LabTab spline = tabs.get().named("spline");
+        for (Consumer<SplineLabModel> other : OTHER_SPLINES) {
+            OffscreenPainter.onEventThread(() -> other.accept(models.get().spline()));
+            OffscreenPainter.paint(spline.panel(), width, height);
+            assertEquals(List.of(), clipped(spline.panel()), "spline");
+        }
+        JComponent clip = tabs.get().named("clip").panel();
+        for (ClipMode mode : ClipMode.values()) {
+            OffscreenPainter.onEventThread(() -> showComparison(models.get().clip(), mode));
+            for (int round = 0; round < 2; round++) OffscreenPainter.paint(clip, width, height);
+            assertEquals(List.of(), clipped(clip), mode.name());
+        }
         OffscreenPainter.onEventThread(
                 () -> {
                     tabs.get().close();
                     models.get().close();
                 });
         assertEquals(List.of(), failures, "what a lab could not do");
+    }
+
+    /** As many rows in the inspector as there can be. */
+    private static void showComparison(ClipLabModel clip, ClipMode mode) {
+        clip.chooseMode(mode);
+        clip.compareWith(clip.state().choice().scene().method());
+        clip.goTo(1);
     }
 
     private static List<String> clipped(Container container) {
@@ -68,6 +110,7 @@ class ClippedTextTest {
                                         child.getName(),
                                         child.getPreferredSize().width,
                                         child.getWidth()));
+            if (!child.isVisible()) continue;
             if (child instanceof Container inner && !(child instanceof JComboBox))
                 found.addAll(clipped(inner));
         }

@@ -44,6 +44,16 @@ class LabSnapshotTest {
         assertTrue(colours(image.getSubimage(10, 110, 800, 600)).size() > 40);
     }
 
+    @ParameterizedTest(name = "the clipped segments are not drawn: {0}, {1}")
+    @MethodSource("looks")
+    void showsWhatIsLeftInItsMethodsColour(LabTheme theme, Language language)
+            throws InterruptedException {
+        BufferedImage image = LabSnapshot.of("clip", theme, language, models -> {}, 900, 600);
+        BufferedImage stage = image.getSubimage(60, 220, 420, 320);
+        int left = 0xFF000000 | MethodColours.of("cohen-sutherland").getRGB();
+        assertTrue(colours(stage).contains(left));
+    }
+
     @Test
     void refusesAnUnknownTab() {
         var refused =

@@ -22,6 +22,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.spline.CurveForm;
+import rasterlab.app.spline.SplineMode;
 
 /** The keys pressed with Alt, in each language and theme. */
 class MnemonicsTest {
@@ -89,6 +91,10 @@ class MnemonicsTest {
                             content.show(tab.name());
                             check.accept(tab.name(), shown(content));
                         }
+                        models.spline().curve().chooseForm(CurveForm.PIECES);
+                        check.accept("pieces", shown(content));
+                        models.spline().show(SplineMode.FUNCTION);
+                        check.accept("function", shown(content));
                     }
                 });
         assertEquals(null, failure.get());

@@ -9,30 +9,28 @@ import rasterlab.engine.transform.SphericalView;
  * What to draw and how; every name is known and every size allowed, or there is no request.
  *
  * @param scene what is looked at
- * @param visibility one of {@link Renderer#visibilities()}
- * @param shading one of {@link Renderer#shadings()}
- * @param projection "perspective" or "parallel"
  * @param camera the view; one that stands on its head is drawn upright
+ * @param projection to the picture plane
+ * @param depth what is near and far enough to be drawn
  * @param width 1 to 8192 pixels
  * @param height 1 to 8192 pixels
- * @param outline whether faces get edges of 0.96 of their tone; painters only
+ * @param look how
  */
 public record RenderRequest(
         Scene scene,
-        String visibility,
-        String shading,
-        String projection,
         SphericalView camera,
+        Projection projection,
+        DepthRange depth,
         int width,
         int height,
-        boolean outline) {
+        Look look) {
     public RenderRequest {
-        Renderer.checkNames(visibility, shading, outline);
-        Projection.named(projection);
         Raster.checkSize(width, height);
+        depth.require(projection, camera.rho());
+        if (look.stereo().isPresent()) Eyes.require(look.stereo().get(), projection, width);
     }
 
-    /** A request without outlines. */
+    /** A request with the usual depths and look. */
     public RenderRequest(
             Scene scene,
             String visibility,
@@ -41,7 +39,24 @@ public record RenderRequest(
             SphericalView camera,
             int width,
             int height) {
-        this(scene, visibility, shading, projection, camera, width, height, false);
+        this(
+                scene,
+                camera,
+                Projection.named(projection),
+                DepthRange.all(Projection.named(projection), camera.rho()),
+                width,
+                height,
+                Look.of(visibility, ShadingMethod.named(shading)));
+    }
+
+    /** The same view with another look. */
+    public RenderRequest with(Look other) {
+        return new RenderRequest(scene, camera, projection, depth, width, height, other);
+    }
+
+    /** The same picture of another scene. */
+    public RenderRequest with(Scene other) {
+        return new RenderRequest(other, camera, projection, depth, width, height, look);
     }
 
     /**
@@ -50,12 +65,21 @@ public record RenderRequest(
      * @throws IllegalArgumentException if the visibility method draws none
      */
     public RenderRequest withOutline() {
-        return new RenderRequest(
-                scene, visibility, shading, projection, camera, width, height, true);
+        return with(look.withOutline());
     }
 
     /** The same picture by another visibility method. */
     public RenderRequest withVisibility(String other) {
-        return new RenderRequest(scene, other, shading, projection, camera, width, height, outline);
+        return with(look.withVisibility(other));
+    }
+
+    /** The same picture with other light. */
+    public RenderRequest withShading(ShadingMethod other) {
+        return with(look.withShading(other));
+    }
+
+    /** The name of the visibility method. */
+    public String visibility() {
+        return look.visibility();
     }
 }

@@ -1,14 +1,26 @@
 package rasterlab.engine.pipeline;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
-import rasterlab.engine.light.Shadings;
+import java.util.stream.Stream;
+import rasterlab.engine.naming.Named;
+import rasterlab.engine.pipeline.direct.DirectLook;
+import rasterlab.engine.pipeline.direct.DirectPicture;
+import rasterlab.engine.pipeline.direct.NumberedFaces;
+import rasterlab.engine.pipeline.paint.FaceLights;
+import rasterlab.engine.pipeline.paint.Paints;
+import rasterlab.engine.pipeline.paint.SurfacePicture;
+import rasterlab.engine.pipeline.paint.Veil;
+import rasterlab.engine.pipeline.wire.WirePicture;
+import rasterlab.engine.pipeline.wire.WireStyle;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Method;
-import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.Projection;
-import rasterlab.engine.transform.ViewTransform;
+import rasterlab.engine.transform.StereoPair;
+import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibilities;
 import rasterlab.engine.visibility.Visibility;
@@ -17,25 +29,52 @@ import rasterlab.engine.visibility.Visibility;
  * Draws requests. The same request gives the same pixels; a renderer may serve several threads and
  * keeps working memory between frames.
  */
-public final class Renderer {
+public final class Renderer implements AutoCloseable {
     /** The visibility method that the others are held against: one ray for each pixel. */
     public static final String REFERENCE = "raycast";
 
+    /** Draws a scene's surfaces instead of its faces; no method of the faces' visibility. */
+    public static final String SURFACES = "raycast-surface";
+
+    /** The method that hides nothing, so that wires are seen whole. */
+    private static final String HIDES_NOTHING = "none";
+
+    /** The triangle pipeline, on all cores. */
+    public static final String PIPELINE = "pipeline";
+
+    /** The cheapest method that is right for a scene. */
+    public static final String AUTO = "auto";
+
     /** To look names up; pictures are drawn by a renderer's own. */
-    private static final Visibilities KNOWN = new Visibilities();
+    private static final List<Method<Visibility>> KNOWN = methods();
 
-    private static final Shadings SHADINGS = new Shadings();
+    private final List<Method<Visibility>> visibilities = methods();
+    private Optional<DirectPicture> direct = Optional.empty();
 
-    private final Visibilities visibilities = new Visibilities();
+    private static List<Method<Visibility>> methods() {
+        List<Method<Visibility>> methods = new ArrayList<>(new Visibilities().methods());
+        methods.add(new Method<>(PIPELINE, pipeline(), new NumberedFaces()));
+        return List.copyOf(methods);
+    }
+
+    private static Method.About pipeline() {
+        return new Method.About(
+                "edge functions on 1/256 pixel; depth A + B/z from 0 (near) to 1 (far), linear on"
+                        + " the picture; the smaller one wins",
+                "a band of 32 rows holds the nearest of the triangles drawn so far",
+                "vertices + triangles + pixels of all triangles, shared by all cores",
+                "triangles closer together than a float can tell; triangles in one plane",
+                "J. Pineda, A parallel algorithm for polygon rasterization, SIGGRAPH 1988");
+    }
 
     /** Names of the visibility methods, in teaching order. */
     public static List<String> visibilities() {
-        return KNOWN.names();
+        return Stream.concat(KNOWN.stream().map(Method::name), Stream.of(AUTO)).toList();
     }
 
     /** Names of the shadings, in teaching order. */
     public static List<String> shadings() {
-        return SHADINGS.names();
+        return ShadingMethod.names();
     }
 
     /** Names of the projections, in teaching order. */
@@ -45,12 +84,17 @@ public final class Renderer {
 
     /** The visibility methods with what a teacher says about each. */
     public static List<Method<Visibility>> visibilityMethods() {
-        return KNOWN.methods();
+        return KNOWN;
     }
 
-    static void checkNames(String visibility, String shading, boolean outline) {
-        Method<Visibility> method = KNOWN.named(visibility);
-        SHADINGS.named(shading);
+    static void checkNames(String visibility, boolean outline) {
+        if (visibility.equals(SURFACES)) {
+            if (outline) throw new IllegalArgumentException(SURFACES + " draws no outlines");
+            return;
+        }
+        Named.find("visibility method", visibility, visibilities(), name -> name);
+        if (visibility.equals(AUTO)) return;
+        Method<Visibility> method = named(KNOWN, visibility);
         if (outline && !method.implementation().drawsOutlines())
             throw new IllegalArgumentException(
                     "visibility '%s' draws no outlines; those that do are %s"
@@ -58,10 +102,31 @@ public final class Renderer {
     }
 
     private static List<String> outlining() {
-        return KNOWN.methods().stream()
+        return KNOWN.stream()
                 .filter(method -> method.implementation().drawsOutlines())
                 .map(Method::name)
                 .toList();
+    }
+
+    private static Method<Visibility> named(List<Method<Visibility>> methods, String name) {
+        return Named.find("visibility method", name, methods, Method::name);
+    }
+
+    /** The visibility method that a request is drawn with, and why. */
+    public static Choice visibility(RenderRequest request) {
+        return AutoVisibility.of(request);
+    }
+
+    /** The shading that a request is drawn with, and why. */
+    public static Choice shading(RenderRequest request) {
+        return request.look().shading() == ShadingMethod.AUTO
+                ? AutoShading.of(request.scene(), request.look().terms())
+                : new Choice(request.look().shading().code(), "asked for");
+    }
+
+    /** The texture filter that a request is drawn with, and why. */
+    public static Choice texture(RenderRequest request) {
+        return AutoTexture.of(request);
     }
 
     /**
@@ -82,19 +147,95 @@ public final class Renderer {
                             .formatted(
                                     request.width(), request.height(), out.width(), out.height()));
         if (cancelled.getAsBoolean()) throw new CancellationException("the picture is cancelled");
-        var scene = request.scene();
-        var view =
-                new ViewedMesh(
-                        scene.mesh(),
-                        new ViewTransform(request.camera(), Projection.named(request.projection())),
-                        PictureFit.of(request.width(), request.height(), scene.pictureScale()));
-        var paint =
-                FaceLighting.paint(
-                        view,
-                        scene.faceRgb(),
-                        SHADINGS.named(request.shading()),
-                        request.outline());
-        out.clear(0xFF000000 | scene.backgroundRgb());
-        visibilities.named(request.visibility()).implementation().draw(view, paint, out, cancelled);
+        out.clear(0xFF000000 | request.scene().backgroundRgb());
+        if (request.look().stereo().isEmpty())
+            draw(request, RequestView.of(request, request.width()), out, cancelled);
+        else drawEyes(request, request.look().stereo().get(), out, cancelled);
+    }
+
+    private void drawEyes(
+            RenderRequest request, Stereo stereo, Raster out, BooleanSupplier cancelled) {
+        int width = Eyes.width(stereo, out.width());
+        double separation = stereo.separation(request.camera().rho());
+        double half = new StereoPair(request.camera(), separation).separation() / 2;
+        var left = new Raster(width, out.height());
+        var right = new Raster(width, out.height());
+        for (Raster eye : List.of(left, right)) {
+            eye.clear(0xFF000000 | request.scene().backgroundRgb());
+            double toTheRight = eye == left ? -half : half;
+            draw(request, RequestView.of(request, width, toTheRight), eye, cancelled);
+        }
+        Eyes.join(stereo, left, right, out);
+    }
+
+    private void draw(
+            RenderRequest request, RequestView seen, Raster out, BooleanSupplier cancelled) {
+        Look look = request.look();
+        ViewedMesh view = seen.viewed();
+        if (look.visibility().equals(SURFACES)) {
+            look.requireSurfaces();
+            var lights = new FaceLights(seen.scene(), view, look.terms(), look.sides());
+            new SurfacePicture(lights, look.texture()).draw(out, cancelled);
+            return;
+        }
+        int background = seen.scene().backgroundRgb();
+        Optional<Veil> veil = look.cue().map(cue -> new Veil(cue, view, background));
+        String chosen = visibility(request).chosen();
+        ShadingMethod shading = ShadingMethod.named(shading(request).chosen());
+        Visibility method = named(visibilities, chosen).implementation();
+        if (shading == ShadingMethod.WIRE)
+            new WirePicture(view, wire(look), background, veil, out).draw(method, cancelled);
+        else if (chosen.equals(PIPELINE) && drawsDirectly(look, shading))
+            direct().draw(lights(look, seen), directLook(look, shading), out, cancelled);
+        else method.draw(view, paint(look, shading, seen, veil), out, cancelled);
+    }
+
+    private static FaceLights lights(Look look, RequestView seen) {
+        return new FaceLights(seen.scene(), seen.viewed(), look.terms(), look.sides());
+    }
+
+    /** Whether the pipeline itself lights and textures, rather than a paint after it. */
+    private static boolean drawsDirectly(Look look, ShadingMethod shading) {
+        return shading != ShadingMethod.TONE && look.cue().isEmpty();
+    }
+
+    private static DirectLook directLook(Look look, ShadingMethod shading) {
+        DirectLook.Light light =
+                switch (shading) {
+                    case FLAT -> DirectLook.Light.FACES;
+                    case GOURAUD -> DirectLook.Light.CORNERS;
+                    case PHONG -> DirectLook.Light.PIXELS;
+                    default -> throw new AssertionError("the pipeline does not draw " + shading);
+                };
+        return new DirectLook(light, look.texture());
+    }
+
+    private synchronized DirectPicture direct() {
+        if (direct.isEmpty()) direct = Optional.of(new DirectPicture());
+        return direct.get();
+    }
+
+    /** Ends the pipeline's threads; a later picture starts them again. */
+    @Override
+    public synchronized void close() {
+        direct.ifPresent(DirectPicture::close);
+        direct = Optional.empty();
+    }
+
+    private static WireStyle wire(Look look) {
+        boolean whole = look.visibility().equals(HIDES_NOTHING);
+        return whole ? look.wire().withoutHiding() : look.wire();
+    }
+
+    private static FacePaint paint(
+            Look look, ShadingMethod shading, RequestView seen, Optional<Veil> veil) {
+        var paints = new Paints(lights(look, seen), look.texture(), veil, look.outline());
+        return switch (shading) {
+            case TONE -> paints.tone();
+            case FLAT -> paints.flat();
+            case GOURAUD -> paints.gouraud();
+            case PHONG -> paints.phong();
+            case WIRE, AUTO -> throw new AssertionError("no paint for " + shading);
+        };
     }
 }

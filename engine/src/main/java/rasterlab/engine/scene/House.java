@@ -14,13 +14,12 @@ import rasterlab.engine.transform.SphericalView;
 public final class House {
     public static final double SCALE = 16;
 
-    private static final SphericalView CAMERA =
+    public static final SphericalView CAMERA =
             new SphericalView(Math.PI / 6, Math.PI * 7 / 18, 400);
     private static final int WALL_RGB = 0xE8D8B8;
     private static final int GABLE_RGB = 0xC9D8C0;
     private static final int ROOF_RGB = 0xC0574A;
     private static final int FLOOR_RGB = 0x8A7A68;
-    private static final int BACKGROUND_RGB = 0x2B3A4A;
 
     private House() {}
 
@@ -33,7 +32,8 @@ public final class House {
         };
     }
 
-    static Scene scene() {
+    /** The faces about the middle of the bounding box, {@link #SCALE} times as large. */
+    public static Mesh mesh() {
         double[] centre = {4, 3, 4.5};
         double[] xyz = vertices();
         for (int i = 0; i < xyz.length; i++) xyz[i] = SCALE * (xyz[i] - centre[i % 3]);
@@ -46,7 +46,11 @@ public final class House {
             {5, 6, 9, 8},
             {7, 4, 8, 9}
         };
-        int[] rgb = {FLOOR_RGB, WALL_RGB, WALL_RGB, GABLE_RGB, GABLE_RGB, ROOF_RGB, ROOF_RGB};
-        return Scene.dull("house", new Mesh(xyz, faces), rgb, BACKGROUND_RGB, CAMERA, 2.5);
+        return new Mesh(xyz, faces);
+    }
+
+    /** The colour 0xRRGGBB of each face: floor, two walls, two gables, two halves of the roof. */
+    public static int[] faceRgb() {
+        return new int[] {FLOOR_RGB, WALL_RGB, WALL_RGB, GABLE_RGB, GABLE_RGB, ROOF_RGB, ROOF_RGB};
     }
 }

@@ -20,4 +20,11 @@ public record LaidTexture(
                     "environment must be for the texture's %d components, got one for %d"
                             .formatted(texture.components(), environment.components()));
     }
+
+    /** Whether what hides all that is behind it still does so with the texture on it. */
+    public boolean opaque() {
+        if (environment.keepsSurfaceAlpha()) return true;
+        boolean border = alongS == Wrap.CLAMP || alongT == Wrap.CLAMP;
+        return texture.opaque() && !border;
+    }
 }

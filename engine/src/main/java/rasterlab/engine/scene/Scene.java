@@ -2,6 +2,8 @@ package rasterlab.engine.scene;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
 import rasterlab.engine.transform.SphericalView;
 
 /**
@@ -15,6 +17,7 @@ import rasterlab.engine.transform.SphericalView;
  * @param backgroundRgb the colour 0xRRGGBB behind the faces
  * @param defaultCamera the first view
  * @param pictureScale pixels per world unit, at the object's centre, in a picture of 800×600
+ * @param surfaces what the faces stand for, where it is known; all finishes are theirs, in order
  */
 public record Scene(
         String name,
@@ -24,7 +27,8 @@ public record Scene(
         SceneLight light,
         int backgroundRgb,
         SphericalView defaultCamera,
-        double pictureScale) {
+        double pictureScale,
+        Optional<ExactSurfaces> surfaces) {
     public Scene {
         finishes = List.copyOf(finishes);
         finishOf = finishOf.clone();
@@ -41,6 +45,42 @@ public record Scene(
             throw new IllegalArgumentException(
                     "scene '%s': picture scale must be finite and above 0, got %s"
                             .formatted(name, pictureScale));
+    }
+
+    /** A scene of faces that stand for nothing but themselves. */
+    public Scene(
+            String name,
+            Mesh mesh,
+            List<Finish> finishes,
+            int[] finishOf,
+            SceneLight light,
+            int backgroundRgb,
+            SphericalView defaultCamera,
+            double pictureScale) {
+        this(
+                name,
+                mesh,
+                finishes,
+                finishOf,
+                light,
+                backgroundRgb,
+                defaultCamera,
+                pictureScale,
+                Optional.empty());
+    }
+
+    /** The same scene, its faces standing for surfaces. */
+    public Scene of(ExactSurfaces exact) {
+        return new Scene(
+                name,
+                mesh,
+                finishes,
+                finishOf,
+                light,
+                backgroundRgb,
+                defaultCamera,
+                pictureScale,
+                Optional.of(exact));
     }
 
     /**
@@ -88,7 +128,55 @@ public record Scene(
                 light,
                 backgroundRgb,
                 defaultCamera,
-                zoom * pictureScale);
+                zoom * pictureScale,
+                surfaces);
+    }
+
+    /** The same scene first seen from elsewhere. */
+    public Scene seenFrom(SphericalView camera) {
+        return new Scene(
+                name,
+                mesh,
+                finishes,
+                finishOf,
+                light,
+                backgroundRgb,
+                camera,
+                pictureScale,
+                surfaces);
+    }
+
+    /** The same scene with some of its faces only, in the order given. */
+    public Scene only(int[] faces) {
+        return new Scene(
+                name,
+                MeshPart.of(mesh, faces),
+                finishes,
+                Arrays.stream(faces).map(face -> finishOf[face]).toArray(),
+                light,
+                backgroundRgb,
+                defaultCamera,
+                pictureScale,
+                surfaces);
+    }
+
+    /** The same scene with other finishes, one for each of its own. */
+    public Scene with(UnaryOperator<Finish> change) {
+        return new Scene(
+                name,
+                mesh,
+                finishes.stream().map(change).toList(),
+                finishOf,
+                light,
+                backgroundRgb,
+                defaultCamera,
+                pictureScale,
+                surfaces);
+    }
+
+    /** Which of the finishes a face has. */
+    public int finishNumber(int face) {
+        return finishOf[face];
     }
 
     /** What a face looks like. */

@@ -27,17 +27,22 @@ public final class Vase {
     /** One press of a key turns θ by this, in radians. */
     public static final double THETA_STEP = 0.03 * Math.PI;
 
-    private static final int BACKGROUND_RGB = 0x2B3A4A;
     private static final double HEIGHT = 250;
     private static final int CENTRE = MERIDIANS * PARALLELS;
 
     private Vase() {}
 
-    static Scene scene() {
+    /** 270 side faces, then 30 of the bottom. */
+    public static Mesh mesh() {
+        return new Mesh(vertices(), faces());
+    }
+
+    /** The colour 0xRRGGBB of each face. */
+    public static int[] faceRgb() {
         int sides = MERIDIANS * (PARALLELS - 1);
         int[] rgb = new int[sides + MERIDIANS];
         for (int f = 0; f < rgb.length; f++) rgb[f] = f < sides ? SIDE_RGB : BOTTOM_RGB;
-        return Scene.dull("vase", new Mesh(vertices(), faces()), rgb, BACKGROUND_RGB, CAMERA, 1);
+        return rgb;
     }
 
     /** Radii of the parallels from the bottom up, in world units. */

@@ -5,12 +5,10 @@ import rasterlab.engine.study.Deviation;
 /**
  * How far points or a polyline are from the curve, as a multiple of what is allowed.
  *
- * <p>Allowed are 2⁻³⁰ of the largest |coordinate| for points at given t, and the flatness for a
- * polyline: the larger of the farthest curve point from the polyline and the farthest polyline
- * point from the curve.
+ * <p>{@link CurveTask#allowed} says what is allowed; a polyline is off by the larger of the
+ * farthest curve point from the polyline and the farthest polyline point from the curve.
  */
 final class CurveComparison {
-    private static final double ROUNDING = 0x1p-30;
     private static final int BETWEEN = 4;
 
     private CurveComparison() {}
@@ -20,7 +18,7 @@ final class CurveComparison {
             return actual == exact
                     ? new Deviation(0, 0, 0, exact.size(), "")
                     : flat(task, exact, actual);
-        double allowed = task.curve().size() * ROUNDING;
+        double allowed = task.allowed();
         int shared = Math.min(exact.size(), actual.size());
         double worst = 0;
         String first = "";
@@ -52,7 +50,7 @@ final class CurveComparison {
                         ? ""
                         : "%s px off in %d segments, %s px are allowed"
                                 .formatted(worst, actual.size() - 1, task.flatness());
-        return new Deviation(worst / task.flatness(), 0, 0, exact.size(), first);
+        return new Deviation(worst / task.allowed(), 0, 0, exact.size(), first);
     }
 
     /**

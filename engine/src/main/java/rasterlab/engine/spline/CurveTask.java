@@ -9,11 +9,18 @@ import rasterlab.contract.Curve;
  * @param flatness of the polyline, in pixels; 0 where points are wanted
  */
 public record CurveTask(Curve curve, double[] at, double flatness) {
+    private static final double ROUNDING = 0x1p-30;
+
     public CurveTask {
         at = at.clone();
         if (at.length > 0 == flatness > 0)
             throw new IllegalArgumentException(
                     "a task has either at or flatness, got " + at.length + " and " + flatness);
+    }
+
+    /** Pixels that a result may be off: the flatness, or 2⁻³⁰ of the largest |coordinate|. */
+    public double allowed() {
+        return flatness > 0 ? flatness : curve.size() * ROUNDING;
     }
 
     static CurveTask at(Curve curve, double... at) {

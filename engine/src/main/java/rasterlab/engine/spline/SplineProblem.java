@@ -21,7 +21,7 @@ public record SplineProblem(double[] x, double[] y, SplineEnds ends, double[] at
     }
 
     /** The piece that {@code place} lies in; the first or the last where it lies outside. */
-    int piece(double place) {
+    public int piece(double place) {
         int piece = 0;
         while (piece < x.length - 2 && place >= x[piece + 1]) piece++;
         return piece;

@@ -18,10 +18,12 @@ public final class Texture {
 
     private final int components;
     private final List<TextureLevel> levels;
+    private final boolean opaque;
 
-    private Texture(int components, List<TextureLevel> levels) {
+    private Texture(int components, List<TextureLevel> levels, boolean opaque) {
         this.components = components;
         this.levels = levels;
+        this.opaque = opaque;
     }
 
     /**
@@ -41,8 +43,15 @@ public final class Texture {
                     "a texture of %d×%d needs %d texels, got %d"
                             .formatted(width, height, width * height, argb.length));
         var texels = new int[argb.length];
-        for (int i = 0; i < texels.length; i++) texels[i] = stored(argb[i], components);
-        return new Texture(components, Reduction.levels(new TextureLevel(width, height, texels)));
+        int hiding = 255;
+        for (int i = 0; i < texels.length; i++) {
+            texels[i] = stored(argb[i], components);
+            hiding &= texels[i] >>> 24;
+        }
+        return new Texture(
+                components,
+                Reduction.levels(new TextureLevel(width, height, texels)),
+                hiding == 255);
     }
 
     /** The picture of a raster, whose first row is the top one, with colour and alpha. */
@@ -71,6 +80,11 @@ public final class Texture {
 
     public int components() {
         return components;
+    }
+
+    /** Whether nothing is seen through any texel. */
+    public boolean opaque() {
+        return opaque;
     }
 
     public int width() {

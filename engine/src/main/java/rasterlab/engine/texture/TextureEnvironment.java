@@ -45,6 +45,11 @@ public record TextureEnvironment(Mode mode, int components, int argb) {
         return new TextureEnvironment(mode, texture.components(), 0);
     }
 
+    /** Whether an opaque surface stays so under every texel. */
+    public boolean keepsSurfaceAlpha() {
+        return components % 2 == 1 || mode == Mode.DECAL;
+    }
+
     /** Each channel rounded to the nearest level. */
     public int combine(int surface, int texel) {
         int alpha = alpha(surface >>> 24, texel >>> 24);
@@ -77,7 +82,7 @@ public record TextureEnvironment(Mode mode, int components, int argb) {
     }
 
     private int alpha(int surface, int texel) {
-        if (components % 2 == 1 || mode == Mode.DECAL) return surface;
+        if (keepsSurfaceAlpha()) return surface;
         return mode == Mode.REPLACE ? texel : product(surface, texel);
     }
 

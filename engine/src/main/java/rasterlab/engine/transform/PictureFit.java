@@ -3,15 +3,17 @@ package rasterlab.engine.transform;
 /**
  * From the picture plane (world units, y up, origin in the middle) to pixels (y down).
  *
- * <p>{@code pixelX = c1 + s·X, pixelY = c2 − s·Y} with c1 = ⌊width / 2⌋, c2 = ⌊height / 2⌋, so the
- * object's centre falls on a pixel centre. Here y changes its direction; what is linear in the
- * pixel's row, as a z-buffer's nearness, changes its sign with it.
+ * <p>{@code pixelX = c1 + s·(X + e), pixelY = c2 − s·Y} with c1 = ⌊width / 2⌋, c2 = ⌊height / 2⌋,
+ * so the object's centre falls on a pixel centre. Here y changes its direction; what is linear in
+ * the pixel's row, as a z-buffer's nearness, changes its sign with it.
  *
  * @param width of the picture in pixels
  * @param height of the picture in pixels
  * @param pixelsPerUnit s, pixels per world unit at the object's centre
+ * @param eyeX e: X is counted from the eye, which stands so far to the right of the middle; 0 but
+ *     for the eyes of a stereo pair
  */
-public record PictureFit(int width, int height, double pixelsPerUnit) {
+public record PictureFit(int width, int height, double pixelsPerUnit, double eyeX) {
     /** The picture size at which a scene has its natural scale, in pixels. */
     public static final int NATURAL_WIDTH = 800;
 
@@ -23,6 +25,16 @@ public record PictureFit(int width, int height, double pixelsPerUnit) {
             throw new IllegalArgumentException(
                     "picture fit needs at least 1×1 pixel and a scale above 0, got %d×%d, %s"
                             .formatted(width, height, pixelsPerUnit));
+    }
+
+    /** With the eye in the middle. */
+    public PictureFit(int width, int height, double pixelsPerUnit) {
+        this(width, height, pixelsPerUnit, 0);
+    }
+
+    /** The same fit for an eye so far to the right of the middle, in world units. */
+    public PictureFit forEye(double toTheRight) {
+        return new PictureFit(width, height, pixelsPerUnit, toTheRight);
     }
 
     /**
@@ -46,7 +58,7 @@ public record PictureFit(int width, int height, double pixelsPerUnit) {
     }
 
     public double toPixelX(double planeX) {
-        return centreX() + pixelsPerUnit * planeX;
+        return centreX() + pixelsPerUnit * (planeX + eyeX);
     }
 
     public double toPixelY(double planeY) {
@@ -54,7 +66,7 @@ public record PictureFit(int width, int height, double pixelsPerUnit) {
     }
 
     public double toPlaneX(double pixelX) {
-        return (pixelX - centreX()) / pixelsPerUnit;
+        return (pixelX - centreX()) / pixelsPerUnit - eyeX;
     }
 
     public double toPlaneY(double pixelY) {

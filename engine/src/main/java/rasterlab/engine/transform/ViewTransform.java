@@ -20,9 +20,21 @@ public final class ViewTransform {
      * @param camera drawn upright
      */
     public ViewTransform(SphericalView camera, Projection projection) {
+        this(camera, projection, 0);
+    }
+
+    /**
+     * For an eye that stands beside the camera's, with the same line of sight.
+     *
+     * @param toTheRight how far, in world units
+     */
+    public ViewTransform(SphericalView camera, Projection projection, double toTheRight) {
         this.projection = projection;
         distance = camera.rho();
-        Matrix4d matrix = projection.worldToView(camera.upright());
+        Matrix4d matrix =
+                new Matrix4d()
+                        .translation(-toTheRight, 0, 0)
+                        .mul(projection.worldToView(camera.upright()));
         toView = matrix.get(new double[16]);
         normalToView =
                 projection.oblique() ? matrix.normal(new Matrix4d()).get(new double[16]) : toView;

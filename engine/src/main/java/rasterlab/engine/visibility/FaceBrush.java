@@ -2,13 +2,34 @@ package rasterlab.engine.visibility;
 
 import rasterlab.engine.raster.Raster;
 
-/** One face over whatever the picture holds: its fill, then its outline. */
+/** Colours faces in a picture and counts the pixels. */
 final class FaceBrush {
-    private FaceBrush() {}
+    private final FacePaint paint;
+    private final Raster out;
+    private final Tally tally;
+    private final SpanSink fill = (y, from, to) -> span(this.face, y, from, to);
+    private int face;
 
-    static void paint(ScreenPolygon polygon, int face, FacePaint paint, Raster out) {
-        polygon.fill(
-                out.width(), out.height(), (y, from, to) -> paint.span(face, y, from, to, out));
+    FaceBrush(FacePaint paint, Raster out, Tally tally) {
+        this.paint = paint;
+        this.out = out;
+        this.tally = tally;
+    }
+
+    /** One face, or a piece of it, over whatever the picture holds: its fill, then its outline. */
+    void paint(ScreenPolygon polygon, int face) {
+        fill(polygon, face);
         if (paint.hasOutline()) new OutlineStroke(out, paint.outline(face)).around(polygon);
+    }
+
+    void fill(ScreenPolygon polygon, int face) {
+        this.face = face;
+        polygon.fill(out.width(), out.height(), fill);
+    }
+
+    /** The pixels [from, to) of row y. */
+    void span(int face, int y, int from, int to) {
+        tally.pixelsWritten += to - from;
+        paint.span(face, y, from, to, out);
     }
 }

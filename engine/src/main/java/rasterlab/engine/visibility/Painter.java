@@ -1,8 +1,5 @@
 package rasterlab.engine.visibility;
 
-import java.util.Arrays;
-import java.util.Comparator;
-import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import rasterlab.engine.raster.Raster;
 
@@ -12,7 +9,7 @@ import rasterlab.engine.raster.Raster;
  * <p>Depth of a face is the mean z of all its corners in eye space; equal ones keep the order of
  * the mesh. A mean cannot order faces that overlap in depth, which is where this method errs.
  */
-final class Painter implements Visibility {
+final class Painter implements SteppedVisibility {
 
     @Override
     public boolean drawsOutlines() {
@@ -20,22 +17,41 @@ final class Painter implements Visibility {
     }
 
     @Override
-    public void draw(ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled) {
-        var polygon = new ScreenPolygon(view.mesh().mostCorners());
-        for (int face : farthestFirst(view)) {
-            Cancellation.check(cancelled);
-            polygon.load(view, face);
-            FaceBrush.paint(polygon, face, paint, out);
-        }
+    public String decision() {
+        return "mean z of the face's corners";
     }
 
-    static int[] farthestFirst(ViewedMesh view) {
-        double[] depth = new double[view.mesh().faceCount()];
-        Arrays.setAll(depth, face -> meanZ(view, face));
-        return IntStream.range(0, depth.length)
+    @Override
+    public VisibilityWalk walk(ViewedMesh view, FacePaint paint, Raster out) {
+        var tally = new Tally();
+        double[] depth = meanZ(view);
+        int[] all = IntStream.range(0, depth.length).toArray();
+        int[] order = farthestFirst(depth, all, tally);
+        return new FaceSequence(view, order, depth, tally, paint, out);
+    }
+
+    /**
+     * Those faces, the farthest first, equal ones in the given order.
+     *
+     * @param depth of each face of the mesh
+     * @param tally gets the comparisons
+     */
+    static int[] farthestFirst(double[] depth, int[] faces, Tally tally) {
+        return IntStream.of(faces)
                 .boxed()
-                .sorted(Comparator.comparingDouble(face -> -depth[face]))
+                .sorted(
+                        (a, b) -> {
+                            tally.comparisons++;
+                            return Double.compare(depth[b], depth[a]);
+                        })
                 .mapToInt(Integer::intValue)
+                .toArray();
+    }
+
+    /** The mean z of each face's corners. */
+    static double[] meanZ(ViewedMesh view) {
+        return IntStream.range(0, view.mesh().faceCount())
+                .mapToDouble(face -> meanZ(view, face))
                 .toArray();
     }
 

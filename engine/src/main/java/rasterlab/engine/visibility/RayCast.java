@@ -7,12 +7,13 @@ import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.ViewTransform;
 
 /**
- * The exact reference: one ray per pixel centre against every face, in world space and doubles.
+ * The exact reference: one ray per pixel centre against the faces, in world space and doubles.
  *
  * <p>It shares no step with the methods it judges: it never projects a vertex, but sends the ray
- * {@code o + t·d} from the eye and takes the smallest depth t at which it meets a face. The ray
- * passes 2⁻²⁰ pixel right of the centre and 2⁻³⁰ below it, so that a centre on a shared edge
- * belongs to the face on its right, then below.
+ * {@code o + t·d} from the eye and takes the smallest depth t at which it meets a face, or where
+ * faces are transparent all of them down to the first opaque one. {@link BoxTree} leaves out faces
+ * it cannot meet. The ray passes 2⁻²⁰ pixel right of the centre and 2⁻³⁰ below it, so that a centre
+ * on a shared edge belongs to the face on its right, then below.
  *
  * <p>Source: A. Appel, Some techniques for shading machine renderings of solids, AFIPS 1968.
  */
@@ -21,38 +22,49 @@ final class RayCast implements Visibility {
     private static final double BELOW_CENTRE = 0x1p-30;
 
     @Override
-    public void draw(ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled) {
+    public VisibilityWork draw(
+            ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled) {
+        Cancellation.check(cancelled);
         var targets = new RayTargets(view.mesh());
+        var boxes = new BoxTree(view.mesh());
         var rays = new Rays(view);
-        IntStream.range(0, out.height())
+        return IntStream.range(0, out.height())
                 .parallel()
-                .forEach(
+                .mapToObj(
                         row -> {
                             Cancellation.check(cancelled);
-                            castRow(row, rays, targets, paint, out);
-                        });
+                            var tally = new Tally();
+                            var hits = new RayHits(targets, paint, view.near(), view.far(), tally);
+                            castRow(row, rays, boxes, hits, new FaceBrush(paint, out, tally), out);
+                            return tally.work();
+                        })
+                .reduce(VisibilityWork.NONE, VisibilityWork::plus);
     }
 
     private static void castRow(
-            int row, Rays rays, RayTargets targets, FacePaint paint, Raster out) {
+            int row, Rays rays, BoxTree boxes, RayHits hits, FaceBrush brush, Raster out) {
         double[] ray = new double[6];
+        int[] seen = {};
         int from = 0;
-        int seen = -1;
         for (int x = 0; x < out.width(); x++) {
             rays.through(x + RIGHT_OF_CENTRE, row + BELOW_CENTRE, ray);
-            int face = targets.nearest(ray, rays.nearest, rays.farthest);
-            if (face == seen) continue;
-            if (seen >= 0) paint.span(seen, row, from, x, out);
+            hits.start(ray);
+            boxes.cast(hits);
+            if (hits.same(seen)) continue;
+            paint(seen, row, from, x, brush);
             from = x;
-            seen = face;
+            seen = hits.faces();
         }
-        if (seen >= 0) paint.span(seen, row, from, out.width(), out);
+        paint(seen, row, from, out.width(), brush);
+    }
+
+    private static void paint(int[] nearestFirst, int row, int from, int to, FaceBrush brush) {
+        for (int i = nearestFirst.length - 1; i >= 0; i--)
+            brush.span(nearestFirst[i], row, from, to);
     }
 
     /** The rays of a view; t is depth z in view space. */
     private static final class Rays {
-        final double nearest;
-        final double farthest;
         private final double[][] axes = new double[3][3];
         private final double[] eye = new double[3];
         private final double distance;
@@ -69,8 +81,6 @@ final class RayCast implements Visibility {
             }
             distance = transform.distance();
             central = transform.central();
-            nearest = view.near();
-            farthest = view.far();
             fit = view.fit();
         }
 

@@ -10,13 +10,12 @@ final class RayTargets {
     /** How far outside an edge still counts as on it, as a share of the mesh's radius. */
     private static final double ON_EDGE = 1e-12;
 
-    private final int faces;
     private final double[] planes;
     private final double[][] walls;
     private final double radius;
 
     RayTargets(Mesh mesh) {
-        faces = mesh.faceCount();
+        int faces = mesh.faceCount();
         planes = new double[4 * faces];
         walls = new double[faces][];
         double farthest = 0;
@@ -57,30 +56,21 @@ final class RayTargets {
     }
 
     /**
-     * The face with the smallest t in [nearest, farthest] along a ray, −1 if there is none.
+     * How far along the ray it meets a face; NaN where it does not.
      *
      * @param ray origin in 0..2, direction in 3..5
      */
-    int nearest(double[] ray, double nearest, double farthest) {
-        if (missesBall(ray)) return -1;
-        double best = Double.POSITIVE_INFINITY;
-        int hit = -1;
-        for (int f = 0; f < faces; f++) {
-            int at = 4 * f;
-            double toward = planes[at] * ray[3] + planes[at + 1] * ray[4] + planes[at + 2] * ray[5];
-            if (toward == 0) continue;
-            double t =
-                    (planes[at + 3]
-                                    - planes[at] * ray[0]
-                                    - planes[at + 1] * ray[1]
-                                    - planes[at + 2] * ray[2])
-                            / toward;
-            if (t >= nearest && t <= farthest && t < best && inside(walls[f], ray, t)) {
-                best = t;
-                hit = f;
-            }
-        }
-        return hit;
+    double meets(int face, double[] ray) {
+        int at = 4 * face;
+        double toward = planes[at] * ray[3] + planes[at + 1] * ray[4] + planes[at + 2] * ray[5];
+        if (toward == 0) return Double.NaN;
+        double t =
+                (planes[at + 3]
+                                - planes[at] * ray[0]
+                                - planes[at + 1] * ray[1]
+                                - planes[at + 2] * ray[2])
+                        / toward;
+        return inside(walls[face], ray, t) ? t : Double.NaN;
     }
 
     private static boolean inside(double[] walls, double[] ray, double t) {
@@ -90,15 +80,6 @@ final class RayTargets {
         for (int w = 0; w < walls.length; w += 4)
             if (walls[w] * x + walls[w + 1] * y + walls[w + 2] * z < walls[w + 3]) return false;
         return true;
-    }
-
-    /** Whether the ray's line passes the ball around the origin that holds the mesh. */
-    private boolean missesBall(double[] ray) {
-        double cx = ray[1] * ray[5] - ray[2] * ray[4];
-        double cy = ray[2] * ray[3] - ray[0] * ray[5];
-        double cz = ray[0] * ray[4] - ray[1] * ray[3];
-        double distance = length(cx, cy, cz) / length(ray[3], ray[4], ray[5]);
-        return distance > radius * (1 + 1e-9);
     }
 
     private static double length(double x, double y, double z) {

@@ -5,18 +5,18 @@ import rasterlab.engine.transform.PictureFit;
 /**
  * One face at a time, clipped at the near and the far plane, projected to pixels and filled.
  *
- * <p>A row's crossing with an edge is computed from its upper end to its lower one, so two faces
- * that share an edge get bit-equal numbers and own each pixel once. Corners are rounded to 1/65536
- * pixel: an edge that lies on pixel centres then does so exactly, whatever the rounding before.
+ * <p>Each row is filled as {@link RowSpan} says. Corners are rounded to 2⁻²⁴ pixel: an edge that
+ * lies on pixel centres then does so exactly, whatever the rounding before.
  */
 final class ScreenPolygon {
-    private static final double SUBPIXELS = 65536;
+    private static final double SUBPIXELS = 1 << 24;
 
     private final ViewPolygon whole;
     private final ViewPolygon nearCut;
     private final ViewPolygon cut;
     private final double[] x;
     private final double[] y;
+    private final RowSpan span = new RowSpan();
     private int size;
 
     /**
@@ -112,19 +112,20 @@ final class ScreenPolygon {
     }
 
     private void fillRow(int row, int width, SpanSink out) {
-        double left = Double.POSITIVE_INFINITY;
-        double right = Double.NEGATIVE_INFINITY;
-        for (int k = 0, p = size - 1; k < size; p = k++) {
-            int upper = y[p] < y[k] ? p : k;
-            int lower = upper == p ? k : p;
-            if (row < y[upper] || row >= y[lower]) continue;
-            double slope = (x[lower] - x[upper]) / (y[lower] - y[upper]);
-            double crossing = x[upper] + (row - y[upper]) * slope;
-            left = Math.min(left, crossing);
-            right = Math.max(right, crossing);
-        }
-        int from = (int) Math.max(0, Math.ceil(left));
-        int to = (int) Math.min(width, Math.ceil(right));
+        span.load(x, y, 0, size, row);
+        int from = span.from(0);
+        int to = span.to(width);
         if (from < to) out.span(row, from, to);
+    }
+
+    /** What is left of the polygon between the near and the far plane: x, y, z of each corner. */
+    double[] viewCorners() {
+        var corners = new double[3 * cut.size];
+        for (int k = 0; k < cut.size; k++) {
+            corners[3 * k] = cut.x[k];
+            corners[3 * k + 1] = cut.y[k];
+            corners[3 * k + 2] = cut.z[k];
+        }
+        return corners;
     }
 }

@@ -1,6 +1,5 @@
 package rasterlab.engine.visibility;
 
-import java.util.function.BooleanSupplier;
 import rasterlab.engine.raster.Raster;
 
 /**
@@ -14,7 +13,7 @@ import rasterlab.engine.raster.Raster;
  * <p>Source: student's coursework "three-dimensional model of a vase", program listing. Its colours
  * also come from rounded coordinates; here every method gets the same colours.
  */
-final class TextbookPainter implements Visibility {
+final class TextbookPainter implements SteppedVisibility {
 
     @Override
     public boolean drawsOutlines() {
@@ -22,21 +21,60 @@ final class TextbookPainter implements Visibility {
     }
 
     @Override
-    public void draw(ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled) {
-        double rho = view.transform().distance();
-        double[] x = rounded(view.eyeX, 0);
-        double[] y = rounded(view.eyeY, 0);
-        double[] z = rounded(view.eyeZ, rho);
-        double[] depth = depths(view, z);
-        boolean[] drawn = new boolean[depth.length];
-        var polygon = new ScreenPolygon(view.mesh().mostCorners());
-        for (int pass = 0; pass < depth.length; pass++) {
-            Cancellation.check(cancelled);
-            int face = farthest(depth, drawn);
+    public String decision() {
+        return "(z1 + z2 + z3) / 3 of corners rounded to whole units";
+    }
+
+    @Override
+    public VisibilityWalk walk(ViewedMesh view, FacePaint paint, Raster out) {
+        return new Walk(view, paint, out);
+    }
+
+    private static final class Walk implements VisibilityWalk {
+        private final ViewedMesh view;
+        private final double[] x;
+        private final double[] y;
+        private final double[] z;
+        private final double[] depth;
+        private final boolean[] drawn;
+        private final ScreenPolygon polygon;
+        private final Tally tally = new Tally();
+        private final FaceBrush brush;
+        private int pass;
+        private int face;
+
+        Walk(ViewedMesh view, FacePaint paint, Raster out) {
+            this.view = view;
+            x = rounded(view.eyeX, 0);
+            y = rounded(view.eyeY, 0);
+            z = rounded(view.eyeZ, view.transform().distance());
+            depth = depths(view, z);
+            drawn = new boolean[depth.length];
+            polygon = new ScreenPolygon(view.mesh().mostCorners());
+            brush = new FaceBrush(paint, out, tally);
+        }
+
+        @Override
+        public boolean advance() {
+            if (pass == depth.length) return false;
+            pass++;
+            tally.comparisons += depth.length;
+            face = farthest(depth, drawn);
             drawn[face] = true;
             polygon.load(view, face, x, y, z);
             polygon.roundToPixels();
-            FaceBrush.paint(polygon, face, paint, out);
+            brush.paint(polygon, face);
+            return true;
+        }
+
+        @Override
+        public VisibilityStep step() {
+            return new VisibilityStep.Drawn(face, depth[face]);
+        }
+
+        @Override
+        public VisibilityWork work() {
+            return tally.work();
         }
     }
 

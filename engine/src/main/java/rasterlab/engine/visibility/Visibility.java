@@ -13,10 +13,12 @@ public interface Visibility {
      * @param paint the colours of its faces
      * @param out as large as the view's fit
      * @param cancelled asked at least once per face or row, possibly by several threads
+     * @return what was done, counted
+     * @throws IllegalArgumentException if the method cannot draw that scene; the message says why
      * @throws CancellationException soon after {@code cancelled} says true; the picture is then
      *     half drawn
      */
-    void draw(ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled);
+    VisibilityWork draw(ViewedMesh view, FacePaint paint, Raster out, BooleanSupplier cancelled);
 
     /** Whether the method can outline faces; one that cannot ignores the outline colours. */
     default boolean drawsOutlines() {

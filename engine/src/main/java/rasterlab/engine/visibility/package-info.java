@@ -1,10 +1,10 @@
 /**
- * Which face is seen at each pixel: painters, a z-buffer and an exact ray caster.
+ * Which face is seen at each pixel: by lists, windows, scan lines, depth buffers and exact rays.
  *
- * <p>Every method gets the same viewed mesh and one colour per face, so two pictures differ only
- * where the methods disagree on what is visible. Spaces: eye (x right, y up, z forward), picture
- * plane (y up), pixels (y down, whole numbers name centres). A pixel belongs to a face whose
- * interior holds its centre; a centre on an edge belongs to the face on its right, then below.
- * Start with {@link rasterlab.engine.visibility.Visibility}.
+ * <p>Every method gets the same viewed mesh and one paint, so two pictures differ only where the
+ * methods disagree on what is visible. Spaces: eye (x right, y up, z forward), picture plane (y
+ * up), pixels (y down, whole numbers name centres). A pixel belongs to a face whose interior holds
+ * its centre; a centre on an edge belongs to the face on its right, then below. Start with {@link
+ * rasterlab.engine.visibility.Visibility}, then {@link rasterlab.engine.visibility.Visibilities}.
  */
 package rasterlab.engine.visibility;

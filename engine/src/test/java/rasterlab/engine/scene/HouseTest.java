@@ -9,6 +9,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.scene.catalogue.Scenes;
 
 class HouseTest {
     private final Mesh mesh = Scenes.named("house").mesh();
@@ -54,6 +55,8 @@ class HouseTest {
     @DisplayName("an unknown scene is null")
     void namesTheKnownScenes() {
         var refusal = assertThrows(IllegalArgumentException.class, () -> Scenes.named("vas"));
-        assertEquals("no scene 'vas'; there are vase, house", refusal.getMessage());
+        assertEquals(
+                "no scene 'vas'; there are " + String.join(", ", Scenes.names()),
+                refusal.getMessage());
     }
 }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.SphericalView;
 
 class VaseTest {

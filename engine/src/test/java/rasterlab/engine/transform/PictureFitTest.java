@@ -43,6 +43,8 @@ class PictureFitTest {
     void namesTheKnownProjections() {
         assertEquals(Projection.PARALLEL, Projection.named("parallel"));
         var refusal = assertThrows(IllegalArgumentException.class, () -> Projection.named("iso"));
-        assertEquals("no projection 'iso'; there are perspective, parallel", refusal.getMessage());
+        assertEquals(
+                "no projection 'iso'; there are " + String.join(", ", Projection.names()),
+                refusal.getMessage());
     }
 }

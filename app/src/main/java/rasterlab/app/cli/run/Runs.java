@@ -40,6 +40,7 @@ public final class Runs {
                         new VisibleFacesRun(watch),
                         new DepthOrderRun(watch),
                         new DepthBufferRun(watch),
+                        new HiddenSurfacesRun(watch),
                         new SplineFunctionRun(watch),
                         new CurveRun(watch),
                         new ShadeRun(watch),

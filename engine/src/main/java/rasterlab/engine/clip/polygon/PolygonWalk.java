@@ -17,6 +17,12 @@ public interface PolygonWalk {
     /** x and y of each corner of the polygon that the last step made or went on with. */
     double[] polygon();
 
+    /**
+     * Where the subject's boundary entered the window in the last step and where it left it: x0,
+     * y0, x1, y1. Empty where the method does not look for such places.
+     */
+    double[] passage();
+
     /** How often it was asked on which side of a window's side a corner lies, so far. */
     long sideTests();
 

@@ -95,6 +95,11 @@ public final class SutherlandHodgman implements SteppedPolygonClipper {
         }
 
         @Override
+        public double[] passage() {
+            return new double[0];
+        }
+
+        @Override
         public long sideTests() {
             return sideTests;
         }

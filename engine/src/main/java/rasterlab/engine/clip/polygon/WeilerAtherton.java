@@ -119,6 +119,14 @@ public final class WeilerAtherton implements SteppedPolygonClipper {
         }
 
         @Override
+        public double[] passage() {
+            if (followed == null) return new double[0];
+            RimPoint enter = followed.enter();
+            RimPoint leave = followed.leave();
+            return new double[] {enter.x(), enter.y(), leave.x(), leave.y()};
+        }
+
+        @Override
         public long sideTests() {
             return cut.sideTests();
         }

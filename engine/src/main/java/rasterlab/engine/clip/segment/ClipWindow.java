@@ -29,6 +29,17 @@ public record ClipWindow(double xmin, double ymin, double xmax, double ymax) {
                     lowName + " must be at most " + highName + ", got " + low + " > " + high);
     }
 
+    /**
+     * Which sides a point lies beyond, added up: 1 above, 2 below, 4 right, 8 left. 0 in the window
+     * and on its sides; NaN is beyond none.
+     */
+    public int code(double x, double y) {
+        return (y > ymax ? WindowWalk.TOP : 0)
+                | (y < ymin ? WindowWalk.BOTTOM : 0)
+                | (x > xmax ? WindowWalk.RIGHT : 0)
+                | (x < xmin ? WindowWalk.LEFT : 0);
+    }
+
     /** The sides as an array: xmin, ymin, xmax, ymax. */
     public double[] sides() {
         return new double[] {xmin, ymin, xmax, ymax};
@@ -38,7 +49,7 @@ public record ClipWindow(double xmin, double ymin, double xmax, double ymax) {
      * What errors are measured in: the larger extent, or a 1024th of the largest coordinate where
      * that is more, so that 10⁻¹² of it is never less than four steps between doubles.
      */
-    double unit() {
+    public double unit() {
         double far = 0;
         for (double side : sides()) far = Math.max(far, Math.abs(side));
         double width = xmax / 2 - xmin / 2;

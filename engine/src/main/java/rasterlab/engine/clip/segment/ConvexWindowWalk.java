@@ -104,6 +104,11 @@ final class ConvexWindowWalk extends WindowWalk {
 
     @Override
     public void piece(SegmentSink out) {
+        showPart(enter, leave, out);
+    }
+
+    @Override
+    void sendKept(SegmentSink out) {
         sendPart(enter, leave, out);
     }
 

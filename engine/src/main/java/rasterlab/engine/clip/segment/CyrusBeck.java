@@ -119,6 +119,11 @@ public final class CyrusBeck implements SteppedSegmentClipper {
 
         @Override
         public void piece(SegmentSink out) {
+            showPart(enter, leave, out);
+        }
+
+        @Override
+        void sendKept(SegmentSink out) {
             sendPart(enter, leave, out);
         }
 

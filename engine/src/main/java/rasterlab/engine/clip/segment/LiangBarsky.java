@@ -97,6 +97,11 @@ public final class LiangBarsky implements SteppedSegmentClipper {
 
         @Override
         public void piece(SegmentSink out) {
+            showPart(enter, leave, out);
+        }
+
+        @Override
+        void sendKept(SegmentSink out) {
             sendPart(enter, leave, out);
         }
 

@@ -159,6 +159,11 @@ public final class MidpointClip implements SteppedSegmentClipper {
 
         @Override
         public void piece(SegmentSink out) {
+            showPart(enter, leave, out);
+        }
+
+        @Override
+        void sendKept(SegmentSink out) {
             sendPart(enter, leave, out);
         }
 

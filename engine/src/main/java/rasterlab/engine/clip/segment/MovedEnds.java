@@ -25,22 +25,15 @@ abstract class MovedEnds implements SegmentWalk {
         this.y2 = y2;
     }
 
-    private int outcode(double x, double y) {
-        return (y > window.ymax() ? WindowWalk.TOP : 0)
-                | (y < window.ymin() ? WindowWalk.BOTTOM : 0)
-                | (x > window.xmax() ? WindowWalk.RIGHT : 0)
-                | (x < window.xmin() ? WindowWalk.LEFT : 0);
-    }
-
     private boolean reject() {
-        return (outcode(x1, y1) & outcode(x2, y2)) != 0;
+        return (window.code(x1, y1) & window.code(x2, y2)) != 0;
     }
 
     @Override
     public final boolean advance() {
-        if (reject() || (outcode(x1, y1) | outcode(x2, y2)) == 0) return false;
-        if (outcode(x1, y1) == 0) swap();
-        code = outcode(x1, y1);
+        if (reject() || (window.code(x1, y1) | window.code(x2, y2)) == 0) return false;
+        if (window.code(x1, y1) == 0) swap();
+        code = window.code(x1, y1);
         at = move(code);
         return true;
     }

@@ -130,6 +130,12 @@ abstract class WindowWalk implements SegmentWalk {
                 clamped(y1 - back * dy, ymin, ymax));
     }
 
+    /** Sends the same part as it is on the way, before it is moved into the window. */
+    final void showPart(double enter, double leave, SegmentSink out) {
+        double back = 1 - leave;
+        out.segment(x0 + enter * dx, y0 + enter * dy, x1 - back * dx, y1 - back * dy);
+    }
+
     @Override
     public final boolean unsure() {
         return unsure;
@@ -143,7 +149,12 @@ abstract class WindowWalk implements SegmentWalk {
     @Override
     public final void send(SegmentSink out) {
         if (unsure) sendUnrounded(out);
-        else if (kept()) piece(out);
+        else if (kept()) sendKept(out);
+    }
+
+    /** Sends what is left where the walk is sure and has ended. */
+    void sendKept(SegmentSink out) {
+        piece(out);
     }
 
     /** Computes all again without rounding, and checks the numbers. */

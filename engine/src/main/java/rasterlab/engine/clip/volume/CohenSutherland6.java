@@ -36,7 +36,7 @@ public final class CohenSutherland6 implements SteppedVolumeClipper {
     }
 
     /** The six bits of a point, bit 1 being the lowest. */
-    static int code(double zmin, double x, double y, double z) {
+    public static int code(double zmin, double x, double y, double z) {
         int code = 0;
         for (int plane = 0; plane < PLANES.length; plane++)
             if (distance(plane, zmin, x, y, z) < 0) code |= 1 << plane;

@@ -76,15 +76,26 @@ abstract class PyramidWalk implements VolumeWalk {
     @Override
     public final void send(SpaceSegmentSink out) {
         if (unsure) UnroundedVolume.clip(zmin, eyeX0, eyeY0, eyeZ0, eyeX1, eyeY1, eyeZ1, out);
-        else if (kept()) piece(out);
+        else if (kept()) sendPart(out);
+    }
+
+    @Override
+    public final void piece(SpaceSegmentSink out) {
+        double back = 1 - leave;
+        out.segment(
+                eyeX0 + enter * eyeDx,
+                eyeY0 + enter * eyeDy,
+                eyeZ0 + enter * eyeDz,
+                eyeX1 - back * eyeDx,
+                eyeY1 - back * eyeDy,
+                eyeZ1 - back * eyeDz);
     }
 
     /**
-     * Sends the part not yet cut off, moved into the range that the planes allow; an end stays as
-     * it is where its t is 0 or 1.
+     * Sends the part that is left, moved into the range that the planes allow; an end stays as it
+     * is where its t is 0 or 1.
      */
-    @Override
-    public final void piece(SpaceSegmentSink out) {
+    private void sendPart(SpaceSegmentSink out) {
         double back = 1 - leave;
         double fromZ = within(eyeZ0 + enter * eyeDz);
         double toZ = within(eyeZ1 - back * eyeDz);

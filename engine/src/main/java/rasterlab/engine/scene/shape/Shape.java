@@ -32,7 +32,8 @@ public interface Shape {
     }
 
     /**
-     * Flat faces over shared vertices: quadrilaterals, and triangles about poles.
+     * Flat faces over shared vertices: quadrilaterals, and triangles about poles; corners have the
+     * surface's normals and texture coordinates.
      *
      * @param uSteps as for {@link #triangles}
      * @param vSteps as for {@link #triangles}

@@ -48,7 +48,7 @@ public record Tessellation(Shape shape, int uSteps, int vSteps) {
         return new TriangleGrid(this).mesh();
     }
 
-    /** Flat faces over shared vertices. */
+    /** Flat faces over shared vertices, with normals and texture coordinates of their corners. */
     public Mesh faces() {
         return new FaceGrid(this).mesh();
     }

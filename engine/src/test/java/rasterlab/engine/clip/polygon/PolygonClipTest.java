@@ -289,4 +289,16 @@ class PolygonClipTest {
         PolygonCases.assertRight(TEN, -most, -most, most, -most, most, most, -most, most);
         PolygonCases.assertRight(TEN, -most, -most, most, -most, 5, most);
     }
+
+    @Test
+    void weilerAthertonTellsWhereTheBoundaryEntersAndLeaves() {
+        double[] bar = {-4, 2, 14, 2, 14, 8, -4, 8};
+        PolygonWalk walk = new WeilerAtherton().walk(TEN, bar);
+        assertEquals(0, walk.passage().length, "before the first step");
+        assertTrue(walk.advance());
+        assertArrayEquals(new double[] {0, 2, 10, 2}, walk.passage());
+        assertTrue(walk.advance());
+        assertArrayEquals(new double[] {10, 8, 0, 8}, walk.passage());
+        assertEquals(0, new SutherlandHodgman().walk(TEN, bar).passage().length);
+    }
 }

@@ -27,6 +27,14 @@ class RegionCodeTest {
     }
 
     @Test
+    void windowAndMethodsTellTheSameCode() {
+        var window = new ClipWindow(0, 0, 10, 10);
+        for (double x : PLACES)
+            for (double y : PLACES) assertEquals(code(x, y), window.code(x, y), x + ", " + y);
+        assertEquals(0, window.code(Double.NaN, 5));
+    }
+
+    @Test
     void course5ASideBelongsToTheWindow() {
         for (double x : new double[] {0, 10})
             for (double y : new double[] {0, 10}) assertEquals(0, code(x, y));

@@ -222,4 +222,20 @@ class SegmentClipTest {
     private static long divisions(String method, SegmentsInWindow input) {
         return TOPIC.operations(TOPIC.method(method).implementation(), input).get("divisions");
     }
+
+    /** A cut by one side may leave ends beyond another, which is tested later. */
+    @ParameterizedTest
+    @MethodSource("right")
+    void whatAStepLeavesIsAPartOfTheSegment(Method<SegmentClipper> method) {
+        double[] ends = {-3, -1.5, 12, 8};
+        var window = new ClipWindow(0, 0, 10, 6);
+        var stepped = (SteppedSegmentClipper) method.implementation();
+        SegmentWalk walk = SegmentClipTopic.walk(stepped, window, ends);
+        while (walk.advance())
+            walk.piece(
+                    (x0, y0, x1, y1) -> {
+                        assertEquals(0, (x0 + 3) * 9.5 - (y0 + 1.5) * 15, 1e-9, walk.at());
+                        assertEquals(0, (x1 + 3) * 9.5 - (y1 + 1.5) * 15, 1e-9, walk.at());
+                    });
+    }
 }

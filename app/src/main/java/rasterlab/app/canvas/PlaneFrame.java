@@ -1,0 +1,132 @@
+package rasterlab.app.canvas;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Ellipse2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+
+/**
+ * One picture of a plane: all that painting it needs, so that any thread may.
+ *
+ * @param width of the stage in view units
+ * @param height of the stage in view units
+ * @param scale device dots per view unit
+ * @param font of a label
+ * @param note a sentence over the picture, "" for none
+ */
+record PlaneFrame(
+        PlanePicture picture,
+        List<PlanePoint> points,
+        String note,
+        PlaneMap map,
+        int width,
+        int height,
+        double scale,
+        StageColours colours,
+        Font font,
+        Locale locale) {
+    private static final double DOT = 3.5;
+
+    /** Between a point and its label, for the ring around the point. */
+    private static final double AWAY = 15;
+
+    /**
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    BufferedImage painted(BooleanSupplier cancelled) {
+        var image =
+                new BufferedImage(
+                        DevicePixels.count(width, scale),
+                        DevicePixels.count(height, scale),
+                        BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        try {
+            g.scale(scale, scale);
+            paint(g, cancelled);
+        } finally {
+            g.dispose();
+        }
+        return image;
+    }
+
+    void paint(Graphics2D g, BooleanSupplier cancelled) {
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(
+                RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        var rulers = new PlaneRulers(map, new Dimension(width, height), colours, font, locale);
+        if (picture.ruled()) rulers.paintGrid(g);
+        else paintGround(g);
+        var inner = (Graphics2D) g.create();
+        inner.setFont(font);
+        if (picture.ruled())
+            inner.clipRect(
+                    Rulers.left(), Rulers.top(), width - Rulers.left(), height - Rulers.top());
+        else inner.clipRect(0, 0, width, height);
+        picture.paint(inner, map, colours, cancelled);
+        paintPoints(inner);
+        if (!note.isEmpty()) Plates.sentence(inner, note, width, colours);
+        inner.dispose();
+        g.setStroke(new BasicStroke(1f));
+        if (picture.ruled()) rulers.paintMargins(g);
+    }
+
+    private void paintGround(Graphics2D g) {
+        g.setColor(colours.ground());
+        g.fillRect(0, 0, width, height);
+    }
+
+    private void paintPoints(Graphics2D g) {
+        g.setFont(font.deriveFont(Font.BOLD));
+        double middleX = points.stream().mapToDouble(p -> map.viewX(p.x())).average().orElse(0);
+        double middleY = points.stream().mapToDouble(p -> map.viewY(p.y())).average().orElse(0);
+        for (PlanePoint point : points) {
+            double x = map.viewX(point.x());
+            double y = map.viewY(point.y());
+            if (!(x > -100 && x < width + 100 && y > -100 && y < height + 100)) continue;
+            dot(g, x, y);
+            label(g, point.label(), x, y, x - middleX, y - middleY);
+        }
+    }
+
+    private void dot(Graphics2D g, double x, double y) {
+        g.setColor(colours.ink());
+        g.fill(new Ellipse2D.Double(x - DOT, y - DOT, 2 * DOT, 2 * DOT));
+    }
+
+    /** Beside the point, on the side away from the middle of all points. */
+    private void label(Graphics2D g, String label, double x, double y, double dx, double dy) {
+        if (label.isEmpty()) return;
+        double length = Math.max(1e-9, Math.hypot(dx, dy));
+        FontMetrics metrics = g.getFontMetrics();
+        int wide = metrics.stringWidth(label);
+        double away =
+                Math.min(
+                        (AWAY + wide / 2.0) / Math.abs(dx / length),
+                        (AWAY + metrics.getAscent() / 2.0) / Math.abs(dy / length));
+        double left = x + dx / length * away - wide / 2.0;
+        double fitting = Math.max(Rulers.left() + 6, Math.min(width - wide - 8, left));
+        // A label that the stage's edge pushes back to its point stands above it.
+        double base =
+                Math.abs(fitting - left) > AWAY / 2
+                        ? y - AWAY
+                        : y + dy / length * away + metrics.getAscent() / 2.0 - 1;
+        Color ground = colours.ground();
+        Plates.plate(
+                g,
+                label,
+                (int) fitting,
+                (int) Math.max(Rulers.top() + metrics.getAscent() + 4, Math.min(height - 8, base)),
+                new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 190),
+                colours.ink());
+    }
+}

@@ -1,0 +1,23 @@
+package rasterlab.app.canvas;
+
+import java.awt.Graphics2D;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+
+/**
+ * What a plane shows between its grid and its points: an immutable scene that any thread may paint.
+ * It has {@code equals}, so that the same picture is not painted twice: a record is best.
+ */
+public interface PlanePicture {
+    /**
+     * @param g antialiased, in view units; its font is that of a label
+     * @param cancelled asked often by a long picture
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled);
+
+    /** Whether grid, rulers and read-out belong to it: not where the plane is a view of space. */
+    default boolean ruled() {
+        return true;
+    }
+}

@@ -1,0 +1,19 @@
+package rasterlab.app.canvas;
+
+/**
+ * A point of a plane that the user may move.
+ *
+ * @param name of its handle, such as {@code point.0}; told to {@link PlaneEdits}
+ * @param x world
+ * @param y world
+ * @param label painted beside it, "" for none
+ * @param said its name and place for assistive technology, in the window's language
+ */
+public record PlanePoint(String name, double x, double y, Form form, String label, String said) {
+    /** The shape of its handle, so that points of different kinds differ without colour. */
+    public enum Form {
+        CIRCLE,
+        SQUARE,
+        DIAMOND
+    }
+}

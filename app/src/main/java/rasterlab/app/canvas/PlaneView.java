@@ -1,0 +1,388 @@
+package rasterlab.app.canvas;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.accessibility.AccessibleRole;
+import javax.swing.BorderFactory;
+import javax.swing.JLabel;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
+import rasterlab.app.language.Texts;
+
+/**
+ * A plane of real coordinates as a lab's stage: grid, rulers, zoom, and points to move.
+ *
+ * <p>It shows what {@link #show} was given last and tells its {@link PlaneEdits} what the user
+ * wants; it changes no point itself. The picture is painted on a thread of its own. The part of the
+ * plane in sight stays while points are moved.
+ */
+public final class PlaneView extends SelfDrawn implements Settling, AutoCloseable {
+    private static final long serialVersionUID = 1L;
+
+    private static final double ZOOM = 1.25;
+
+    /** View units that an arrow key moves a point, about. */
+    private static final double KEY = 4;
+
+    /** Height of two lines of a note, about. */
+    private static final int NOTE = 36;
+
+    private static final PlanePicture NOTHING = (g, map, colours, cancelled) -> {};
+
+    private final PlaneAxes axes;
+    private final transient PlaneEdits edits;
+    private final transient Texts texts;
+    private final transient Settling source;
+    private final transient LatestOnly<PlaneFrame, BufferedImage> frames;
+    private final ZoomButtons zoom;
+    private final JLabel pointed = new JLabel();
+    private final List<PlaneHandle> handles = new ArrayList<>();
+    private transient PlanePicture picture = NOTHING;
+    private transient List<PlanePoint> points = List.of();
+    private transient Rectangle2D everything = new Rectangle2D.Double(0, 0, 1, 1);
+    private transient Rectangle2D framed = everything;
+    private transient Optional<PlaneMap> chosen = Optional.empty();
+    private transient Optional<PlaneFrame> asked = Optional.empty();
+    private transient Optional<BufferedImage> shown = Optional.empty();
+    private String note = "";
+    private String keyed = "";
+    private int arrangement = Integer.MIN_VALUE;
+
+    /**
+     * @param texts of this package
+     * @param said the stage's name for assistive technology
+     * @param source what the scenes come from: waited for before the picture is
+     * @param onFailure told what painting threw, on any thread
+     */
+    public PlaneView(
+            PlaneAxes axes,
+            Texts texts,
+            String said,
+            PlaneEdits edits,
+            Settling source,
+            Consumer<Throwable> onFailure) {
+        super(AccessibleRole.CANVAS);
+        this.axes = axes;
+        this.texts = texts;
+        this.edits = edits;
+        this.source = source;
+        frames =
+                new LatestOnly<>(
+                        "plane picture",
+                        PlaneFrame::painted,
+                        (frame, image) -> EventQueue.invokeLater(() -> show(image)),
+                        onFailure);
+        setName("stage");
+        setBorder(BorderFactory.createLineBorder(UIManager.getColor("Component.borderColor")));
+        getAccessibleContext().setAccessibleName(said);
+        zoom = new ZoomButtons(texts, this::zoomIn, this::zoomOut, this::fit);
+        add(zoom);
+        addReadOut();
+        var mouse = new Ground();
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
+        addMouseWheelListener(mouse);
+        for (String key : List.of("typed +", "typed ="))
+            KeyBinding.within(this, KeyStroke.getKeyStroke(key), this::zoomIn);
+        KeyBinding.within(this, KeyStroke.getKeyStroke("typed -"), this::zoomOut);
+        KeyBinding.within(this, KeyStroke.getKeyStroke("typed 0"), this::fit);
+    }
+
+    private void addReadOut() {
+        pointed.setOpaque(true);
+        pointed.setBackground(StageColours.now().ground());
+        pointed.setForeground(StageColours.now().ink());
+        pointed.setBorder(BorderFactory.createEmptyBorder(2, 5, 2, 5));
+        pointed.setVisible(false);
+        pointed.setName("pointed");
+        add(pointed);
+    }
+
+    /**
+     * Shows a scene.
+     *
+     * @param note a sentence over the picture, "" for none
+     * @param all what the stage shows when nobody has zoomed, in world coordinates
+     * @param arranged another number than before brings {@code all} into sight
+     */
+    public void show(
+            PlanePicture scene,
+            List<PlanePoint> movable,
+            String note,
+            Rectangle2D all,
+            int arranged) {
+        picture = scene;
+        this.note = note;
+        everything = all;
+        if (!movable.equals(points)) {
+            points = List.copyOf(movable);
+            showHandles();
+        }
+        if (arranged != arrangement) fit();
+        arrangement = arranged;
+        revalidate();
+    }
+
+    @Override
+    public void settle() throws InterruptedException {
+        source.settle();
+        frames.settle();
+    }
+
+    /** Ends the thread that paints. */
+    @Override
+    public void close() {
+        frames.close();
+    }
+
+    /** Gives the keyboard to the point that had it last, at first to the first one. */
+    public void focusPoint() {
+        handles.stream()
+                .filter(handle -> handle.getName().equals(keyed))
+                .findFirst()
+                .or(() -> handles.stream().findFirst())
+                .ifPresent(PlaneHandle::requestFocusInWindow);
+    }
+
+    /** What is in sight, without the rings around the points, as an SVG document. */
+    public String svg() {
+        return SvgPicture.of(getWidth(), getHeight(), g -> frame().paint(g, () -> false));
+    }
+
+    private void showHandles() {
+        boolean focused = handles.stream().anyMatch(PlaneHandle::isFocusOwner);
+        while (handles.size() > points.size()) remove(handles.remove(handles.size() - 1));
+        for (int i = 0; i < points.size(); i++) {
+            if (i < handles.size() && handles.get(i).getName().equals(points.get(i).name())) {
+                handles.get(i).show(points.get(i));
+                continue;
+            }
+            var handle = new PlaneHandle(points.get(i), new Handled());
+            if (i < handles.size()) remove(handles.set(i, handle));
+            else handles.add(handle);
+            add(handle, 0);
+        }
+        if (!focused || handles.isEmpty()) return;
+        if (handles.stream().noneMatch(handle -> handle.getName().equals(keyed)))
+            keyed = handles.get(handles.size() - 1).getName();
+        focusPoint();
+    }
+
+    private void zoomIn() {
+        zoom(ZOOM, centre());
+    }
+
+    private void zoomOut() {
+        zoom(1 / ZOOM, centre());
+    }
+
+    /** Shows everything again, and keeps doing so when the stage changes its size. */
+    private void fit() {
+        chosen = Optional.empty();
+        framed = everything;
+        revalidate();
+    }
+
+    private void zoom(double factor, Point2D view) {
+        chosen = Optional.of(map().zoomed(factor, view));
+        revalidate();
+    }
+
+    private PlaneMap map() {
+        return chosen.orElseGet(() -> PlaneMap.fitting(framed, besideTheNote(), axes));
+    }
+
+    /** What rulers and note leave of the stage. */
+    private Rectangle besideTheNote() {
+        Rectangle inside = Rulers.inside(getSize());
+        int height = note.isEmpty() ? 0 : Math.min(UIScale.scale(NOTE), inside.height / 2);
+        inside.y += height;
+        inside.height -= height;
+        return inside;
+    }
+
+    private Point2D centre() {
+        Rectangle inside = Rulers.inside(getSize());
+        return new Point2D.Double(inside.getCenterX(), inside.getCenterY());
+    }
+
+    /**
+     * Puts the handles around their points, one whose point is out of sight at the edge, and asks
+     * for the picture when another is due.
+     */
+    @Override
+    public void doLayout() {
+        Dimension corner = zoom.getPreferredSize();
+        zoom.setBounds(
+                getWidth() - corner.width - 8,
+                getHeight() - corner.height - 8,
+                corner.width,
+                corner.height);
+        Dimension place = pointed.getPreferredSize();
+        pointed.setBounds(
+                Rulers.left() + 5, getHeight() - place.height - 6, place.width, place.height);
+        PlaneMap map = map();
+        int size = UIScale.scale(22);
+        for (PlaneHandle handle : handles)
+            handle.setBounds(
+                    within(map.viewX(handle.point().x()), Rulers.left(), getWidth(), size),
+                    within(map.viewY(handle.point().y()), Rulers.top(), getHeight(), size),
+                    size,
+                    size);
+        PlaneFrame due = frame();
+        if (asked.filter(due::equals).isPresent()) return;
+        asked = Optional.of(due);
+        frames.ask(due);
+    }
+
+    /** Where a square of that size begins, so that its middle is at {@code view} if it fits. */
+    private static int within(double view, int from, int to, int size) {
+        return (int) Math.round(Math.max(from, Math.min(to - size, view - size / 2.0)));
+    }
+
+    private PlaneFrame frame() {
+        return new PlaneFrame(
+                picture,
+                points,
+                note,
+                map(),
+                getWidth(),
+                getHeight(),
+                DevicePixels.scale(this),
+                StageColours.now(),
+                UIManager.getFont("Label.font"),
+                texts.locale());
+    }
+
+    private void show(BufferedImage image) {
+        shown = Optional.of(image);
+        repaint();
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(800, 560);
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        var g = (Graphics2D) graphics.create();
+        g.setColor(StageColours.now().ground());
+        g.fillRect(0, 0, getWidth(), getHeight());
+        shown.ifPresent(image -> DevicePixels.paint(g, image));
+        g.dispose();
+    }
+
+    /** What the handles' mouse and keys mean in world coordinates. */
+    private final class Handled implements PlaneHandle.Plane {
+        @Override
+        public void beginDrag() {
+            edits.beginDrag();
+        }
+
+        @Override
+        public void endDrag() {
+            edits.endDrag();
+        }
+
+        @Override
+        public void drag(PlanePoint point, Point view) {
+            edits.move(point.name(), map().pointedX(view.x), map().pointedY(view.y));
+        }
+
+        @Override
+        public void nudge(PlanePoint point, int right, int up) {
+            double stepX = RoundTicks.atLeast(map().worldWidth(KEY)).step();
+            double stepY = RoundTicks.atLeast(map().worldHeight(KEY)).step();
+            double y = point.y() + (axes.up() ? up : -up) * stepY;
+            edits.move(
+                    point.name(),
+                    right == 0 ? point.x() : RoundTicks.rounded(point.x() + right * stepX, stepX),
+                    up == 0 ? point.y() : RoundTicks.rounded(y, stepY));
+        }
+
+        @Override
+        public void remove(PlanePoint point) {
+            edits.remove(point.name());
+        }
+
+        @Override
+        public void focused(PlaneHandle handle) {
+            keyed = handle.getName();
+            setComponentZOrder(handle, 0);
+            edits.select(keyed);
+        }
+    }
+
+    /** Moves the plane by dragging its ground, zooms it by the wheel, reads off coordinates. */
+    private final class Ground extends MouseAdapter {
+        private Point last = new Point();
+
+        @Override
+        public void mousePressed(MouseEvent e) {
+            focusPoint();
+            last = e.getPoint();
+            edits.beginDrag();
+        }
+
+        @Override
+        public void mouseReleased(MouseEvent e) {
+            edits.endDrag();
+        }
+
+        @Override
+        public void mouseClicked(MouseEvent e) {
+            if (e.getClickCount() == 2 && SwingUtilities.isLeftMouseButton(e))
+                edits.add(map().pointedX(e.getX()), map().pointedY(e.getY()));
+        }
+
+        @Override
+        public void mouseDragged(MouseEvent e) {
+            int right = e.getX() - last.x;
+            int down = e.getY() - last.y;
+            last = e.getPoint();
+            if (edits.turn(right, down)) return;
+            chosen = Optional.of(map().moved(right, down));
+            revalidate();
+            point(e);
+        }
+
+        @Override
+        public void mouseMoved(MouseEvent e) {
+            point(e);
+        }
+
+        @Override
+        public void mouseExited(MouseEvent e) {
+            pointed.setVisible(false);
+        }
+
+        @Override
+        public void mouseWheelMoved(MouseWheelEvent e) {
+            zoom(Math.pow(ZOOM, -e.getPreciseWheelRotation()), e.getPoint());
+        }
+
+        private void point(MouseEvent e) {
+            pointed.setText(
+                    Shown.point(
+                            map().pointedX(e.getX()), map().pointedY(e.getY()), texts.locale()));
+            pointed.setVisible(picture.ruled());
+        }
+    }
+}

@@ -1,0 +1,49 @@
+package rasterlab.app.canvas;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+
+/** Words on a rounded plate, so that they can be read over any picture. */
+public final class Plates {
+    private static final int OPAQUE = 225;
+
+    private Plates() {}
+
+    /**
+     * @param x view x where the text begins
+     * @param y view y of its base line
+     */
+    public static void plate(Graphics2D g, String text, int x, int y, Color plate, Color ink) {
+        FontMetrics metrics = g.getFontMetrics();
+        g.setColor(plate);
+        g.fillRoundRect(
+                x - 4,
+                y - metrics.getAscent() - 1,
+                metrics.stringWidth(text) + 8,
+                metrics.getHeight() + 1,
+                8,
+                8);
+        g.setColor(ink);
+        g.drawString(text, x, y);
+    }
+
+    /**
+     * A sentence at the stage's upper edge, beside the rulers and wrapped to the stage's width.
+     *
+     * @param width of the stage
+     */
+    static void sentence(Graphics2D g, String sentence, int width, StageColours colours) {
+        g.setFont(g.getFont().deriveFont(Font.BOLD));
+        FontMetrics metrics = g.getFontMetrics();
+        Color ground = colours.ground();
+        var plate = new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), OPAQUE);
+        int y = Rulers.top() + metrics.getAscent() + 10;
+        int room = width - Rulers.left() - 32;
+        for (String line : Wrapping.lines(sentence, room, metrics::stringWidth)) {
+            plate(g, line, Rulers.left() + 14, y, plate, colours.ink());
+            y += metrics.getHeight() + 2;
+        }
+    }
+}

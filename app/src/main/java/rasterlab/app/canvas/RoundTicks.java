@@ -1,0 +1,65 @@
+package rasterlab.app.canvas;
+
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
+import java.util.Locale;
+
+/**
+ * Round numbers along an axis: the multiples of 1, 2 or 5 times a power of ten.
+ *
+ * @param digit 1, 2 or 5
+ * @param exponent of ten
+ */
+record RoundTicks(int digit, int exponent) {
+    /** From here on numbers are written with a power of ten. */
+    private static final int LONG = 7;
+
+    /** The closest ticks that are at least so far apart. */
+    static RoundTicks atLeast(double distance) {
+        int exponent = (int) Math.floor(Math.log10(distance));
+        for (int digit : new int[] {1, 2, 5}) {
+            var ticks = new RoundTicks(digit, exponent);
+            if (ticks.step() >= distance) return ticks;
+        }
+        return new RoundTicks(1, exponent + 1);
+    }
+
+    /** A number with no decimals below the power of ten that is at most {@code least}. */
+    static double rounded(double value, double least) {
+        int exponent = (int) Math.floor(Math.log10(least));
+        double power = Math.pow(10, Math.abs(exponent));
+        double round =
+                exponent < 0 ? Math.rint(value * power) / power : Math.rint(value / power) * power;
+        return Double.isFinite(round) ? round + 0.0 : value;
+    }
+
+    double step() {
+        return value(1);
+    }
+
+    /** The tick of that number, tick 0 being at 0. */
+    double value(long tick) {
+        double power = Math.pow(10, Math.abs(exponent));
+        return exponent < 0 ? tick * digit / power : tick * digit * power;
+    }
+
+    /** Number of the last tick at or before a place. */
+    long before(double place) {
+        return (long) Math.floor(place / step());
+    }
+
+    /** A tick as its axis writes it: with as many decimals as neighbours need. */
+    String shown(long tick, Locale locale) {
+        var symbols = DecimalFormatSymbols.getInstance(locale);
+        symbols.setMinusSign('−');
+        boolean small = exponent < -LONG + 2;
+        boolean large = exponent >= LONG - 1;
+        var pattern = small || large ? "0.###E0" : "0";
+        var format = new DecimalFormat(pattern, symbols);
+        if (!small && !large) {
+            format.setMinimumFractionDigits(Math.max(0, -exponent));
+            format.setMaximumFractionDigits(Math.max(0, -exponent));
+        }
+        return tick == 0 ? "0" : Shown.withPower(format.format(value(tick)));
+    }
+}

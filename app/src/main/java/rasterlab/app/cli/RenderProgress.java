@@ -1,0 +1,29 @@
+package rasterlab.app.cli;
+
+import java.io.PrintStream;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.BooleanSupplier;
+
+/** Says every two seconds that a picture is still being made, and stops it when interrupted. */
+final class RenderProgress implements BooleanSupplier {
+    private static final long EVERY = 2_000_000_000L;
+
+    private final PrintStream err;
+    private final Thread waiting = Thread.currentThread();
+    private final long start = System.nanoTime();
+    private final AtomicLong told = new AtomicLong();
+
+    RenderProgress(PrintStream err) {
+        this.err = err;
+    }
+
+    /** Asked by the renderer, on any of its threads. */
+    @Override
+    public boolean getAsBoolean() {
+        long passed = (System.nanoTime() - start) / EVERY;
+        long before = told.get();
+        if (passed > before && told.compareAndSet(before, passed))
+            err.println("rendering for " + passed * EVERY / 1_000_000_000L + " s");
+        return waiting.isInterrupted();
+    }
+}

@@ -1,0 +1,275 @@
+package rasterlab.app.clip;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Steps;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+
+/**
+ * The clipping lab without its window: what is clipped, by which methods, which step.
+ *
+ * <p>Clipping runs on a thread of the model's own; answers and commands all run on the thread of
+ * the executor it is given. Each change publishes a new immutable {@link ClipLabState}, first with
+ * the choice, then with what is left.
+ */
+public final class ClipLabModel implements Steps, AutoCloseable {
+    private final ClipTopics topics;
+    private final LatestOnly<ClipScene, ClipResults> clippings;
+    private final History<ClipChoice> history = new History<>();
+    private final List<Consumer<ClipLabState>> listeners = new ArrayList<>();
+    private ClipLabState state;
+
+    /**
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what clipping threw, on any thread
+     */
+    public ClipLabModel(ClipTopics topics, Executor events, Consumer<Throwable> onFailure) {
+        this.topics = topics;
+        ClipChoice first = ClipChoice.FIRST;
+        ClipResults drawn = ClipResults.of(topics, first.scene());
+        state = new ClipLabState(first, drawn, resultOf(drawn), Grip.end(0, 0), false, 0);
+        clippings =
+                new LatestOnly<>(
+                        "clipping",
+                        (scene, cancelled) -> ClipResults.of(topics, scene),
+                        (scene, answer) -> events.execute(() -> accept(answer)),
+                        onFailure);
+    }
+
+    public ClipLabState state() {
+        return state;
+    }
+
+    List<String> methods(ClipMode mode) {
+        return topics.methods(mode);
+    }
+
+    /** The chosen method. */
+    Method<?> method() {
+        return topics.method(state.choice().mode(), state.choice().scene().method());
+    }
+
+    List<? extends Hazard<?>> hazards(ClipMode mode) {
+        return topics.hazards(mode);
+    }
+
+    /** Tells the listener each new state from now on; the answer ends that. */
+    public Runnable listen(Consumer<ClipLabState> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /** Shows another mode, with the scene it had. */
+    public void chooseMode(ClipMode mode) {
+        change(state.choice().in(mode), true);
+    }
+
+    /**
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void chooseMethod(String method) {
+        ClipScene scene = state.choice().scene();
+        edit(scene.withMethod(topics.method(scene.mode(), method).name()));
+    }
+
+    /**
+     * @param method a method's name, "" for none
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void compareWith(String method) {
+        ClipScene scene = state.choice().scene();
+        if (!method.isEmpty()) topics.method(scene.mode(), method);
+        edit(scene.withComparison(method));
+    }
+
+    /** Shows two methods in one picture with what only one of them left, or side by side. */
+    public void showDifference(boolean shown) {
+        change(state.choice().withDifference(shown), false);
+    }
+
+    /**
+     * Brings a hazard's scene, in place of that of its mode.
+     *
+     * @throws IllegalArgumentException if the mode's topic has no such hazard
+     */
+    public void show(ClipMode mode, String hazard) {
+        ClipChoice choice = state.choice().in(mode);
+        change(choice.with(topics.showing(choice.scene(), hazard)), true);
+    }
+
+    /** Makes the window a rectangle, or a convex polygon. */
+    public void shapeWindow(boolean upright) {
+        ClipScene scene = state.choice().scene();
+        if (scene instanceof SegmentScene segments) edit(segments.shaped(upright));
+        else if (scene instanceof PolygonScene polygon) edit(polygon.shaped(upright));
+    }
+
+    /**
+     * Moves a point to a place in the picture. Between {@link #beginDrag} and {@link #endDrag} all
+     * moves are one for undo.
+     */
+    public void move(Grip grip, double planeX, double planeY) {
+        edit(state.choice().scene().moved(grip, new Place(planeX, planeY)));
+    }
+
+    public void beginDrag() {
+        history.beginDrag(state.choice());
+    }
+
+    public void endDrag() {
+        history.endDrag(state.choice());
+        publish(at(state.step()));
+    }
+
+    /** Shows the coordinates of another point. */
+    public void select(Grip grip) {
+        if (!grip.equals(state.selected())) publish(selecting(grip));
+    }
+
+    /** A corner or a segment more, beside the selected one. */
+    public void grow() {
+        edit(state.choice().scene().grown(state.selected()));
+    }
+
+    /** Without the selected corner or segment, unless it is needed. */
+    public void shrink() {
+        edit(state.choice().scene().without(state.selected()));
+    }
+
+    /** Changes something that only the view volume has. */
+    void volume(UnaryOperator<VolumeScene> change) {
+        edit(change.apply(state.choice().volume()));
+    }
+
+    public void undo() {
+        history.undo()
+                .ifPresent(
+                        choice -> {
+                            boolean other = choice.mode() != state.choice().mode();
+                            clip(choice, state.arrangement() + (other ? 1 : 0));
+                        });
+    }
+
+    /** Back to the mode's first scene and method; can be undone. */
+    public void reset() {
+        change(state.choice().with(state.choice().firstScene()).withDifference(false), true);
+    }
+
+    /** Waits until every choice so far is clipped or dropped. Any other thread. */
+    public void settle() throws InterruptedException {
+        clippings.settle();
+    }
+
+    /** Ends the thread. */
+    @Override
+    public void close() {
+        clippings.close();
+    }
+
+    @Override
+    public int first() {
+        return 0;
+    }
+
+    @Override
+    public int last() {
+        return resultOf(state.results());
+    }
+
+    private static int resultOf(ClipResults results) {
+        return results.clipping().steps().size() + 1;
+    }
+
+    @Override
+    public int step() {
+        return state.step();
+    }
+
+    @Override
+    public void goTo(int step) {
+        int next = Math.max(first(), Math.min(last(), step));
+        if (next != state.step()) publish(at(next));
+    }
+
+    @Override
+    public boolean turnsRound() {
+        return false;
+    }
+
+    private void edit(ClipScene scene) {
+        change(state.choice().with(scene), false);
+    }
+
+    private void change(ClipChoice next, boolean arrange) {
+        if (next.equals(state.choice()) && !arrange) return;
+        if (!next.equals(state.choice())) history.remember(state.choice());
+        clip(next, state.arrangement() + (arrange ? 1 : 0));
+    }
+
+    private void clip(ClipChoice choice, int arrangement) {
+        Grip selected = existing(choice.scene(), state.selected());
+        publish(
+                new ClipLabState(
+                        choice,
+                        state.results(),
+                        state.step(),
+                        selected,
+                        !history.isEmpty(),
+                        arrangement));
+        clippings.ask(choice.scene());
+    }
+
+    /** The grip, or the first one of a scene that does not have it. */
+    private static Grip existing(ClipScene scene, Grip grip) {
+        if (scene instanceof VolumeScene volume)
+            return grip.kind() == Grip.Kind.END && grip.index() < volume.segments().size()
+                    ? grip
+                    : Grip.end(0, 0);
+        return scene.grips().containsKey(grip) ? grip : scene.grips().keySet().iterator().next();
+    }
+
+    /** A step that was looked at is kept, if the other answer has it. */
+    private void accept(ClipResults results) {
+        int last = resultOf(results);
+        int step = state.finished() ? last : Math.min(state.step(), last);
+        publish(
+                new ClipLabState(
+                        state.choice(),
+                        results,
+                        step,
+                        state.selected(),
+                        !history.isEmpty(),
+                        state.arrangement()));
+    }
+
+    private ClipLabState at(int step) {
+        return new ClipLabState(
+                state.choice(),
+                state.results(),
+                step,
+                state.selected(),
+                !history.isEmpty(),
+                state.arrangement());
+    }
+
+    private ClipLabState selecting(Grip grip) {
+        return new ClipLabState(
+                state.choice(),
+                state.results(),
+                state.step(),
+                grip,
+                !history.isEmpty(),
+                state.arrangement());
+    }
+
+    private void publish(ClipLabState next) {
+        state = next;
+        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+    }
+}

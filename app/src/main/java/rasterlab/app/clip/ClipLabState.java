@@ -1,0 +1,34 @@
+package rasterlab.app.clip;
+
+import java.util.Optional;
+
+/**
+ * What the lab shows at one moment.
+ *
+ * @param choice the newest one
+ * @param results the newest finished ones, maybe of an earlier choice
+ * @param step 0 before the first step of the method, its number while it is looked at, one more
+ *     than there are for the result
+ * @param selected the point whose coordinates are shown
+ * @param undoable whether there is something to undo
+ * @param arrangement changes when the stage should show everything again
+ */
+public record ClipLabState(
+        ClipChoice choice,
+        ClipResults results,
+        int step,
+        Grip selected,
+        boolean undoable,
+        int arrangement) {
+    /** Whether the result is shown. */
+    public boolean finished() {
+        return step > results.clipping().steps().size();
+    }
+
+    /** The step that is looked at, if any is. */
+    public Optional<ClipStep> current() {
+        return step == 0 || finished()
+                ? Optional.empty()
+                : Optional.of(results.clipping().steps().get(step - 1));
+    }
+}

@@ -1,0 +1,197 @@
+package rasterlab.app.clip;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.geom.Path2D;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.Plates;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.engine.raster.PixelMark;
+
+/** Draws what {@link Drawn} stands for. */
+final class ClipPainter {
+    /** Region codes stand behind everything, larger than labels. */
+    private static final float LARGER = 1.5f;
+
+    private static final double MARK = 17;
+
+    /** Where a wrong line bears its marks, as shares of its length. */
+    private static final double[] MARKED = {0.2, 0.5, 0.8};
+
+    private static final double[] MIDDLE = {0.5};
+
+    /** View units from which a wrong line bears more than one mark. */
+    private static final double ROOMY = 80;
+
+    private static final int TRANSLUCENT = 60;
+
+    private final Graphics2D g;
+    private final PlaneMap map;
+    private final StageColours colours;
+    private final Color first;
+    private final Color second;
+    private final InView inView;
+
+    /**
+     * @param other name of a second method, "" for none
+     */
+    ClipPainter(Graphics2D g, PlaneMap map, StageColours colours, String method, String other) {
+        this.g = g;
+        this.map = map;
+        this.colours = colours;
+        first = MethodColours.of(method);
+        second = MethodColours.of(other);
+        inView = new InView(map, g.getClipBounds());
+    }
+
+    /**
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    void paint(List<Drawn> drawn, BooleanSupplier cancelled) {
+        for (Drawn each : drawn) {
+            if (cancelled.getAsBoolean())
+                throw new CancellationException("a newer frame is asked for");
+            if (each instanceof Drawn.Area area) paint(area);
+            else if (each instanceof Drawn.Line line) paint(line);
+            else if (each instanceof Drawn.Region region) paint(region);
+            else if (each instanceof Drawn.Sign sign) paint(sign);
+            else if (each instanceof Drawn.Words words) paint(words);
+        }
+    }
+
+    private void paint(Drawn.Area area) {
+        g.setColor(ground(area.ink()));
+        inView.area(area.corners()).ifPresent(g::fill);
+    }
+
+    private Color ground(Drawn.Ink ink) {
+        return switch (ink) {
+            case WINDOW -> colours.margin();
+            case TESTED -> translucent(colours.focus());
+            case LEFT, STEP -> translucent(first);
+            default -> translucent(colours.axis());
+        };
+    }
+
+    private static Color translucent(Color colour) {
+        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), TRANSLUCENT);
+    }
+
+    private void paint(Drawn.Line line) {
+        Path2D path = inView.line(line.points(), line.closed());
+        switch (line.ink()) {
+            case WINDOW -> stroke(path, colours.ink(), 2f);
+            case HIDDEN -> dashed(path, colours.axis(), 1.4f, 5);
+            case HELP -> dashed(path, colours.axis(), 1f, 3);
+            case GIVEN ->
+                    stroke(path, MethodColours.mix(colours.axis(), colours.ink(), 0.25), 1.6f);
+            case LEFT -> edged(path, first, 5f);
+            case STEP -> edged(path, first, 3f);
+            case TESTED -> stroke(path, colours.focus(), 2.6f);
+            case MISSING -> wrong(path, line, MethodColours.VERMILLION, PixelMark.MISSING);
+            case EXTRA -> wrong(path, line, MethodColours.VERMILLION, PixelMark.EXTRA);
+            case ONLY_FIRST -> wrong(path, line, first, PixelMark.EXTRA);
+            case ONLY_SECOND -> wrong(path, line, second, PixelMark.MISSING);
+        }
+    }
+
+    private void stroke(Path2D path, Color colour, float width) {
+        g.setColor(colour);
+        g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.draw(path);
+    }
+
+    private void dashed(Path2D path, Color colour, float width, float dash) {
+        g.setColor(colour);
+        g.setStroke(
+                new BasicStroke(
+                        width,
+                        BasicStroke.CAP_BUTT,
+                        BasicStroke.JOIN_ROUND,
+                        10f,
+                        new float[] {dash, dash},
+                        0));
+        g.draw(path);
+    }
+
+    /** With an edge that is seen on the ground, whatever the colour. */
+    private void edged(Path2D path, Color colour, float width) {
+        stroke(path, MethodColours.edgeOn(colours.ground(), colour), width + 1.5f);
+        stroke(path, colour, width);
+    }
+
+    /** What is missing is dashed with rings, what is too much is whole with crosses. */
+    private void wrong(Path2D path, Drawn.Line line, Color colour, PixelMark mark) {
+        if (mark == PixelMark.MISSING) {
+            stroke(path, colours.ground(), 5f);
+            dashed(path, colour, 3.2f, 7);
+        } else stroke(path, colour, 2.4f);
+        Place from = line.points().get(0);
+        Place to = line.points().get(line.points().size() - 1);
+        double right = map.viewX(to.x()) - map.viewX(from.x());
+        double down = map.viewY(to.y()) - map.viewY(from.y());
+        boolean roomy = Math.hypot(right, down) >= ROOMY;
+        for (double share : roomy ? MARKED : MIDDLE) {
+            double x = map.viewX(from.x()) + share * right;
+            double y = map.viewY(from.y()) + share * down;
+            mark.paint(g, x - MARK / 2, y - MARK / 2, MARK);
+        }
+    }
+
+    private void paint(Drawn.Region region) {
+        Rectangle view = g.getClipBounds();
+        double left = Math.max(view.getMinX(), map.viewX(region.xmin()));
+        double right = Math.min(view.getMaxX(), map.viewX(region.xmax()));
+        double top = Math.max(view.getMinY(), map.viewY(region.ymax()));
+        double bottom = Math.min(view.getMaxY(), map.viewY(region.ymin()));
+        Font label = g.getFont();
+        g.setFont(label.deriveFont(label.getSize2D() * LARGER));
+        FontMetrics metrics = g.getFontMetrics();
+        int wide = metrics.stringWidth(region.words());
+        g.setColor(MethodColours.mix(colours.ground(), colours.axis(), 0.75));
+        if (right - left >= wide + 4 && bottom - top >= metrics.getHeight())
+            g.drawString(
+                    region.words(),
+                    (float) ((left + right - wide) / 2),
+                    (float) ((top + bottom + metrics.getAscent()) / 2 - 2));
+        g.setFont(label);
+    }
+
+    private void paint(Drawn.Sign sign) {
+        if (!inView.holds(sign.at())) return;
+        double x = map.viewX(sign.at().x());
+        double y = map.viewY(sign.at().y());
+        SignShapes.paint(
+                g,
+                sign.shape(),
+                x,
+                y,
+                Math.atan2(-sign.dy() * Math.abs(map.scaleY()), sign.dx() * map.scaleX()),
+                colours);
+        if (!sign.words().isEmpty()) plate(sign.words(), x + 12, y - 12);
+    }
+
+    private void paint(Drawn.Words words) {
+        if (inView.holds(words.at()))
+            plate(words.words(), map.viewX(words.at().x()), map.viewY(words.at().y()));
+    }
+
+    private void plate(String words, double x, double y) {
+        Color ground = colours.ground();
+        Plates.plate(
+                g,
+                words,
+                (int) x,
+                (int) y,
+                new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 215),
+                colours.ink());
+    }
+}

@@ -1,0 +1,106 @@
+package rasterlab.app.clip;
+
+import java.awt.BorderLayout;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.Actions;
+import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Hazard;
+
+/** The clipping lab as the window shows it, in one language. */
+public final class ClipPanel extends JPanel implements AutoCloseable {
+    private static final long serialVersionUID = 1L;
+
+    private final transient ClipLabModel model;
+    private final transient Texts texts;
+    private final ClipStage stage;
+    private final transient ClipInspector inspector;
+    private final StepPlayer player;
+    private final Actions actions;
+    private final Map<ClipMode, Chips> chips = new EnumMap<>(ClipMode.class);
+    private final transient Runnable unsubscribe;
+
+    /**
+     * @param onFailure told what a control could not do or painting threw, on any thread
+     */
+    public ClipPanel(ClipLabModel model, Language language, Consumer<Throwable> onFailure) {
+        super(new BorderLayout());
+        this.model = model;
+        setName("clip");
+        texts = Texts.of("clip", language);
+        stage = new ClipStage(model, texts, onFailure);
+        inspector = new ClipInspector(model, texts);
+        player = new StepPlayer(Texts.of("canvas", language), model, this::count);
+        actions = new Actions(Texts.of("canvas", language));
+        actions.add("undo", model::undo);
+        actions.add("reset", model::reset);
+        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
+        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        actions.add(
+                "copyCommand",
+                () -> Copying.text(ClipCommand.of(model.state().choice().scene()), onFailure));
+        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        player.bindKeys(stage);
+        unsubscribe = model.listen(state -> refresh());
+        refresh();
+    }
+
+    private String count() {
+        return model.step() == model.last()
+                ? texts.text("count.result")
+                : texts.text("count", model.step(), model.last() - 1);
+    }
+
+    /** Gives the keyboard to the point that had it last. */
+    public void focusPicture() {
+        stage.focusPoint();
+    }
+
+    /** Stops listening and playing; the model lives on. */
+    @Override
+    public void close() {
+        player.stop();
+        unsubscribe.run();
+        stage.close();
+    }
+
+    private void refresh() {
+        ClipMode mode = model.state().choice().mode();
+        chips.forEach((each, shown) -> shown.setVisible(each == mode));
+        stage.refresh();
+        inspector.refresh();
+        player.refresh();
+        actions.enable("undo", model.state().undoable());
+    }
+
+    private JPanel chips() {
+        var all = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, fillx", "[grow,fill]"));
+        all.setOpaque(false);
+        Texts translations = Texts.of("clip", "topic", texts.language());
+        for (ClipMode mode : ClipMode.values()) {
+            var row = new Chips(texts.text("hazards"));
+            for (Hazard<?> hazard : model.hazards(mode)) {
+                String key = "hazard." + mode.code() + "." + hazard.name();
+                row.add(
+                        hazard.name(),
+                        texts.textOr(key, hazard.name()),
+                        translations.textOr(key, hazard.description()),
+                        () -> model.show(mode, hazard.name()));
+            }
+            chips.put(mode, row);
+            all.add(row, "wmin 0, growx, wrap");
+        }
+        return all;
+    }
+}

@@ -1,0 +1,92 @@
+package rasterlab.app.clip;
+
+import java.awt.Graphics2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.BooleanSupplier;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.PlanePicture;
+import rasterlab.app.canvas.StageColours;
+
+/**
+ * What a stage shows of one method.
+ *
+ * @param method whose colour is what is left
+ * @param other a second method whose colour is what it alone left, "" for none
+ */
+record ClipPicture(List<Drawn> drawn, String method, String other, boolean ruled)
+        implements PlanePicture {
+    ClipPicture {
+        drawn = List.copyOf(drawn);
+    }
+
+    /** The chosen method beside the exact answer, or beside the second method. */
+    static ClipPicture first(ClipLabState state, Locale locale) {
+        ClipResults results = state.results();
+        boolean difference = state.choice().difference() && results.other().isPresent();
+        return difference
+                ? difference(results, results.other().orElseThrow(), state.step(), locale)
+                : of(results.scene(), results.clipping(), state.step(), locale);
+    }
+
+    /**
+     * A method beside the exact answer.
+     *
+     * @param step as {@link ClipLabState#step}
+     */
+    static ClipPicture of(ClipScene scene, Clipping clipping, int step, Locale locale) {
+        var wrong = new ArrayList<Drawn>();
+        add(wrong, scene, clipping.wrong().missing(), Drawn.Ink.MISSING);
+        add(wrong, scene, clipping.wrong().extra(), Drawn.Ink.EXTRA);
+        return of(scene, clipping, "", step, wrong, locale);
+    }
+
+    private static ClipPicture difference(
+            ClipResults results, Clipping other, int step, Locale locale) {
+        WrongParts between =
+                WrongParts.between(
+                        edges(results.scene(), other),
+                        edges(results.scene(), results.clipping()),
+                        results.unit());
+        var wrong = new ArrayList<Drawn>();
+        add(wrong, results.scene(), between.missing(), Drawn.Ink.ONLY_SECOND);
+        add(wrong, results.scene(), between.extra(), Drawn.Ink.ONLY_FIRST);
+        return of(results.scene(), results.clipping(), other.method(), step, wrong, locale);
+    }
+
+    private static List<double[]> edges(ClipScene scene, Clipping clipping) {
+        List<double[]> parts = clipping.parts().stream().map(Clipping.Part::coordinates).toList();
+        return scene instanceof PolygonScene ? PolygonClipping.edges(parts) : parts;
+    }
+
+    private static void add(
+            List<Drawn> wrong, ClipScene scene, List<double[]> edges, Drawn.Ink ink) {
+        List<double[]> shown =
+                scene instanceof VolumeScene volume
+                        ? VolumeDrawing.inPicture(volume, edges)
+                        : edges;
+        for (double[] edge : shown) wrong.add(Drawn.Line.of(edge, ink));
+    }
+
+    private static ClipPicture of(
+            ClipScene scene,
+            Clipping clipping,
+            String other,
+            int step,
+            List<Drawn> wrong,
+            Locale locale) {
+        List<Drawn> drawn;
+        if (scene instanceof SegmentScene segments)
+            drawn = SegmentDrawing.of(segments, clipping, step, wrong, locale);
+        else if (scene instanceof PolygonScene polygon)
+            drawn = PolygonDrawing.of(polygon, clipping, step, wrong);
+        else drawn = VolumeDrawing.of((VolumeScene) scene, clipping, step, wrong, locale);
+        return new ClipPicture(drawn, clipping.method(), other, scene.mode() != ClipMode.VOLUME);
+    }
+
+    @Override
+    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+        new ClipPainter(g, map, colours, method, other).paint(drawn, cancelled);
+    }
+}

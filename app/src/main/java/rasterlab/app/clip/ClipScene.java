@@ -1,0 +1,30 @@
+package rasterlab.app.clip;
+
+import java.util.Map;
+
+/** What one mode of the lab clips, and by which methods; immutable, with {@code equals}. */
+public sealed interface ClipScene permits SegmentScene, PolygonScene, VolumeScene {
+    ClipMode mode();
+
+    /** Name of the method whose steps are shown. */
+    String method();
+
+    /** Name of a second method, "" for none. */
+    String comparison();
+
+    ClipScene withMethod(String other);
+
+    ClipScene withComparison(String other);
+
+    /** Where the points that can be moved are in the picture; none may be finite. */
+    Map<Grip, Place> grips();
+
+    /** With one of the {@link #grips} elsewhere in the picture. */
+    ClipScene moved(Grip grip, Place to);
+
+    /** With one corner or segment more, beside what the grip belongs to. */
+    ClipScene grown(Grip beside);
+
+    /** Without the corner or segment that the grip belongs to; the same where it is needed. */
+    ClipScene without(Grip grip);
+}

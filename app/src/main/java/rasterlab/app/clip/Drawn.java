@@ -1,0 +1,69 @@
+package rasterlab.app.clip;
+
+import java.util.List;
+
+/** One thing in the picture, in plane coordinates; {@link ClipPainter} knows how it looks. */
+sealed interface Drawn {
+    /** What a line or an area stands for. */
+    enum Ink {
+        /** The window or volume and its sides. */
+        WINDOW,
+        /** An edge of the volume behind the others. */
+        HIDDEN,
+        /** A line that helps the eye: a side beyond its corners, a ray from the eye. */
+        HELP,
+        /** What is to be clipped. */
+        GIVEN,
+        /** What the method left. */
+        LEFT,
+        /** What the method has not yet cut off. */
+        STEP,
+        /** The side that the step tests. */
+        TESTED,
+        /** What is missing. */
+        MISSING,
+        /** What is too much. */
+        EXTRA,
+        /** What only the first of two methods left. */
+        ONLY_FIRST,
+        /** What only the second one left. */
+        ONLY_SECOND
+    }
+
+    /** What a sign says by its shape. */
+    enum Shape {
+        /** A filled arrow head: the segment enters here. */
+        ENTERING,
+        /** A hollow arrow head: it leaves here. */
+        LEAVING,
+        /** A dot: this point is tested. */
+        TESTED,
+        /** An eye. */
+        EYE
+    }
+
+    /** A line through points in turn, and back to the first one if it is closed. */
+    record Line(List<Place> points, boolean closed, Ink ink) implements Drawn {
+        static Line of(double[] ends, Ink ink) {
+            return new Line(PlaneFigures.points(ends), false, ink);
+        }
+    }
+
+    /** The inside of a closed line. */
+    record Area(List<Place> corners, Ink ink) implements Drawn {}
+
+    /**
+     * A sign.
+     *
+     * @param dx the way an arrow head points, with dy
+     * @param words beside it, "" for none
+     */
+    record Sign(Place at, double dx, double dy, Shape shape, String words) implements Drawn {}
+
+    /** Words in the middle of what is seen of a region, whose ends may be infinite. */
+    record Region(double xmin, double ymin, double xmax, double ymax, String words)
+            implements Drawn {}
+
+    /** Words at a place. */
+    record Words(Place at, String words) implements Drawn {}
+}

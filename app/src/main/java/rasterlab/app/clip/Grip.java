@@ -1,0 +1,42 @@
+package rasterlab.app.clip;
+
+/**
+ * A point of the scene that can be moved.
+ *
+ * @param index counted from 0: a corner of the window or of the polygon, or a segment
+ * @param end 0 or 1 for the first or second end of a segment, else 0
+ */
+public record Grip(Kind kind, int index, int end) {
+    /** What a grip belongs to. */
+    public enum Kind {
+        WINDOW,
+        CORNER,
+        END
+    }
+
+    static Grip window(int corner) {
+        return new Grip(Kind.WINDOW, corner, 0);
+    }
+
+    static Grip corner(int corner) {
+        return new Grip(Kind.CORNER, corner, 0);
+    }
+
+    static Grip end(int segment, int end) {
+        return new Grip(Kind.END, segment, end);
+    }
+
+    /** As people count: the window's corners by number, a segment's ends as A and B. */
+    public String label() {
+        return kind == Kind.END ? (end == 0 ? "A" : "B") + (index + 1) : String.valueOf(index + 1);
+    }
+
+    /** Name of the component that moves it. */
+    String componentName() {
+        return switch (kind) {
+            case WINDOW -> "window." + (index + 1);
+            case CORNER -> "corner." + (index + 1);
+            case END -> "end." + label();
+        };
+    }
+}

@@ -1,0 +1,54 @@
+package rasterlab.app.clip;
+
+import java.text.DecimalFormatSymbols;
+import java.util.Locale;
+import java.util.function.DoubleConsumer;
+import javax.swing.JSpinner;
+import javax.swing.SpinnerNumberModel;
+
+/** A number that can be typed, or changed by a step with the arrow keys. */
+final class NumberField extends JSpinner {
+    private static final long serialVersionUID = 1L;
+
+    private final transient DoubleConsumer changed;
+    private boolean refreshing;
+
+    /**
+     * @param name the component's name
+     * @param said its name for assistive technology
+     * @param changed told a number that the user enters
+     */
+    NumberField(
+            String name,
+            String said,
+            double low,
+            double high,
+            double step,
+            Locale locale,
+            DoubleConsumer changed) {
+        super(new SpinnerNumberModel(low, low, high, step));
+        this.changed = changed;
+        setLocale(locale);
+        var editor = new NumberEditor(this, "0.#####");
+        editor.getFormat().setDecimalFormatSymbols(DecimalFormatSymbols.getInstance(locale));
+        editor.getTextField().setColumns(4);
+        editor.getTextField().setName(name + ".text");
+        editor.getTextField().getAccessibleContext().setAccessibleName(said);
+        setEditor(editor);
+        setName(name);
+        getAccessibleContext().setAccessibleName(said);
+        setToolTipText(said);
+        addChangeListener(e -> tell());
+    }
+
+    private void tell() {
+        if (!refreshing) changed.accept(((Number) getValue()).doubleValue());
+    }
+
+    /** Shows a number without telling anybody. */
+    void show(double value) {
+        refreshing = true;
+        setValue(value);
+        refreshing = false;
+    }
+}

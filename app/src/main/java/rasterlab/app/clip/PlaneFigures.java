@@ -1,0 +1,32 @@
+package rasterlab.app.clip;
+
+import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+
+/** Points of the plane as arrays of coordinates and back. */
+final class PlaneFigures {
+    private PlaneFigures() {}
+
+    /**
+     * @param xy x and y of each point in turn
+     */
+    static List<Place> points(double[] xy) {
+        return IntStream.range(0, xy.length / 2)
+                .mapToObj(i -> new Place(xy[2 * i], xy[2 * i + 1]))
+                .toList();
+    }
+
+    /** x and y of each point in turn. */
+    static double[] xy(List<Place> points) {
+        return points.stream().flatMapToDouble(p -> DoubleStream.of(p.x(), p.y())).toArray();
+    }
+
+    /** A closed polygon with one corner more, in the middle of the edge behind that corner. */
+    static List<Place> grown(List<Place> corners, int corner) {
+        Place from = corners.get(corner);
+        Place to = corners.get((corner + 1) % corners.size());
+        var middle = new Place((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
+        return Lists.inserted(corners, corner + 1, middle);
+    }
+}

@@ -1,0 +1,92 @@
+package rasterlab.app.clip;
+
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.engine.clip.polygon.ConvexWindow;
+
+/** The picture of a polygon in a window. */
+final class PolygonDrawing {
+    /** How far a side is continued beyond its corners, in its lengths. */
+    private static final double BEYOND = 100;
+
+    private final PolygonScene scene;
+    private final List<Drawn> drawn = new ArrayList<>();
+
+    private PolygonDrawing(PolygonScene scene) {
+        this.scene = scene;
+    }
+
+    /**
+     * @param step as {@link ClipLabState#step}
+     * @param wrong marked when the result is shown
+     */
+    static List<Drawn> of(PolygonScene scene, Clipping clipping, int step, List<Drawn> wrong) {
+        var drawing = new PolygonDrawing(scene);
+        drawing.add(new Drawn.Area(scene.window().corners(), Drawn.Ink.WINDOW));
+        drawing.add(new Drawn.Area(scene.subject(), Drawn.Ink.GIVEN));
+        drawing.add(new Drawn.Line(scene.window().corners(), true, Drawn.Ink.WINDOW));
+        drawing.add(new Drawn.Line(scene.subject(), true, Drawn.Ink.GIVEN));
+        boolean finished = step > clipping.steps().size();
+        if (finished) drawing.pieces(clipping);
+        else if (step > 0) drawing.step(clipping.steps().get(step - 1));
+        if (finished) drawing.drawn.addAll(wrong);
+        return drawing.drawn;
+    }
+
+    private void add(Drawn one) {
+        drawn.add(one);
+    }
+
+    private void pieces(Clipping clipping) {
+        for (Clipping.Part part : clipping.parts()) {
+            List<Place> corners = PlaneFigures.points(part.coordinates());
+            add(new Drawn.Area(corners, Drawn.Ink.LEFT));
+            add(new Drawn.Line(corners, true, Drawn.Ink.LEFT));
+        }
+    }
+
+    private void step(ClipStep step) {
+        List<Place> corners = PlaneFigures.points(step.left());
+        boolean open = step.border() < 0;
+        if (!open) add(new Drawn.Area(corners, Drawn.Ink.LEFT));
+        if (!open)
+            add(Drawn.Line.of(continued(side(scene.window(), step.border())), Drawn.Ink.TESTED));
+        add(new Drawn.Line(corners, !open, Drawn.Ink.STEP));
+        if (step.passing() == ClipStep.Passing.BOTH) passage(step.places());
+    }
+
+    private void passage(double[] places) {
+        sign(places, 0, Drawn.Shape.ENTERING);
+        sign(places, 2, Drawn.Shape.LEAVING);
+    }
+
+    private void sign(double[] places, int at, Drawn.Shape shape) {
+        var place = new Place(places[at], places[at + 1]);
+        double[] way = inward(place);
+        double sense = shape == Drawn.Shape.ENTERING ? 1 : -1;
+        add(new Drawn.Sign(place, sense * way[0], sense * way[1], shape, ""));
+    }
+
+    /** From a place on the rim towards the middle of the window. */
+    private double[] inward(Place place) {
+        double[] xy = scene.window().xy();
+        double x = 0;
+        double y = 0;
+        for (int i = 0; i < xy.length; i += 2) {
+            x += 2 * xy[i] / xy.length;
+            y += 2 * xy[i + 1] / xy.length;
+        }
+        return new double[] {x - place.x(), y - place.y()};
+    }
+
+    /** The ends of a side of a convex window, counted as its methods do. */
+    static double[] side(ShownWindow window, int side) {
+        return Edges.around(ConvexWindow.of(window.xy()).xy()).get(side);
+    }
+
+    private static double[] continued(double[] side) {
+        double dx = BEYOND * (side[2] - side[0]);
+        double dy = BEYOND * (side[3] - side[1]);
+        return new double[] {side[0] - dx, side[1] - dy, side[2] + dx, side[3] + dy};
+    }
+}

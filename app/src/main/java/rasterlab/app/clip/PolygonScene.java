@@ -1,0 +1,95 @@
+package rasterlab.app.clip;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import rasterlab.engine.clip.polygon.PolygonInWindow;
+import rasterlab.engine.clip.segment.ClipWindow;
+
+/** A polygon, the subject, clipped by a window. */
+public record PolygonScene(
+        ShownWindow window, List<Place> subject, String method, String comparison)
+        implements ClipScene {
+    /** Corners the lab can show at once. */
+    static final int MOST = 40;
+
+    public PolygonScene {
+        subject = List.copyOf(subject);
+    }
+
+    /** A subject with three teeth in the window: three pieces are left. */
+    static PolygonScene first() {
+        double[] comb = {
+            -3.5, 0.3, 5, 0.8, 8.5, 2, -1.2, 1.6, -1.2, 2.8, 6.5, 3.2, 11.2, 4.4, -1.2, 4, -1.2, 5,
+            4.5, 5.2, 7.6, 7.6, -3.5, 7.2
+        };
+        return new PolygonScene(
+                ShownWindow.of(new ClipWindow(0, 0, 10, 6)),
+                PlaneFigures.points(comb),
+                "sutherland-hodgman",
+                "");
+    }
+
+    PolygonScene showing(PolygonInWindow input) {
+        return new PolygonScene(
+                ShownWindow.of(input.window()),
+                PlaneFigures.points(input.subject()),
+                method,
+                comparison);
+    }
+
+    PolygonScene shaped(boolean upright) {
+        return with(window.shaped(upright));
+    }
+
+    @Override
+    public ClipMode mode() {
+        return ClipMode.POLYGON;
+    }
+
+    @Override
+    public PolygonScene withMethod(String other) {
+        return new PolygonScene(window, subject, other, comparison);
+    }
+
+    @Override
+    public PolygonScene withComparison(String other) {
+        return new PolygonScene(window, subject, method, other);
+    }
+
+    private PolygonScene with(ShownWindow other) {
+        return new PolygonScene(other, subject, method, comparison);
+    }
+
+    private PolygonScene with(List<Place> other) {
+        return new PolygonScene(window, other, method, comparison);
+    }
+
+    @Override
+    public Map<Grip, Place> grips() {
+        var grips = new LinkedHashMap<Grip, Place>();
+        for (int i = 0; i < subject.size(); i++) grips.put(Grip.corner(i), subject.get(i));
+        for (int i = 0; i < window.corners().size(); i++)
+            grips.put(Grip.window(i), window.corners().get(i));
+        return grips;
+    }
+
+    @Override
+    public PolygonScene moved(Grip grip, Place to) {
+        return grip.kind() == Grip.Kind.WINDOW
+                ? with(window.moved(grip.index(), to))
+                : with(Lists.replaced(subject, grip.index(), to));
+    }
+
+    @Override
+    public PolygonScene grown(Grip beside) {
+        if (beside.kind() == Grip.Kind.WINDOW) return with(window.grown(beside.index()));
+        return subject.size() >= MOST ? this : with(PlaneFigures.grown(subject, beside.index()));
+    }
+
+    @Override
+    public PolygonScene without(Grip grip) {
+        if (grip.kind() == Grip.Kind.WINDOW) return with(window.without(grip.index()));
+        return subject.size() <= 3 ? this : with(Lists.removed(subject, grip.index()));
+    }
+}

@@ -1,0 +1,117 @@
+package rasterlab.app.clip;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import rasterlab.engine.clip.segment.ClipWindow;
+
+/** The picture of segments in a window. */
+final class SegmentDrawing {
+    /** Half of the length of what stands for an endless line, in window sizes. */
+    private static final double FAR = 1e4;
+
+    private final SegmentScene scene;
+    private final Locale locale;
+    private final List<Drawn> drawn = new ArrayList<>();
+
+    private SegmentDrawing(SegmentScene scene, Locale locale) {
+        this.scene = scene;
+        this.locale = locale;
+    }
+
+    /**
+     * @param step as {@link ClipLabState#step}
+     * @param wrong marked when the result is shown
+     */
+    static List<Drawn> of(
+            SegmentScene scene, Clipping clipping, int step, List<Drawn> wrong, Locale locale) {
+        var drawing = new SegmentDrawing(scene, locale);
+        drawing.window(scene.window());
+        if (scene.window().upright()) drawing.regions(scene.window().rectangle());
+        for (PlaneSegment segment : scene.segments())
+            drawing.add(Drawn.Line.of(segment.ends(), Drawn.Ink.GIVEN));
+        boolean finished = step > clipping.steps().size();
+        if (finished) drawing.parts(clipping, Integer.MAX_VALUE);
+        else if (step > 0) drawing.step(clipping, clipping.steps().get(step - 1));
+        if (finished) drawing.drawn.addAll(wrong);
+        return drawing.drawn;
+    }
+
+    private void add(Drawn one) {
+        drawn.add(one);
+    }
+
+    private void window(ShownWindow window) {
+        add(new Drawn.Area(window.corners(), Drawn.Ink.WINDOW));
+        if (window.upright())
+            for (int i = 0; i < 4; i++) add(endless(window.rectangle(), i, Drawn.Ink.HELP));
+        add(new Drawn.Line(window.corners(), true, Drawn.Ink.WINDOW));
+    }
+
+    /** The line that holds a side of a rectangle. */
+    private static Drawn endless(ClipWindow sides, int side, Drawn.Ink ink) {
+        double far = FAR * sides.unit();
+        double x = side == 1 ? sides.xmax() : sides.xmin();
+        double y = side == 2 ? sides.ymax() : sides.ymin();
+        return side % 2 == 0
+                ? Drawn.Line.of(new double[] {sides.xmin() - far, y, sides.xmax() + far, y}, ink)
+                : Drawn.Line.of(new double[] {x, sides.ymin() - far, x, sides.ymax() + far}, ink);
+    }
+
+    /** The codes of the nine regions. */
+    private void regions(ClipWindow w) {
+        double[] xs = {Double.NEGATIVE_INFINITY, w.xmin(), w.xmax(), Double.POSITIVE_INFINITY};
+        double[] ys = {Double.NEGATIVE_INFINITY, w.ymin(), w.ymax(), Double.POSITIVE_INFINITY};
+        for (int column = 0; column < 3; column++)
+            for (int row = 0; row < 3; row++)
+                add(
+                        new Drawn.Region(
+                                xs[column],
+                                ys[row],
+                                xs[column + 1],
+                                ys[row + 1],
+                                Codes.bits(code(w, column, row), 4)));
+    }
+
+    /** The code of any point of a region: beyond the sides by a window's size or half inside. */
+    private static int code(ClipWindow w, int column, int row) {
+        double[] xs = {w.xmin() - w.unit(), w.xmin(), w.xmax() + w.unit()};
+        double[] ys = {w.ymin() - w.unit(), w.ymin(), w.ymax() + w.unit()};
+        return w.code(xs[column], ys[row]);
+    }
+
+    /** What is left of the segments before one. */
+    private void parts(Clipping clipping, int before) {
+        for (Clipping.Part part : clipping.parts())
+            if (part.item() < before) add(Drawn.Line.of(part.coordinates(), Drawn.Ink.LEFT));
+    }
+
+    private void step(Clipping clipping, ClipStep step) {
+        parts(clipping, step.item());
+        if (step.border() >= 0) add(tested(step.border()));
+        add(Drawn.Line.of(step.left(), Drawn.Ink.STEP));
+        double[] ends = scene.segments().get(step.item()).ends();
+        if (step.places().length > 0)
+            add(
+                    new Drawn.Sign(
+                            new Place(step.places()[0], step.places()[1]),
+                            ends[2] - ends[0],
+                            ends[3] - ends[1],
+                            shape(step.passing()),
+                            Codes.decision(clipping.decidesByCode(), step, locale)));
+    }
+
+    static Drawn.Shape shape(ClipStep.Passing passing) {
+        return switch (passing) {
+            case ENTERING -> Drawn.Shape.ENTERING;
+            case LEAVING -> Drawn.Shape.LEAVING;
+            case BOTH, NONE -> Drawn.Shape.TESTED;
+        };
+    }
+
+    private Drawn tested(int border) {
+        if (scene.window().upright())
+            return endless(scene.window().rectangle(), border, Drawn.Ink.TESTED);
+        return Drawn.Line.of(PolygonDrawing.side(scene.window(), border), Drawn.Ink.TESTED);
+    }
+}

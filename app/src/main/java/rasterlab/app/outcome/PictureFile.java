@@ -1,0 +1,63 @@
+package rasterlab.app.outcome;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Iterator;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import rasterlab.engine.texture.Texture;
+
+/** Pictures that textures are made of: PNG and JPEG. */
+public final class PictureFile {
+    private PictureFile() {}
+
+    /**
+     * Reads a picture; one that is too large is refused before its pixels are read.
+     *
+     * @return with alpha where the picture has any
+     * @throws Complaint if there is no such file, or it is no picture, broken or too large
+     */
+    public static Texture texture(Path file) {
+        BufferedImage image = read(file);
+        int width = image.getWidth();
+        int height = image.getHeight();
+        var texels = new int[width * height];
+        for (int y = 0; y < height; y++)
+            image.getRGB(0, y, width, 1, texels, (height - 1 - y) * width, width);
+        return Texture.of(width, height, image.getColorModel().hasAlpha() ? 4 : 3, texels);
+    }
+
+    private static BufferedImage read(Path file) {
+        if (Files.isDirectory(file))
+            throw Complaint.badInput(file + ": is a folder, not a picture");
+        if (!Files.isReadable(file)) throw Complaint.badInput(file + ": no such file to read");
+        try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
+            Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
+            if (!readers.hasNext())
+                throw Complaint.badInput(file + ": is not a PNG or JPEG picture");
+            return read(file, readers.next(), in);
+        } catch (IOException | RuntimeException e) {
+            if (e instanceof Complaint complaint) throw complaint;
+            throw Complaint.badInput(file + ": is a broken picture: " + e.getMessage());
+        }
+    }
+
+    private static BufferedImage read(Path file, ImageReader reader, ImageInputStream in)
+            throws IOException {
+        try {
+            reader.setInput(in);
+            int width = reader.getWidth(0);
+            int height = reader.getHeight(0);
+            if (width > Texture.LARGEST || height > Texture.LARGEST)
+                throw Complaint.badInput(
+                        "%s: has %d×%d pixels; a texture has from 1×1 to %d×%d"
+                                .formatted(file, width, height, Texture.LARGEST, Texture.LARGEST));
+            return reader.read(0);
+        } finally {
+            reader.dispose();
+        }
+    }
+}

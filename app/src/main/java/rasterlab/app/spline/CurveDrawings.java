@@ -1,0 +1,64 @@
+package rasterlab.app.spline;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import rasterlab.contract.Curve;
+import rasterlab.engine.spline.CurveTopic;
+import rasterlab.engine.spline.Polyline;
+
+/**
+ * What was drawn for one choice, both methods beside the exact curves.
+ *
+ * @param exact each curve as the topic's reference draws it, fine enough for a picture
+ * @param other by the second method, if one is compared
+ * @param joints of all spans, in order; none where there are too many to be shown
+ */
+public record CurveDrawings(
+        CurveChoice choice,
+        List<Polyline> exact,
+        CurveDrawing drawing,
+        Optional<CurveDrawing> other,
+        List<Joint> joints,
+        CurvatureComb comb) {
+    /** A picture's flatness as a share of the points' extent. */
+    private static final double FINE = 1.0 / 4000;
+
+    static CurveDrawings of(CurveTopic topic, CurveChoice choice, BooleanSupplier cancelled) {
+        List<Curve> curves = choice.curves();
+        Extent extent = choice.extent();
+        var shown = new ArrayList<Polyline>();
+        var wanted = new ArrayList<Polyline>();
+        for (Curve curve : curves) {
+            requireUse(cancelled);
+            double flatness = Math.max(FINE * extent.diagonal(), 1e-99);
+            shown.add(topic.exact(Sampling.flat(flatness).task(curve), CurveDrawing.LIMIT));
+            requireUse(cancelled);
+            wanted.add(topic.exact(choice.sampling().task(curve), CurveDrawing.LIMIT));
+        }
+        requireUse(cancelled);
+        CurveDrawing drawing =
+                CurveDrawing.of(topic, choice.method(), curves, choice.sampling(), wanted);
+        requireUse(cancelled);
+        Optional<CurveDrawing> other =
+                Optional.of(choice.comparison())
+                        .filter(name -> !name.isEmpty())
+                        .map(
+                                name ->
+                                        CurveDrawing.of(
+                                                topic, name, curves, choice.sampling(), wanted));
+        return new CurveDrawings(
+                choice,
+                List.copyOf(shown),
+                drawing,
+                other,
+                Joint.all(curves),
+                CurvatureComb.of(curves, extent.diagonal()));
+    }
+
+    private static void requireUse(BooleanSupplier cancelled) {
+        if (cancelled.getAsBoolean()) throw new CancellationException("a newer choice was made");
+    }
+}

@@ -1,0 +1,234 @@
+package rasterlab.app.spline;
+
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import javax.swing.JCheckBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.FormulaView;
+import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.MethodChooser;
+import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.NumberSlider;
+import rasterlab.app.language.Texts;
+import rasterlab.contract.CurveTracer;
+import rasterlab.engine.spline.SteppedCurve;
+import rasterlab.engine.study.Method;
+
+/** The curve lab's choosers, live numbers, matrices and the explanation of the chosen method. */
+final class CurveInspector {
+    private static final int FIRST_STEPS = 12;
+    private static final double FIRST_FLATNESS = 5;
+
+    private final CurveLabModel model;
+    private final Texts texts;
+    private final Texts translations;
+    private final Inspector column;
+    private final NameChooser form;
+    private final NameChooser joining;
+    private final MethodChooser method;
+    private final MethodChooser comparison;
+    private final NameChooser sampling;
+    private final NumberSlider flatness;
+    private final NumberSlider steps;
+    private final NumberSlider t;
+    private final JCheckBox construction;
+    private final JCheckBox comb;
+    private final JCheckBox hull;
+    private final JLabel segments;
+    private final JLabel error;
+    private final JLabel other;
+    private final JLabel decision;
+    private final JLabel joints;
+    private final JLabel span;
+    private final JLabel point;
+    private final JLabel derivative;
+    private final JLabel curvature;
+    private final JLabel noMatrix;
+    private final FormulaView formulas = new FormulaView("formulas");
+    private final BlendingChart blending;
+    private final AboutText about;
+
+    CurveInspector(CurveLabModel model, Texts texts, Consumer<SplineMode> onMode) {
+        this.model = model;
+        this.texts = texts;
+        translations = Texts.of("spline", "topic", texts.language());
+        column = new Inspector(texts);
+        var parts = new InspectorParts(column, texts);
+        parts.mode(SplineMode.CURVE, onMode);
+        List<String> names = model.methods().stream().map(Method::name).toList();
+        form = form(parts);
+        joining = joining(parts);
+        method = new MethodChooser("method", "", names, model::chooseMethod);
+        column.row("method", method);
+        comparison = new MethodChooser("comparison", texts.text("none"), names, model::compareWith);
+        column.row("comparison", comparison);
+        sampling = parts.names("sampling", List.of("flat", "equal"), this::sample);
+        flatness = flatness(parts);
+        steps = steps(parts);
+        t = parts.slider("t", 0, 1, false, 500, model::goToT);
+        construction =
+                parts.box("construction", on -> model.overlay(overlays().withConstruction(on)));
+        comb = parts.box("comb", on -> model.overlay(overlays().withComb(on)));
+        hull = parts.box("hull", on -> model.overlay(overlays().withHull(on)));
+        addBoxes();
+
+        column.heading("heading.polyline");
+        segments = column.value("segments");
+        error = column.value("error");
+        other = column.value("other");
+        decision = column.value("decision");
+        joints = column.value("joints");
+
+        column.heading("heading.at");
+        span = column.value("span");
+        point = column.value("point");
+        derivative = column.value("derivative");
+        curvature = column.value("curvature");
+
+        noMatrix = new JLabel(texts.text("noMatrix"));
+        blending = new BlendingChart(texts.text("blending"));
+        about = new AboutText("about", texts.language());
+        addMatricesAndAbout();
+    }
+
+    private NameChooser form(InspectorParts parts) {
+        return parts.names(
+                "form",
+                Stream.of(CurveForm.values()).map(CurveForm::code).toList(),
+                code -> model.chooseForm(CurveForm.named(code)));
+    }
+
+    private NameChooser joining(InspectorParts parts) {
+        return parts.names(
+                "joining",
+                Stream.of(CurveJoining.values()).map(Enum::name).toList(),
+                name -> model.chooseJoining(CurveJoining.valueOf(name)));
+    }
+
+    private NumberSlider flatness(InspectorParts parts) {
+        return parts.slider(
+                "flatness",
+                Sampling.FINEST,
+                Sampling.COARSEST,
+                true,
+                100,
+                pixels -> model.sample(Sampling.flat(pixels)));
+    }
+
+    private NumberSlider steps(InspectorParts parts) {
+        return parts.slider(
+                "steps",
+                1,
+                Sampling.MOST_STEPS,
+                false,
+                Sampling.MOST_STEPS - 1,
+                count -> model.sample(Sampling.equal((int) Math.round(count))));
+    }
+
+    private void addMatricesAndAbout() {
+        column.heading("heading.matrix");
+        noMatrix.setName("noMatrix");
+        column.wide(noMatrix);
+        column.wide(formulas);
+        column.wide(blending);
+        column.heading("heading.about");
+        column.wide(about);
+    }
+
+    private void addBoxes() {
+        var row = new JPanel(new MigLayout("insets 0, gap 8", "[][][]push"));
+        for (JCheckBox box : List.of(construction, comb, hull)) row.add(box);
+        column.wide(row);
+    }
+
+    private CurveOverlays overlays() {
+        return model.state().choice().overlays();
+    }
+
+    private void sample(String how) {
+        boolean flat = how.equals("flat");
+        if (flat == model.state().choice().sampling().isFlat()) return;
+        model.sample(flat ? Sampling.flat(FIRST_FLATNESS) : Sampling.equal(FIRST_STEPS));
+    }
+
+    Inspector column() {
+        return column;
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        CurveLabState state = model.state();
+        var readings = new CurveReadings(state, texts, translations);
+        showChoice(state.choice(), readings);
+        segments.setText(readings.segments());
+        error.setText(readings.error());
+        column.showRow(other, state.drawings().other().isPresent());
+        other.setText(readings.other());
+        decision.setText(readings.decision());
+        column.showRow(joints, !state.drawings().joints().isEmpty());
+        joints.setText(readings.joints());
+        span.setText(readings.span());
+        point.setText(readings.point());
+        derivative.setText(readings.derivative());
+        curvature.setText(readings.curvature());
+        boolean known = state.at().form().isPresent();
+        noMatrix.setVisible(!known);
+        formulas.setVisible(known);
+        blending.setVisible(known);
+        state.at()
+                .form()
+                .ifPresent(
+                        shown -> {
+                            formulas.show(
+                                    new CurveFormulas(shown, state.at().place(), texts.locale())
+                                            .lines());
+                            blending.show(shown);
+                        });
+        explain(state);
+    }
+
+    private void showChoice(CurveChoice choice, CurveReadings readings) {
+        form.show(choice.form().code());
+        joining.show(choice.joining().name());
+        column.showRow(joining, choice.form() == CurveForm.PIECES);
+        method.show(choice.method());
+        comparison.show(choice.comparison());
+        boolean flat = choice.sampling().isFlat();
+        sampling.show(flat ? "flat" : "equal");
+        column.showRow(flatness, flat);
+        column.showRow(steps, !flat);
+        if (flat) flatness.show(choice.sampling().flatness(), readings.flatness());
+        else steps.show(choice.sampling().steps(), String.valueOf(choice.sampling().steps()));
+        t.show(model.state().t(), readings.t());
+        construction.setSelected(choice.overlays().construction());
+        comb.setSelected(choice.overlays().comb());
+        hull.setSelected(choice.overlays().hull());
+    }
+
+    private void explain(CurveLabState state) {
+        Method<CurveTracer> chosen =
+                model.methods().stream()
+                        .filter(each -> each.name().equals(state.choice().method()))
+                        .findFirst()
+                        .orElseThrow();
+        CurveDrawing drawing = state.drawing();
+        boolean refused =
+                drawing.method().equals(chosen.name())
+                        && drawing.ending() == CurveDrawing.Ending.REFUSED;
+        about.show(
+                translations,
+                chosen,
+                decisionFormula(chosen),
+                refused ? Refusals.said(translations, drawing.message()) : "");
+    }
+
+    private String decisionFormula(Method<CurveTracer> chosen) {
+        return chosen.implementation() instanceof SteppedCurve stepped
+                ? translations.textOr("decision." + chosen.name(), stepped.decisionFormula())
+                : "";
+    }
+}

@@ -1,0 +1,234 @@
+package rasterlab.app.spline;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Steps;
+import rasterlab.contract.CurveTracer;
+import rasterlab.engine.spline.CurveTask;
+import rasterlab.engine.spline.CurveTopic;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+
+/**
+ * The lab of curves without its window: which points, which method, which t.
+ *
+ * <p>Drawing runs on a thread of the model's own; answers and commands all run on the thread of the
+ * executor it is given. Each change publishes a new immutable {@link CurveLabState}, first with the
+ * choice, then with what it draws. The steps are the points that the method sends: going to one
+ * goes to its t.
+ */
+public final class CurveLabModel implements Steps, AutoCloseable {
+    private static final double FIRST_T = 0.4;
+    private static final double FIRST_FLATNESS = 5;
+
+    private final CurveTopic topic = new CurveTopic();
+    private final CurveChoice first =
+            new CurveChoice(
+                    CurveForm.BEZIER,
+                    FirstCurves.points(CurveForm.BEZIER),
+                    CurveJoining.C1,
+                    Sampling.flat(FIRST_FLATNESS),
+                    topic.method("adaptive").name(),
+                    "",
+                    new CurveOverlays(true, true, false));
+    private final LatestOnly<CurveChoice, CurveDrawings> drawings;
+    private final History<CurveChoice> history = new History<>();
+    private final List<Consumer<CurveLabState>> listeners = new ArrayList<>();
+    private CurveLabState state;
+
+    /**
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what drawing threw, on any thread
+     */
+    public CurveLabModel(Executor events, Consumer<Throwable> onFailure) {
+        state = state(first, CurveDrawings.of(topic, first, () -> false), FIRST_T, 0);
+        drawings =
+                new LatestOnly<>(
+                        "curve",
+                        (choice, cancelled) -> CurveDrawings.of(topic, choice, cancelled),
+                        (choice, answer) -> events.execute(() -> accept(answer)),
+                        onFailure);
+    }
+
+    public CurveLabState state() {
+        return state;
+    }
+
+    public List<Method<CurveTracer>> methods() {
+        return topic.methods();
+    }
+
+    public List<Hazard<CurveTask>> hazards() {
+        return topic.hazards();
+    }
+
+    /** Tells the listener each new state from now on; the answer ends that. */
+    public Runnable listen(Consumer<CurveLabState> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /** Moves a handle; between {@link #beginDrag} and {@link #endDrag} all moves are one change. */
+    public void move(int handle, double x, double y) {
+        change(state.choice().moved(handle, new Place(x, y)), false);
+    }
+
+    /** One point or piece more, where the form has room for it. */
+    public void add(double x, double y) {
+        change(state.choice().added(new Place(x, y)), false);
+    }
+
+    /** A point, or a piece with it, less; where the form can do without it. */
+    public void remove(int handle) {
+        change(state.choice().removed(handle), false);
+    }
+
+    public void beginDrag() {
+        history.beginDrag(state.choice());
+    }
+
+    public void endDrag() {
+        history.endDrag(state.choice());
+        publish(state(state.choice(), state.drawings(), state.t(), state.arrangement()));
+    }
+
+    public void show(CurveTask task) {
+        change(state.choice().withTask(task), true);
+    }
+
+    public void chooseForm(CurveForm form) {
+        change(state.choice().withForm(form), true);
+    }
+
+    public void chooseJoining(CurveJoining joining) {
+        change(state.choice().withJoining(joining), false);
+    }
+
+    public void sample(Sampling sampling) {
+        change(state.choice().withSampling(sampling), false);
+    }
+
+    /**
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void chooseMethod(String method) {
+        change(state.choice().withMethod(topic.method(method).name()), false);
+    }
+
+    /**
+     * @param method a method's name, "" for none
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void compareWith(String method) {
+        if (!method.isEmpty()) topic.method(method);
+        change(state.choice().withComparison(method), false);
+    }
+
+    public void overlay(CurveOverlays overlays) {
+        change(state.choice().withOverlays(overlays), false);
+    }
+
+    /**
+     * @param t over all curves; one outside [0, 1] goes to the nearer end
+     */
+    public void goToT(double t) {
+        double next = Math.max(0, Math.min(1, t));
+        if (next != state.t())
+            publish(state(state.choice(), state.drawings(), next, state.arrangement()));
+    }
+
+    public void undo() {
+        history.undo().ifPresent(choice -> draw(choice, state.arrangement() + 1));
+    }
+
+    /** Back to how the lab opens; can be undone. */
+    public void reset() {
+        change(first, true);
+        goToT(FIRST_T);
+    }
+
+    /** Waits until every choice so far is drawn or dropped. Any other thread. */
+    public void settle() throws InterruptedException {
+        drawings.settle();
+    }
+
+    /** Ends the thread. */
+    @Override
+    public void close() {
+        drawings.close();
+    }
+
+    @Override
+    public int first() {
+        return 0;
+    }
+
+    @Override
+    public int last() {
+        return state.drawing().segments();
+    }
+
+    @Override
+    public int step() {
+        return state.step();
+    }
+
+    @Override
+    public void goTo(int step) {
+        List<CurveDrawing.Corner> points = state.drawing().points();
+        if (!points.isEmpty()) goToT(points.get(Math.max(0, Math.min(last(), step))).t());
+    }
+
+    @Override
+    public boolean turnsRound() {
+        return false;
+    }
+
+    private void change(CurveChoice next, boolean arrange) {
+        if (next.equals(state.choice()) && !arrange) return;
+        if (!next.equals(state.choice())) history.remember(state.choice());
+        draw(next, state.arrangement() + (arrange ? 1 : 0));
+    }
+
+    private void draw(CurveChoice choice, int arrangement) {
+        publish(state(choice, state.drawings(), state.t(), arrangement));
+        drawings.ask(choice);
+    }
+
+    private void accept(CurveDrawings drawn) {
+        publish(state(state.choice(), drawn, state.t(), state.arrangement()));
+    }
+
+    private CurveLabState state(
+            CurveChoice choice, CurveDrawings drawn, double t, int arrangement) {
+        return new CurveLabState(
+                choice,
+                drawn,
+                t,
+                CurveAt.of(drawn.choice().curves(), t),
+                reached(drawn.drawing().points(), t),
+                !history.isEmpty(),
+                arrangement);
+    }
+
+    /** Index of the last point whose t is not beyond {@code t}; 0 where there is none. */
+    private static int reached(List<CurveDrawing.Corner> points, double t) {
+        int low = 0;
+        int high = points.size() - 1;
+        while (low < high) {
+            int middle = (low + high + 1) / 2;
+            if (points.get(middle).t() <= t) low = middle;
+            else high = middle - 1;
+        }
+        return low;
+    }
+
+    private void publish(CurveLabState next) {
+        state = next;
+        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+    }
+}

@@ -1,0 +1,26 @@
+package rasterlab.app.spline;
+
+/**
+ * What the lab shows at one moment.
+ *
+ * @param choice the newest one
+ * @param drawings the newest finished ones, maybe of an earlier choice
+ * @param t where the construction is shown, in [0, 1] over all curves
+ * @param at what is at t of the drawings' curves
+ * @param step the last of the drawing's points whose t is not beyond; 0 where there is none
+ * @param undoable whether there is something to undo
+ * @param arrangement changes when the stage should show the whole curve again
+ */
+public record CurveLabState(
+        CurveChoice choice,
+        CurveDrawings drawings,
+        double t,
+        CurveAt at,
+        int step,
+        boolean undoable,
+        int arrangement) {
+    /** What the chosen method drew. */
+    public CurveDrawing drawing() {
+        return drawings.drawing();
+    }
+}

@@ -1,0 +1,252 @@
+package rasterlab.app.spline;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.PlanePicture;
+import rasterlab.app.canvas.Plates;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.engine.spline.ControlHull;
+import rasterlab.engine.spline.PointStep;
+import rasterlab.engine.spline.Polyline;
+
+/**
+ * Curves, what the methods drew of them, and what happens at t.
+ *
+ * @param step the last point of the polyline that is drawn in full colour
+ */
+record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements PlanePicture {
+    private static final BasicStroke THIN = stroke(1f);
+    private static final BasicStroke EXACT = stroke(1.5f);
+    private static final BasicStroke THICK = stroke(5f);
+    private static final BasicStroke DASHED =
+            new BasicStroke(
+                    1.2f,
+                    BasicStroke.CAP_BUTT,
+                    BasicStroke.JOIN_ROUND,
+                    1f,
+                    new float[] {5f, 4f},
+                    0f);
+
+    /** More corners than so many would cover the curve. */
+    private static final int MOST_CORNERS = 400;
+
+    private static final int MOST_SQUARES = 100;
+
+    private static BasicStroke stroke(float width) {
+        return new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    }
+
+    @Override
+    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+        CurveOverlays overlays = drawings.choice().overlays();
+        if (overlays.hull()) paintHull(g, map, colours);
+        paintPolygon(g, map, colours);
+        if (overlays.comb()) paintComb(g, map, colours);
+        requireUse(cancelled);
+        drawings.other().ifPresent(other -> paintOther(g, map, colours, other));
+        paintPolyline(g, map, colours, drawings.drawing());
+        requireUse(cancelled);
+        paintExact(g, map, colours);
+        if (overlays.construction()) paintConstruction(g, map, colours);
+        paintPoint(g, map, colours);
+        paintJoints(g, map, colours);
+    }
+
+    private static void requireUse(BooleanSupplier cancelled) {
+        if (cancelled.getAsBoolean()) throw new CancellationException("a newer frame is asked for");
+    }
+
+    /** Around the Bézier points of the span that t lies in. */
+    private void paintHull(Graphics2D g, PlaneMap map, StageColours colours) {
+        PointStep points = at.construction().get(0);
+        var hull = new Path2D.Double();
+        for (int corner : ControlHull.of(points.x(), points.y()))
+            to(hull, map.viewX(points.x()[corner]), map.viewY(points.y()[corner]));
+        hull.closePath();
+        g.setColor(faded(colours.axis(), 45));
+        g.fill(hull);
+        g.setColor(colours.axis());
+        g.setStroke(THIN);
+        g.draw(hull);
+    }
+
+    /** The lines between the control points; of Hermite's form the two derivatives. */
+    private void paintPolygon(Graphics2D g, PlaneMap map, StageColours colours) {
+        List<Place> handles = drawings.choice().handles();
+        boolean hermite = drawings.choice().form() == CurveForm.HERMITE;
+        g.setColor(colours.axis());
+        g.setStroke(DASHED);
+        var polygon = new Path2D.Double();
+        for (int i = 0; i < handles.size(); i++) {
+            Place from = handles.get(hermite ? i & 1 : i);
+            if (hermite && i >= 2) polygon.moveTo(map.viewX(from.x()), map.viewY(from.y()));
+            if (!hermite || i >= 2)
+                to(polygon, map.viewX(handles.get(i).x()), map.viewY(handles.get(i).y()));
+        }
+        if (polygon.getCurrentPoint() != null) g.draw(polygon);
+    }
+
+    private void paintComb(Graphics2D g, PlaneMap map, StageColours colours) {
+        Color colour = MethodColours.edgeOn(colours.ground(), MethodColours.PURPLE);
+        var teeth = new Path2D.Double();
+        var edge = new Path2D.Double();
+        for (CurvatureComb.Tooth tooth : drawings.comb().teeth()) {
+            double outX = map.viewX(tooth.outX());
+            double outY = map.viewY(tooth.outY());
+            teeth.moveTo(map.viewX(tooth.x()), map.viewY(tooth.y()));
+            teeth.lineTo(outX, outY);
+            if (tooth.first()) edge.moveTo(outX, outY);
+            else to(edge, outX, outY);
+        }
+        g.setStroke(THIN);
+        g.setColor(faded(colour, 110));
+        g.draw(teeth);
+        g.setColor(colour);
+        g.draw(edge);
+    }
+
+    /** Pale as a whole, in full colour as far as the steps have come. */
+    private void paintPolyline(
+            Graphics2D g, PlaneMap map, StageColours colours, CurveDrawing drawing) {
+        List<CurveDrawing.Corner> corners = drawing.points();
+        Color colour = MethodColours.of(drawing.method());
+        g.setStroke(THICK);
+        g.setColor(MethodColours.mix(colour, colours.ground(), 0.55));
+        g.draw(path(corners, map));
+        g.setColor(colour);
+        g.draw(path(corners.subList(0, Math.min(step + 1, corners.size())), map));
+        if (corners.size() > MOST_CORNERS) return;
+        for (int i = 0; i < corners.size(); i++) {
+            Color fill = i <= step ? colour : MethodColours.mix(colour, colours.ground(), 0.55);
+            dot(g, map, corners.get(i).x(), corners.get(i).y(), 4, fill, colours);
+        }
+    }
+
+    private void paintOther(
+            Graphics2D g, PlaneMap map, StageColours colours, CurveDrawing drawing) {
+        Color colour = MethodColours.edgeOn(colours.ground(), MethodColours.of(drawing.method()));
+        g.setStroke(stroke(2.5f));
+        g.setColor(colour);
+        g.draw(path(drawing.points(), map));
+        if (drawing.points().size() > MOST_SQUARES) return;
+        for (CurveDrawing.Corner corner : drawing.points()) {
+            var square =
+                    new Rectangle2D.Double(
+                            map.viewX(corner.x()) - 4, map.viewY(corner.y()) - 4, 8, 8);
+            g.setStroke(stroke(1.5f));
+            g.draw(square);
+        }
+    }
+
+    private void paintExact(Graphics2D g, PlaneMap map, StageColours colours) {
+        g.setColor(colours.ink());
+        g.setStroke(EXACT);
+        for (Polyline curve : drawings.exact()) {
+            var path = new Path2D.Double();
+            for (int i = 0; i < curve.size(); i++)
+                to(path, map.viewX(curve.x(i)), map.viewY(curve.y(i)));
+            if (path.getCurrentPoint() != null) g.draw(path);
+        }
+    }
+
+    /** De Casteljau's triangle, each row darker than the one above. */
+    private void paintConstruction(Graphics2D g, PlaneMap map, StageColours colours) {
+        Color colour = MethodColours.edgeOn(colours.ground(), MethodColours.GREEN);
+        List<PointStep> rows = at.construction();
+        for (int row = 0; row < rows.size() - 1; row++) {
+            PointStep points = rows.get(row);
+            double share =
+                    rows.size() <= 2 ? 0 : 0.45 * (rows.size() - 2 - row) / (rows.size() - 2);
+            Color shade = MethodColours.mix(colour, colours.ground(), share);
+            var path = new Path2D.Double();
+            for (int i = 0; i < points.x().length; i++)
+                to(path, map.viewX(points.x()[i]), map.viewY(points.y()[i]));
+            g.setColor(shade);
+            g.setStroke(stroke(1.8f));
+            g.draw(path);
+            if (row > 0 && rows.size() <= 12)
+                for (int i = 0; i < points.x().length; i++)
+                    dot(g, map, points.x()[i], points.y()[i], 3.5, shade, colours);
+        }
+    }
+
+    private void paintPoint(Graphics2D g, PlaneMap map, StageColours colours) {
+        double x = at.place().x();
+        double y = at.place().y();
+        dot(g, map, x, y, 6, MethodColours.VERMILLION, colours);
+    }
+
+    /** What the joints are, beside them. */
+    private void paintJoints(Graphics2D g, PlaneMap map, StageColours colours) {
+        g.setFont(g.getFont().deriveFont(Font.BOLD));
+        FontMetrics metrics = g.getFontMetrics();
+        for (Joint joint : drawings.joints()) {
+            String kind = JointText.of(joint.kind());
+            double x = map.viewX(joint.x());
+            double y = map.viewY(joint.y());
+            if (!(Math.abs(x) < 1e5 && Math.abs(y) < 1e5)) continue;
+            Plates.plate(
+                    g,
+                    kind,
+                    (int) Math.round(x) - metrics.stringWidth(kind) / 2,
+                    (int) Math.round(y) + metrics.getAscent() + 16,
+                    colours.margin(),
+                    colours.ink());
+            dot(g, map, joint.x(), joint.y(), 4, colours.ground(), colours);
+        }
+    }
+
+    private static Path2D path(List<CurveDrawing.Corner> corners, PlaneMap map) {
+        var path = new Path2D.Double();
+        path.moveTo(-10, -10);
+        boolean first = true;
+        for (CurveDrawing.Corner corner : corners) {
+            double x = map.viewX(corner.x());
+            double y = map.viewY(corner.y());
+            if (first) path.moveTo(x, y);
+            else path.lineTo(x, y);
+            first = false;
+        }
+        return path;
+    }
+
+    /** Moves there first, then draws lines there. */
+    private static void to(Path2D path, double viewX, double viewY) {
+        if (path.getCurrentPoint() == null) path.moveTo(viewX, viewY);
+        else path.lineTo(viewX, viewY);
+    }
+
+    private static void dot(
+            Graphics2D g,
+            PlaneMap map,
+            double x,
+            double y,
+            double radius,
+            Color fill,
+            StageColours colours) {
+        double left = map.viewX(x) - radius;
+        double top = map.viewY(y) - radius;
+        Shape dot = new Ellipse2D.Double(left, top, 2 * radius, 2 * radius);
+        g.setColor(fill);
+        g.fill(dot);
+        g.setColor(colours.ink());
+        g.setStroke(THIN);
+        g.draw(dot);
+    }
+
+    private static Color faded(Color colour, int alpha) {
+        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);
+    }
+}

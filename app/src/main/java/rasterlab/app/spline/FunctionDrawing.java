@@ -1,0 +1,155 @@
+package rasterlab.app.spline;
+
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.contract.SplineEnds;
+import rasterlab.contract.SplineFunction;
+import rasterlab.engine.spline.Overshoot;
+import rasterlab.engine.spline.PiecewiseCubic;
+import rasterlab.engine.spline.SplineFunctionTopic;
+import rasterlab.engine.spline.SplineProblem;
+import rasterlab.engine.spline.SplineWalk;
+import rasterlab.engine.spline.SteppedSpline;
+import rasterlab.engine.study.Deviation;
+
+/**
+ * The function that one method put through the knots.
+ *
+ * @param coefficients a, b, c, d of each piece; none where the method refused
+ * @param graph places along the function, {@value #EACH} to a piece
+ * @param error against the exact function, as a share of the largest value
+ * @param right whether the topic calls it exact
+ * @param message what the method said when it refused or failed; else ""
+ */
+public record FunctionDrawing(
+        String method,
+        List<double[]> coefficients,
+        List<Place> graph,
+        List<Overshoot> overshoots,
+        List<Step> steps,
+        double error,
+        boolean right,
+        Ending ending,
+        String message) {
+    private static final int EACH = 48;
+
+    /** How the search for the function came to its end. */
+    public enum Ending {
+        ENDED,
+        REFUSED,
+        CRASHED
+    }
+
+    /**
+     * One step of the method.
+     *
+     * @param index row of the equations or number of the piece, from 0
+     * @param knot the knot that the row stands for; −1 where the step is about a piece
+     * @param decision see {@link SteppedSpline#decisionFormula}
+     */
+    public record Step(String phase, int index, int knot, double decision) {}
+
+    /**
+     * @throws IllegalArgumentException if the topic has no method of that name
+     */
+    static FunctionDrawing of(SplineFunctionTopic topic, String method, FunctionChoice choice) {
+        SplineFunction function = topic.method(method).implementation();
+        try {
+            return found(topic, method, function, choice);
+        } catch (IllegalArgumentException e) {
+            return nothing(method, Ending.REFUSED, e.getMessage());
+        } catch (RuntimeException e) {
+            return nothing(method, Ending.CRASHED, e.toString());
+        }
+    }
+
+    /** The places along one piece, from its first knot to its second. */
+    List<Place> graphOf(int piece) {
+        return graph.subList(EACH * piece, EACH * (piece + 1) + 1);
+    }
+
+    /** How far the function is outside its knots' values at most; 0 where it never is. */
+    public double worstOvershoot() {
+        return overshoots.stream().mapToDouble(Overshoot::by).max().orElse(0);
+    }
+
+    private static FunctionDrawing nothing(String method, Ending ending, String message) {
+        return new FunctionDrawing(
+                method,
+                List.of(),
+                List.of(),
+                List.of(),
+                List.of(),
+                Double.NaN,
+                false,
+                ending,
+                message);
+    }
+
+    private static FunctionDrawing found(
+            SplineFunctionTopic topic,
+            String method,
+            SplineFunction function,
+            FunctionChoice choice) {
+        double[] x = choice.x();
+        double[] all = function.coefficients(x, choice.y(), choice.ends());
+        double[] places = places(x);
+        double[] values = new PiecewiseCubic(x, all, choice.ends()).at(places);
+        var graph = new ArrayList<Place>();
+        for (int i = 0; i < places.length; i++) graph.add(new Place(places[i], values[i]));
+        Deviation deviation = deviation(topic, function, choice.problem(coarse(places)));
+        return new FunctionDrawing(
+                method,
+                pieces(all),
+                List.copyOf(graph),
+                Overshoot.all(x, choice.y(), all),
+                steps(function, choice),
+                deviation.worst(),
+                topic.correct(deviation),
+                Ending.ENDED,
+                "");
+    }
+
+    private static Deviation deviation(
+            SplineFunctionTopic topic, SplineFunction function, SplineProblem problem) {
+        int limit = problem.at().length;
+        return topic.compare(
+                problem, topic.exact(problem, limit), topic.record(function, problem, limit));
+    }
+
+    private static double[] places(double[] x) {
+        var places = new double[EACH * (x.length - 1) + 1];
+        for (int piece = 0; piece + 1 < x.length; piece++)
+            for (int i = 0; i < EACH; i++)
+                places[EACH * piece + i] = x[piece] + (x[piece + 1] - x[piece]) * i / EACH;
+        places[places.length - 1] = x[x.length - 1];
+        return places;
+    }
+
+    /** Every eighth place: the exact function is slow. */
+    private static double[] coarse(double[] places) {
+        var some = new double[(places.length - 1) / 8 + 1];
+        for (int i = 0; i < some.length; i++) some[i] = places[8 * i];
+        return some;
+    }
+
+    private static List<double[]> pieces(double[] all) {
+        var pieces = new ArrayList<double[]>();
+        for (int i = 0; i < all.length; i += 4)
+            pieces.add(new double[] {all[i], all[i + 1], all[i + 2], all[i + 3]});
+        return List.copyOf(pieces);
+    }
+
+    private static List<Step> steps(SplineFunction function, FunctionChoice choice) {
+        if (!(function instanceof SteppedSpline stepped)) return List.of();
+        boolean rows = function.promise() == SplineFunction.Promise.SMOOTH;
+        int first = choice.ends().kind() == SplineEnds.Kind.NOT_A_KNOT ? 1 : 0;
+        var steps = new ArrayList<Step>();
+        SplineWalk walk = stepped.walk(choice.x(), choice.y(), choice.ends());
+        while (walk.advance()) {
+            int knot = rows ? walk.index() + first : -1;
+            steps.add(new Step(walk.phase(), walk.index(), knot, walk.decision()));
+        }
+        return List.copyOf(steps);
+    }
+}

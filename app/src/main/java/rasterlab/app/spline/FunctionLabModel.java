@@ -1,0 +1,266 @@
+package rasterlab.app.spline;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Steps;
+import rasterlab.contract.SplineEnds;
+import rasterlab.contract.SplineFunction;
+import rasterlab.engine.spline.SplineFunctionTopic;
+import rasterlab.engine.spline.SplineProblem;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+
+/**
+ * The lab of functions through knots without its window.
+ *
+ * <p>Works like {@link CurveLabModel}; the steps are those of the method, after the last of which
+ * all coefficients are known.
+ */
+public final class FunctionLabModel implements Steps, AutoCloseable {
+    private static final double FIRST_SHARE = 0.5;
+
+    /** A slope's handle lies outside the knots, by this share of their width. */
+    private static final double REACH = 0.08;
+
+    private final SplineFunctionTopic topic = new SplineFunctionTopic();
+    private final FunctionChoice first =
+            new FunctionChoice(
+                    List.of(
+                            new Place(0, 0),
+                            new Place(1, 0.1),
+                            new Place(2, 0.1),
+                            new Place(3, 0.2),
+                            new Place(4, 1.8),
+                            new Place(5, 2),
+                            new Place(6, 2),
+                            new Place(7, 1.2)),
+                    SplineEnds.natural(),
+                    topic.method("cubic").name(),
+                    topic.method("monotone").name());
+    private final LatestOnly<FunctionChoice, FunctionDrawings> drawings;
+    private final History<FunctionChoice> history = new History<>();
+    private final List<Consumer<FunctionLabState>> listeners = new ArrayList<>();
+    private FunctionLabState state;
+    private boolean arranging;
+
+    /**
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what drawing threw, on any thread
+     */
+    public FunctionLabModel(Executor events, Consumer<Throwable> onFailure) {
+        FunctionDrawings found = FunctionDrawings.of(topic, first, () -> false);
+        state =
+                new FunctionLabState(
+                        first, found, found.drawing().steps().size(), FIRST_SHARE, false, 0);
+        drawings =
+                new LatestOnly<>(
+                        "spline function",
+                        (choice, cancelled) -> FunctionDrawings.of(topic, choice, cancelled),
+                        (choice, answer) -> events.execute(() -> accept(answer)),
+                        onFailure);
+    }
+
+    public FunctionLabState state() {
+        return state;
+    }
+
+    public List<Method<SplineFunction>> methods() {
+        return topic.methods();
+    }
+
+    public List<Hazard<SplineProblem>> hazards() {
+        return topic.hazards();
+    }
+
+    /** Tells the listener each new state from now on; the answer ends that. */
+    public Runnable listen(Consumer<FunctionLabState> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /** Moves a knot; between {@link #beginDrag} and {@link #endDrag} all moves are one change. */
+    public void move(int knot, double x, double y) {
+        change(state.choice().moved(knot, new Place(x, y)), false);
+    }
+
+    /** Where the handle of an end's slope is; meant for ends with slopes and two knots or more. */
+    public Place slopeHandle(boolean left) {
+        List<Place> knots = state.choice().knots();
+        SplineEnds ends = state.choice().ends();
+        Place end = knots.get(left ? 0 : knots.size() - 1);
+        double dx = left ? -reach() : reach();
+        return end.plus(dx, dx * (left ? ends.left() : ends.right()));
+    }
+
+    /** Turns an end's slope so that its handle comes to that height. */
+    public void moveSlope(boolean left, double y) {
+        List<Place> knots = state.choice().knots();
+        SplineEnds ends = state.choice().ends();
+        Place end = knots.get(left ? 0 : knots.size() - 1);
+        double slope = Math.rint((y - end.y()) / (left ? -reach() : reach()) * 1e4) / 1e4 + 0.0;
+        chooseEnds(
+                left
+                        ? SplineEnds.slopes(slope, ends.right())
+                        : SplineEnds.slopes(ends.left(), slope));
+    }
+
+    /** What the stage should show: knots, graphs and the slopes' handles. */
+    public Extent everything() {
+        var places = new ArrayList<>(state.choice().knots());
+        if (state.drawings().choice().equals(state.choice()))
+            places.addAll(state.drawing().graph());
+        if (state.choice().ends().kind() == SplineEnds.Kind.SLOPES) {
+            places.add(slopeHandle(true));
+            places.add(slopeHandle(false));
+        }
+        return Extent.of(places);
+    }
+
+    private double reach() {
+        double width = Extent.of(state.choice().knots()).width();
+        return width > 0 ? width * REACH : 1;
+    }
+
+    public void add(double x, double y) {
+        change(state.choice().added(new Place(x, y)), false);
+    }
+
+    public void remove(int knot) {
+        change(state.choice().removed(knot), false);
+    }
+
+    public void beginDrag() {
+        history.beginDrag(state.choice());
+    }
+
+    public void endDrag() {
+        history.endDrag(state.choice());
+        publish(at(state.step(), state.share()));
+    }
+
+    public void show(SplineProblem problem) {
+        change(state.choice().withProblem(problem), true);
+    }
+
+    public void chooseEnds(SplineEnds ends) {
+        change(state.choice().withEnds(ends), false);
+    }
+
+    /**
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void chooseMethod(String method) {
+        change(state.choice().withMethod(topic.method(method).name()), false);
+    }
+
+    /**
+     * @param method a method's name, "" for none
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void compareWith(String method) {
+        if (!method.isEmpty()) topic.method(method);
+        change(state.choice().withComparison(method), false);
+    }
+
+    /**
+     * @param share of the way from the first to the last knot; one outside goes to the nearer end
+     */
+    public void readAt(double share) {
+        double next = Math.max(0, Math.min(1, share));
+        if (next != state.share()) publish(at(state.step(), next));
+    }
+
+    public void undo() {
+        history.undo().ifPresent(choice -> find(choice, state.arrangement() + 1));
+    }
+
+    /** Back to how the lab opens; can be undone. */
+    public void reset() {
+        change(first, true);
+        readAt(FIRST_SHARE);
+    }
+
+    /** Waits until every choice so far is answered or dropped. Any other thread. */
+    public void settle() throws InterruptedException {
+        drawings.settle();
+    }
+
+    /** Ends the thread. */
+    @Override
+    public void close() {
+        drawings.close();
+    }
+
+    @Override
+    public int first() {
+        return 0;
+    }
+
+    @Override
+    public int last() {
+        return state.drawing().steps().size();
+    }
+
+    @Override
+    public int step() {
+        return state.step();
+    }
+
+    @Override
+    public void goTo(int step) {
+        int next = Math.max(first(), Math.min(last(), step));
+        if (next != state.step()) publish(at(next, state.share()));
+    }
+
+    @Override
+    public boolean turnsRound() {
+        return false;
+    }
+
+    private void change(FunctionChoice next, boolean arrange) {
+        if (next.equals(state.choice()) && !arrange) return;
+        if (!next.equals(state.choice())) history.remember(state.choice());
+        find(next, state.arrangement() + (arrange ? 1 : 0));
+    }
+
+    private void find(FunctionChoice choice, int arrangement) {
+        arranging |= arrangement != state.arrangement();
+        publish(state(choice, state.drawings(), state.step(), state.share(), arrangement));
+        drawings.ask(choice);
+    }
+
+    /** What is found may reach beyond what was arranged before it was known. */
+    private void accept(FunctionDrawings found) {
+        int arrangement = state.arrangement() + (arranging ? 1 : 0);
+        arranging = false;
+        publish(
+                state(
+                        state.choice(),
+                        found,
+                        found.drawing().steps().size(),
+                        state.share(),
+                        arrangement));
+    }
+
+    private FunctionLabState at(int step, double share) {
+        return state(state.choice(), state.drawings(), step, share, state.arrangement());
+    }
+
+    private FunctionLabState state(
+            FunctionChoice choice,
+            FunctionDrawings found,
+            int step,
+            double share,
+            int arrangement) {
+        return new FunctionLabState(choice, found, step, share, !history.isEmpty(), arrangement);
+    }
+
+    private void publish(FunctionLabState next) {
+        state = next;
+        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+    }
+}

@@ -1,0 +1,37 @@
+package rasterlab.app.spline;
+
+import java.util.Optional;
+
+/**
+ * What the lab shows at one moment.
+ *
+ * @param choice the newest one
+ * @param drawings the newest finished ones, maybe of an earlier choice
+ * @param step steps of the method taken so far, from 0
+ * @param share where the function is read, as a share of the way between the end knots
+ * @param undoable whether there is something to undo
+ * @param arrangement changes when the stage should show everything again
+ */
+public record FunctionLabState(
+        FunctionChoice choice,
+        FunctionDrawings drawings,
+        int step,
+        double share,
+        boolean undoable,
+        int arrangement) {
+    /** What the chosen method found. */
+    public FunctionDrawing drawing() {
+        return drawings.drawing();
+    }
+
+    /** The function at the share; empty where there is none. */
+    public Optional<FunctionAt> at() {
+        if (drawing().coefficients().isEmpty()) return Optional.empty();
+        return Optional.of(FunctionAt.of(drawings.choice(), drawing(), share));
+    }
+
+    /** The step taken last; empty before the first. */
+    public Optional<FunctionDrawing.Step> taken() {
+        return step == 0 ? Optional.empty() : Optional.of(drawing().steps().get(step - 1));
+    }
+}

@@ -1,0 +1,169 @@
+package rasterlab.app.spline;
+
+import java.awt.BorderLayout;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import rasterlab.app.canvas.Actions;
+import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.PlaneAxes;
+import rasterlab.app.canvas.PlaneEdits;
+import rasterlab.app.canvas.PlaneView;
+import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.contract.SplineEnds;
+import rasterlab.engine.spline.SplineProblem;
+import rasterlab.engine.study.Hazard;
+
+/** The lab of functions through knots as the tab shows it, in one language. */
+final class FunctionPanel extends JPanel implements AutoCloseable {
+    private static final long serialVersionUID = 1L;
+
+    private static final String LEFT = "slope.left";
+    private static final String RIGHT = "slope.right";
+
+    private final transient FunctionLabModel model;
+    private final transient Texts texts;
+    private final transient Texts translations;
+    private final PlaneView stage;
+    private final transient FunctionInspector inspector;
+    private final StepPlayer player;
+    private final Actions actions;
+    private final transient Runnable unsubscribe;
+
+    /**
+     * @param onMode told when the other lab is chosen
+     * @param onFailure told what a control could not do or painting threw, on any thread
+     */
+    FunctionPanel(
+            FunctionLabModel model,
+            Language language,
+            Consumer<SplineMode> onMode,
+            Consumer<Throwable> onFailure) {
+        super(new BorderLayout());
+        this.model = model;
+        setName("function");
+        texts = Texts.of("spline", language);
+        translations = Texts.of("spline", "topic", language);
+        Texts canvas = Texts.of("canvas", language);
+        stage =
+                new PlaneView(
+                        PlaneAxes.GRAPH,
+                        canvas,
+                        texts.text("stage.function"),
+                        new Edits(),
+                        model::settle,
+                        onFailure);
+        inspector = new FunctionInspector(model, texts, onMode);
+        player =
+                new StepPlayer(
+                        canvas, model, () -> texts.text("count", model.step(), model.last()));
+        actions = new Actions(canvas);
+        actions.add("undo", model::undo);
+        actions.add("reset", model::reset);
+        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
+        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        actions.add(
+                "copyCommand", () -> Copying.text(FunctionCommand.of(model.state()), onFailure));
+        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        player.bindKeys(stage);
+        unsubscribe = model.listen(state -> refresh());
+        refresh();
+    }
+
+    void focusPicture() {
+        stage.focusPoint();
+    }
+
+    void stop() {
+        player.stop();
+    }
+
+    /** Stops listening and playing; the model lives on. */
+    @Override
+    public void close() {
+        player.stop();
+        unsubscribe.run();
+        stage.close();
+    }
+
+    private void refresh() {
+        FunctionLabState state = model.state();
+        var readings = new FunctionReadings(state, texts, translations);
+        Extent all = model.everything();
+        stage.show(
+                new FunctionPicture(
+                        state.drawings(), state.taken(), state.at(), slopes(state), texts.locale()),
+                readings.points(model),
+                readings.note(),
+                new Rectangle2D.Double(all.x(), all.y(), all.width(), all.height()),
+                state.arrangement());
+        inspector.refresh();
+        player.refresh();
+        actions.enable("undo", state.undoable());
+    }
+
+    private List<Place> slopes(FunctionLabState state) {
+        if (state.choice().ends().kind() != SplineEnds.Kind.SLOPES) return List.of();
+        List<Place> knots = state.choice().knots();
+        var slopes = new ArrayList<Place>();
+        slopes.add(knots.get(0));
+        slopes.add(model.slopeHandle(true));
+        slopes.add(knots.get(knots.size() - 1));
+        slopes.add(model.slopeHandle(false));
+        return List.copyOf(slopes);
+    }
+
+    private Chips chips() {
+        var chips = new Chips(texts.text("hazards"));
+        for (Hazard<SplineProblem> hazard : model.hazards())
+            chips.add(
+                    hazard.name(),
+                    texts.text("hazard." + hazard.name()),
+                    translations.textOr("hazard." + hazard.name(), hazard.description()),
+                    () -> model.show(hazard.input()));
+        return chips;
+    }
+
+    private final class Edits implements PlaneEdits {
+        @Override
+        public void beginDrag() {
+            model.beginDrag();
+        }
+
+        @Override
+        public void endDrag() {
+            model.endDrag();
+        }
+
+        @Override
+        public void move(String point, double x, double y) {
+            if (point.equals(LEFT)) model.moveSlope(true, y);
+            else if (point.equals(RIGHT)) model.moveSlope(false, y);
+            else model.move(number(point), x, y);
+        }
+
+        @Override
+        public void add(double x, double y) {
+            model.add(x, y);
+        }
+
+        @Override
+        public void remove(String point) {
+            if (!point.equals(LEFT) && !point.equals(RIGHT)) model.remove(number(point));
+        }
+
+        /** Of {@code point.N}. */
+        private static int number(String point) {
+            return Integer.parseInt(point.substring(point.indexOf('.') + 1));
+        }
+    }
+}

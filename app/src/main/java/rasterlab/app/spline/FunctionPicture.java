@@ -1,0 +1,185 @@
+package rasterlab.app.spline;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.PlanePicture;
+import rasterlab.app.canvas.Plates;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.engine.spline.Overshoot;
+
+/**
+ * Functions through knots, where they overshoot, and what the last step dealt with.
+ *
+ * @param taken the step taken last
+ * @param at where the function is read, if there is one
+ * @param slopes from each end knot to its slope's handle, where the ends have slopes
+ */
+record FunctionPicture(
+        FunctionDrawings drawings,
+        Optional<FunctionDrawing.Step> taken,
+        Optional<FunctionAt> at,
+        List<Place> slopes,
+        Locale locale)
+        implements PlanePicture {
+    @Override
+    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+        paintKnotColumns(g, map, colours);
+        paintStep(g, map, colours);
+        paintOvershoots(g, map, drawings.drawing());
+        if (cancelled.getAsBoolean()) throw new CancellationException("a newer frame is asked for");
+        drawings.other().ifPresent(other -> paintGraph(g, map, colours, other, 2.5f));
+        paintGraph(g, map, colours, drawings.drawing(), 3.5f);
+        paintSlopes(g, map, colours);
+        at.ifPresent(place -> paintReading(g, map, colours, place));
+        nameOvershoots(g, map, colours, drawings.drawing());
+    }
+
+    private void paintKnotColumns(Graphics2D g, PlaneMap map, StageColours colours) {
+        g.setColor(colours.axis());
+        g.setStroke(dashed());
+        for (Place knot : drawings.choice().knots()) {
+            double x = map.viewX(knot.x());
+            if (Math.abs(x) < 1e5) g.draw(new Line2D.Double(x, -10, x, 10_000));
+        }
+    }
+
+    private static BasicStroke dashed() {
+        return new BasicStroke(
+                1f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1f, new float[] {2f, 5f}, 0f);
+    }
+
+    /** A band behind the knot or the piece that the last step dealt with. */
+    private void paintStep(Graphics2D g, PlaneMap map, StageColours colours) {
+        List<Place> knots = drawings.choice().knots();
+        if (taken.isEmpty()) return;
+        FunctionDrawing.Step step = taken.get();
+        int from = step.knot() < 0 ? step.index() : step.knot();
+        int to = step.knot() < 0 ? step.index() + 1 : step.knot();
+        if (to >= knots.size()) return;
+        double left = map.viewX(knots.get(from).x());
+        double right = map.viewX(knots.get(to).x());
+        double more = step.knot() < 0 ? 0 : 9;
+        Color focus = colours.focus();
+        g.setColor(new Color(focus.getRed(), focus.getGreen(), focus.getBlue(), 45));
+        if (right - left < 1e5)
+            g.fill(new Rectangle2D.Double(left - more, 0, right - left + 2 * more, 10_000));
+    }
+
+    private static void paintGraph(
+            Graphics2D g,
+            PlaneMap map,
+            StageColours colours,
+            FunctionDrawing drawing,
+            float width) {
+        var path = new Path2D.Double();
+        for (Place place : drawing.graph()) to(path, map.viewX(place.x()), map.viewY(place.y()));
+        if (path.getCurrentPoint() == null) return;
+        g.setColor(MethodColours.edgeOn(colours.ground(), MethodColours.of(drawing.method())));
+        g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.draw(path);
+    }
+
+    /** The area between the graph and the knot's value that it passes. */
+    private static void paintOvershoots(Graphics2D g, PlaneMap map, FunctionDrawing drawing) {
+        Color wrong = MethodColours.VERMILLION;
+        g.setColor(new Color(wrong.getRed(), wrong.getGreen(), wrong.getBlue(), 120));
+        for (Overshoot each : drawing.overshoots()) {
+            boolean above = each.y() > each.beyond();
+            var area = new Path2D.Double();
+            double base = map.viewY(each.beyond());
+            for (Place place : drawing.graphOf(each.piece())) {
+                double outside = above ? place.y() - each.beyond() : each.beyond() - place.y();
+                double y = outside > 0 ? map.viewY(place.y()) : base;
+                if (area.getCurrentPoint() == null) area.moveTo(map.viewX(place.x()), base);
+                area.lineTo(map.viewX(place.x()), y);
+            }
+            if (area.getCurrentPoint() == null) continue;
+            area.lineTo(area.getCurrentPoint().getX(), base);
+            area.closePath();
+            g.fill(area);
+        }
+    }
+
+    /** A pointer at the farthest place outside, with how far that is. */
+    private void nameOvershoots(
+            Graphics2D g, PlaneMap map, StageColours colours, FunctionDrawing drawing) {
+        g.setFont(g.getFont().deriveFont(Font.BOLD));
+        for (Overshoot each : drawing.overshoots()) {
+            boolean above = each.y() > each.beyond();
+            double x = map.viewX(each.x());
+            double y = map.viewY(each.y());
+            int size = 7;
+            int away = above ? -6 : 6;
+            var pointer = new Path2D.Double();
+            pointer.moveTo(x, y + away);
+            pointer.lineTo(x - size, y + away * 3);
+            pointer.lineTo(x + size, y + away * 3);
+            pointer.closePath();
+            g.setColor(MethodColours.VERMILLION);
+            g.fill(pointer);
+            double share = each.by() / Math.max(1e-300, drawing.worstOvershoot());
+            if (share < 0.3) continue;
+            String by = (above ? "+" : "−") + Shown.number(each.by(), 3, locale);
+            int wide = g.getFontMetrics().stringWidth(by);
+            int base =
+                    (int)
+                            Math.round(
+                                    y
+                                            + away * 3
+                                            + (above ? -5 : 5 + g.getFontMetrics().getAscent()));
+            Plates.plate(
+                    g, by, (int) Math.round(x) - wide / 2, base, colours.ground(), colours.ink());
+        }
+    }
+
+    private void paintSlopes(Graphics2D g, PlaneMap map, StageColours colours) {
+        g.setColor(colours.ink());
+        g.setStroke(new BasicStroke(1.6f));
+        for (int i = 0; i + 1 < slopes.size(); i += 2)
+            g.draw(
+                    new Line2D.Double(
+                            map.viewX(slopes.get(i).x()),
+                            map.viewY(slopes.get(i).y()),
+                            map.viewX(slopes.get(i + 1).x()),
+                            map.viewY(slopes.get(i + 1).y())));
+    }
+
+    /** The point at which the function is read, and its tangent. */
+    private static void paintReading(
+            Graphics2D g, PlaneMap map, StageColours colours, FunctionAt place) {
+        double x = map.viewX(place.x());
+        double y = map.viewY(place.y());
+        double run = map.scaleX();
+        double rise = map.scaleY() * place.slope();
+        double length = Math.hypot(run, rise);
+        double dx = 70 * run / length;
+        double dy = 70 * rise / length;
+        g.setColor(colours.ink());
+        g.setStroke(new BasicStroke(1.4f));
+        g.draw(new Line2D.Double(x - dx, y - dy, x + dx, y + dy));
+        var dot = new Ellipse2D.Double(x - 5.5, y - 5.5, 11, 11);
+        g.setColor(MethodColours.VERMILLION);
+        g.fill(dot);
+        g.setColor(colours.ink());
+        g.draw(dot);
+    }
+
+    private static void to(Path2D path, double viewX, double viewY) {
+        if (path.getCurrentPoint() == null) path.moveTo(viewX, viewY);
+        else path.lineTo(viewX, viewY);
+    }
+}

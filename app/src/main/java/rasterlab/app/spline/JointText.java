@@ -1,0 +1,18 @@
+package rasterlab.app.spline;
+
+import rasterlab.engine.spline.CurveJoint;
+
+/** The short signs of continuity, the same in every language. */
+final class JointText {
+    private JointText() {}
+
+    static String of(CurveJoint.Kind kind) {
+        return switch (kind) {
+            case GAP -> "×";
+            case C0 -> "C⁰";
+            case G1 -> "G¹";
+            case C1 -> "C¹";
+            case C2 -> "C²";
+        };
+    }
+}

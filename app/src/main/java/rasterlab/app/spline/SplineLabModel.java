@@ -1,0 +1,53 @@
+package rasterlab.app.spline;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+
+/** Both labs of splines, and which of them is shown. */
+public final class SplineLabModel implements AutoCloseable {
+    private final CurveLabModel curve;
+    private final FunctionLabModel function;
+    private final List<Consumer<SplineMode>> listeners = new ArrayList<>();
+    private SplineMode mode = SplineMode.CURVE;
+
+    /**
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what background work threw, on any thread
+     */
+    public SplineLabModel(Executor events, Consumer<Throwable> onFailure) {
+        curve = new CurveLabModel(events, onFailure);
+        function = new FunctionLabModel(events, onFailure);
+    }
+
+    public CurveLabModel curve() {
+        return curve;
+    }
+
+    public FunctionLabModel function() {
+        return function;
+    }
+
+    public SplineMode mode() {
+        return mode;
+    }
+
+    public void show(SplineMode next) {
+        mode = next;
+        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+    }
+
+    /** Tells the listener each mode from now on; the answer ends that. */
+    public Runnable listen(Consumer<SplineMode> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /** Ends the labs' threads. */
+    @Override
+    public void close() {
+        curve.close();
+        function.close();
+    }
+}

@@ -1,0 +1,167 @@
+package rasterlab.app.visibility;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.XYStyler;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.study.ChartPicture;
+import rasterlab.engine.visibility.hidden.Growth;
+import rasterlab.engine.visibility.hidden.Growth.Axis;
+
+/** Counted work of the visibility methods over faces and over pixels, all axes logarithmic. */
+public final class GrowthChart {
+    private static final int TITLE = 40;
+    private static final int PANEL_WIDTH = ChartPicture.WIDTH / 2;
+    private static final int PANEL_HEIGHT = (ChartPicture.HEIGHT - TITLE) / 2;
+    private static final int ROW = 19;
+
+    private final List<String> methods = Growth.methodNames();
+    private final Map<String, Color> colours = MethodColours.among(methods);
+
+    /** What was counted; empty until it is asked for, as that takes some seconds. */
+    private List<Growth> growths = List.of();
+
+    private List<Growth> growths() {
+        if (growths.isEmpty()) growths = Growth.all();
+        return growths;
+    }
+
+    /** The methods in teaching order. */
+    public List<String> methods() {
+        return methods;
+    }
+
+    /** How a method's work grows along an axis. */
+    public Growth growth(String method, Axis axis) {
+        return growths().stream()
+                .filter(growth -> growth.method().equals(method) && growth.axis() == axis)
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("no growth of " + method));
+    }
+
+    public BufferedImage image(Language language) {
+        return ChartPicture.image(graphics -> paint(graphics, language));
+    }
+
+    public byte[] svg(Language language) {
+        return ChartPicture.svg(graphics -> paint(graphics, language));
+    }
+
+    /** All points as comma-separated values. */
+    public String csv() {
+        return growths().stream()
+                .flatMap(
+                        growth ->
+                                IntStream.range(0, growth.sizes().length)
+                                        .mapToObj(
+                                                i ->
+                                                        "%s,%s,%d,%d"
+                                                                .formatted(
+                                                                        growth.method(),
+                                                                        code(growth.axis()),
+                                                                        growth.sizes()[i],
+                                                                        growth.work()[i])))
+                .collect(Collectors.joining("\r\n", "method,axis,size,work\r\n", "\r\n"));
+    }
+
+    private static String code(Axis axis) {
+        return axis.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    private void paint(Graphics2D graphics, Language language) {
+        Texts texts = Texts.of("visibility", language);
+        graphics.setColor(Color.BLACK);
+        graphics.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
+        String title = texts.text("growth.title");
+        int width = graphics.getFontMetrics().stringWidth(title);
+        graphics.drawString(title, (ChartPicture.WIDTH - width) / 2, 26);
+        Axis[] axes = Axis.values();
+        for (int i = 0; i < axes.length; i++) {
+            var panel =
+                    (Graphics2D)
+                            graphics.create(
+                                    i % 2 * PANEL_WIDTH,
+                                    TITLE + i / 2 * PANEL_HEIGHT,
+                                    PANEL_WIDTH,
+                                    PANEL_HEIGHT);
+            chart(axes[i], texts).paint(panel, PANEL_WIDTH, PANEL_HEIGHT);
+            panel.dispose();
+        }
+        table(graphics, texts);
+    }
+
+    private XYChart chart(Axis axis, Texts texts) {
+        XYChart chart =
+                new XYChartBuilder()
+                        .title(texts.text("growth." + code(axis)))
+                        .xAxisTitle(texts.text("growth." + code(axis) + ".axis"))
+                        .yAxisTitle(texts.text("growth.work"))
+                        .build();
+        style(chart.getStyler());
+        for (String method : methods) {
+            Growth growth = growth(method, axis);
+            XYSeries series =
+                    chart.addSeries(
+                            method,
+                            Arrays.stream(growth.sizes()).asDoubleStream().toArray(),
+                            Arrays.stream(growth.work()).asDoubleStream().toArray());
+            series.setMarker(SeriesMarkers.CIRCLE);
+            series.setMarkerColor(colours.get(method));
+            series.setLineColor(colours.get(method));
+        }
+        return chart;
+    }
+
+    private static void style(XYStyler styler) {
+        styler.setXAxisLogarithmic(true).setYAxisLogarithmic(true);
+        styler.setLegendVisible(false);
+        styler.setMarkerSize(5);
+        styler.setLocale(Locale.ROOT);
+        styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
+        styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
+        styler.setChartTitleBoxVisible(false);
+        styler.setChartBackgroundColor(Color.WHITE);
+        styler.setPlotBackgroundColor(Color.WHITE);
+    }
+
+    /** The exponents, in the corner that the three charts leave. */
+    private void table(Graphics2D graphics, Texts texts) {
+        int left = PANEL_WIDTH + 40;
+        int y = TITLE + PANEL_HEIGHT + 22;
+        graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 13));
+        graphics.setColor(Color.BLACK);
+        graphics.drawString(texts.text("growth.exponents"), left, y);
+        y += ROW;
+        int column = 0;
+        for (Axis axis : Axis.values())
+            graphics.drawString(
+                    texts.text("growth." + code(axis) + ".short"), left + 150 + 105 * column++, y);
+        for (String method : methods) {
+            y += ROW;
+            graphics.setColor(colours.get(method));
+            graphics.fillOval(left, y - 9, 9, 9);
+            graphics.setColor(Color.BLACK);
+            graphics.drawString(method, left + 16, y);
+            column = 0;
+            for (Axis axis : Axis.values())
+                graphics.drawString(
+                        String.format(Locale.ROOT, "%.2f", growth(method, axis).exponent()),
+                        left + 150 + 105 * column++,
+                        y);
+        }
+    }
+}

@@ -1,0 +1,77 @@
+package rasterlab.app.outcome;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.texture.Texture;
+
+class PictureFileTest {
+    @TempDir Path folder;
+
+    private Path written(String format, int type, int width, int height) throws Exception {
+        var image = new BufferedImage(width, height, type);
+        image.setRGB(0, 0, 0xFFC06030);
+        Path file = folder.resolve("picture." + format);
+        ImageIO.write(image, format, file.toFile());
+        return file;
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("pictures")
+    void readsPictures(String format, int type, int width, int height, int components)
+            throws Exception {
+        Texture texture = PictureFile.texture(written(format, type, width, height));
+        assertEquals(width, texture.width());
+        assertEquals(height, texture.height());
+        assertEquals(components, texture.components());
+        int topLeft = texture.level(0).texel(0, height - 1);
+        assertEquals(0xC0, topLeft >> 16 & 255, 6, "the first row is the top one");
+    }
+
+    static Stream<Arguments> pictures() {
+        int rgb = BufferedImage.TYPE_INT_RGB;
+        return Stream.of(
+                argumentSet("one pixel is refused", "png", rgb, 1, 1, 3),
+                argumentSet("picture stands on its head", "png", rgb, 3, 5, 3),
+                argumentSet("alpha is lost", "png", BufferedImage.TYPE_INT_ARGB, 3, 5, 4),
+                argumentSet("JPEG is refused", "jpg", rgb, 1, 1, 3),
+                argumentSet("widest picture is refused", "png", rgb, 8192, 1, 3));
+    }
+
+    @Test
+    @DisplayName("too large or broken pictures are read")
+    void refuses() throws Exception {
+        Path wide = written("png", BufferedImage.TYPE_BYTE_BINARY, 8193, 1);
+        assertMessage(wide, wide + ": has 8193×1 pixels; a texture has from 1×1 to 8192×8192");
+        Path part = folder.resolve("part.png");
+        byte[] whole = Files.readAllBytes(written("png", BufferedImage.TYPE_INT_RGB, 9, 9));
+        Files.write(part, Arrays.copyOf(whole, 40));
+        var refusal = assertThrows(Complaint.class, () -> PictureFile.texture(part));
+        assertTrue(
+                refusal.getMessage().startsWith(part + ": is a broken picture"),
+                refusal.getMessage());
+        assertMessage(folder, folder + ": is a folder, not a picture");
+        Path empty = Files.createFile(folder.resolve("empty.png"));
+        assertMessage(empty, empty + ": is not a PNG or JPEG picture");
+    }
+
+    private static void assertMessage(Path file, String message) {
+        assertEquals(
+                message,
+                assertThrows(Complaint.class, () -> PictureFile.texture(file)).getMessage());
+    }
+}

@@ -1,0 +1,40 @@
+package rasterlab.engine.pipeline;
+
+import rasterlab.engine.transform.Projection;
+import rasterlab.engine.visibility.ViewedMesh;
+
+/**
+ * The depths that are drawn, in view z: world units from the eye in perspective.
+ *
+ * @param near the smallest one
+ * @param far the largest one, above {@code near}; infinity cuts nothing off
+ */
+public record DepthRange(double near, double far) {
+    /** The smallest near depth in perspective, as a share of ρ: what is nearer grows too large. */
+    private static final double LEAST_SHARE = 1e-6;
+
+    public DepthRange {
+        if (!(near < far))
+            throw new IllegalArgumentException(
+                    "near must be below far, got near %s, far %s".formatted(near, far));
+    }
+
+    /** All that a projection can draw from a distance ρ. */
+    public static DepthRange all(Projection projection, double rho) {
+        boolean central = projection == Projection.PERSPECTIVE;
+        return new DepthRange(
+                central ? ViewedMesh.NEAR_SHARE * rho : Double.NEGATIVE_INFINITY,
+                Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * @throws IllegalArgumentException if the range reaches the eye of a perspective picture
+     */
+    void require(Projection projection, double rho) {
+        double least = LEAST_SHARE * rho;
+        if (projection == Projection.PERSPECTIVE && !(near >= least))
+            throw new IllegalArgumentException(
+                    "near must be above 0 in perspective, at least %s for an eye at %s, got %s"
+                            .formatted(least, rho, near));
+    }
+}

@@ -1,0 +1,48 @@
+package rasterlab.engine.pipeline.direct;
+
+import java.util.Optional;
+import rasterlab.engine.pipeline.paint.FaceLights;
+import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.pipeline.surface.TextureFilter;
+import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.LaidTexture;
+
+/**
+ * How a picture is lit and textured.
+ *
+ * @param light where the formula is worked out
+ * @param texture how textures are looked up; {@code AUTO} is taken for mipmaps, which are the
+ *     linear filter wherever nothing is made smaller
+ */
+public record DirectLook(Light light, TextureMode texture) {
+
+    /** Where light is worked out. */
+    public enum Light {
+        /** Once for each face: flat. */
+        FACES,
+        /** At the corners: Gouraud's. */
+        CORNERS,
+        /** At each pixel: Phong's. */
+        PIXELS
+    }
+
+    Optional<LaidTexture> laid(Finish finish) {
+        return texture == TextureMode.NONE ? Optional.empty() : finish.texture();
+    }
+
+    TextureFilter filter() {
+        return texture == TextureMode.AUTO
+                ? TextureFilter.MIPMAP
+                : TextureFilter.named(texture.code());
+    }
+
+    /** Whether each face hides all that is behind it. */
+    boolean[] opaque(FaceLights lights) {
+        var opaque = new boolean[lights.mesh().faceCount()];
+        for (int f = 0; f < opaque.length; f++)
+            opaque[f] =
+                    lights.seenMaterial(f).alpha() == 1
+                            && laid(lights.scene().finish(f)).map(LaidTexture::opaque).orElse(true);
+        return opaque;
+    }
+}

@@ -1,0 +1,91 @@
+package rasterlab.engine.pipeline.direct;
+
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import rasterlab.engine.light.PointLighting;
+import rasterlab.engine.pipeline.direct.Batches.Batch;
+import rasterlab.engine.pipeline.paint.FaceLights;
+import rasterlab.engine.pipeline.surface.ColoredPixels;
+import rasterlab.engine.pipeline.surface.LitPixels;
+import rasterlab.engine.pipeline.surface.TexturedPixels;
+import rasterlab.engine.pipeline.triangle.Blending;
+import rasterlab.engine.pipeline.triangle.DepthRaster;
+import rasterlab.engine.pipeline.triangle.PixelColors;
+import rasterlab.engine.pipeline.triangle.Surface;
+import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.engine.pipeline.triangle.TriangleView;
+import rasterlab.engine.pipeline.triangle.VertexColors;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.LaidTexture;
+import rasterlab.engine.scene.TriangleMesh;
+import rasterlab.engine.texture.TextureSampler;
+
+/** One picture after the other by one pipeline; keeps its working memory. One thread at a time. */
+public final class DirectPicture implements AutoCloseable {
+    private final TrianglePipeline pipeline = new TrianglePipeline();
+    private DepthRaster picture = new DepthRaster(1, 1);
+
+    /**
+     * Draws over the picture's background.
+     *
+     * @param cancelled asked by several threads
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    public synchronized void draw(
+            FaceLights lights, DirectLook look, Raster out, BooleanSupplier cancelled) {
+        var space = new ClipSpace(lights.view());
+        if (space.empty()) return;
+        begin(out);
+        boolean[] opaque = look.opaque(lights);
+        PointLighting[] lighting = lights.forThread();
+        TriangleView view = space.view();
+        for (Batch batch : Batches.of(lights, opaque)) {
+            Optional<LaidTexture> laid = look.laid(lights.scene().finishes().get(batch.finish()));
+            Surface surface = surface(look, laid, lighting[batch.finish()], batch.opaque());
+            pipeline.draw(mesh(lights, look, batch), view, surface, picture, cancelled);
+        }
+        System.arraycopy(picture.raster().argb(), 0, out.argb(), 0, out.argb().length);
+    }
+
+    private void begin(Raster out) {
+        if (picture.width() != out.width() || picture.height() != out.height())
+            picture = new DepthRaster(out.width(), out.height());
+        java.util.Arrays.fill(picture.depth(), DepthRaster.FARTHEST);
+        System.arraycopy(out.argb(), 0, picture.raster().argb(), 0, out.argb().length);
+    }
+
+    private static TriangleMesh mesh(FaceLights lights, DirectLook look, Batch batch) {
+        var triangles = new FaceTriangles(lights.mesh(), batch.faces());
+        return switch (look.light()) {
+            case FACES -> triangles.flat(lights.atMiddles());
+            case CORNERS -> triangles.smooth(lights.atCorners());
+            case PIXELS -> triangles.uncoloured();
+        };
+    }
+
+    private static Surface surface(
+            DirectLook look, Optional<LaidTexture> laid, PointLighting lighting, boolean opaque) {
+        Surface.OfVertices vertices =
+                look.light() == DirectLook.Light.FACES
+                        ? new Surface.Flat(VertexColors.own())
+                        : new Surface.Smooth(VertexColors.own());
+        boolean perPixel = look.light() == DirectLook.Light.PIXELS;
+        if (opaque && !perPixel && laid.isEmpty()) return vertices;
+        PixelColors light = perPixel ? new LitPixels(lighting, false) : new ColoredPixels();
+        PixelColors colours = laid.map(l -> textured(look, l, light)).orElse(light);
+        return new Surface.PerPixel(colours)
+                .over(vertices)
+                .with(opaque ? Blending.OPAQUE : Blending.GLASS);
+    }
+
+    private static PixelColors textured(DirectLook look, LaidTexture laid, PixelColors light) {
+        var sampler = new TextureSampler(laid.texture(), laid.alongS(), laid.alongT());
+        return new TexturedPixels(sampler, look.filter(), laid.environment(), light);
+    }
+
+    @Override
+    public void close() {
+        pipeline.close();
+    }
+}

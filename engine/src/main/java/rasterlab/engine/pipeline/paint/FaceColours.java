@@ -1,0 +1,15 @@
+package rasterlab.engine.pipeline.paint;
+
+import java.util.Arrays;
+
+/**
+ * One colour 0xAARRGGBB for each face.
+ *
+ * @param argb by face
+ */
+record FaceColours(int[] argb) implements SurfaceColour {
+    @Override
+    public void light(int face, PixelRow row) {
+        Arrays.fill(row.argb, 0, row.size, argb[face]);
+    }
+}

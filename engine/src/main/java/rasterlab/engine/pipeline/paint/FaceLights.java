@@ -1,0 +1,160 @@
+package rasterlab.engine.pipeline.paint;
+
+import java.util.List;
+import java.util.Set;
+import rasterlab.engine.light.LightModel;
+import rasterlab.engine.light.LightTerm;
+import rasterlab.engine.light.Material;
+import rasterlab.engine.light.PointLighting;
+import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Mesh;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.transform.ViewTransform;
+import rasterlab.engine.visibility.ViewedMesh;
+
+/**
+ * A scene's light on its faces, in the world.
+ *
+ * <p>In perspective the eye is a point. In parallel projection it is infinitely far against the
+ * lines of sight, for a local viewer too; with an oblique one these are slanted.
+ */
+public final class FaceLights {
+    private final Scene scene;
+    private final ViewedMesh view;
+    private final boolean twoSided;
+    private final PointLighting[] lights;
+
+    /**
+     * @param view of the scene's mesh
+     * @param terms the terms of the formula that are seen
+     * @param sides how backs are lit
+     */
+    public FaceLights(Scene scene, ViewedMesh view, Set<LightTerm> terms, Sides sides) {
+        this.scene = scene;
+        this.view = view;
+        List<Finish> finishes = scene.finishes();
+        LightModel model = model(scene, view.transform(), sides);
+        twoSided = model.twoSided();
+        lights = new PointLighting[finishes.size()];
+        for (int i = 0; i < lights.length; i++) {
+            Finish finish = finishes.get(i);
+            lights[i] =
+                    new PointLighting(
+                            model,
+                            LightTerm.only(terms, finish.front()),
+                            LightTerm.only(terms, finish.back()));
+            place(view.transform(), lights[i]);
+        }
+    }
+
+    private static LightModel model(Scene scene, ViewTransform transform, Sides sides) {
+        boolean far = !transform.central();
+        LightModel model =
+                far
+                        ? scene.light()
+                                .seenFrom(
+                                        true,
+                                        -transform.sight(0),
+                                        -transform.sight(1),
+                                        -transform.sight(2))
+                        : scene.light()
+                                .seenFrom(
+                                        false,
+                                        transform.toWorld(0, 0, 0, 0),
+                                        transform.toWorld(1, 0, 0, 0),
+                                        transform.toWorld(2, 0, 0, 0));
+        return new LightModel(
+                model.globalAmbient(),
+                model.localViewer() && !far,
+                sides == Sides.SCENE ? model.twoSided() : sides == Sides.TWO,
+                model.reflection(),
+                model.lights());
+    }
+
+    private static void place(ViewTransform transform, PointLighting lighting) {
+        lighting.eye(
+                transform.toWorld(0, 0, 0, 0),
+                transform.toWorld(1, 0, 0, 0),
+                transform.toWorld(2, 0, 0, 0),
+                -transform.sight(0),
+                -transform.sight(1),
+                -transform.sight(2));
+    }
+
+    public Scene scene() {
+        return scene;
+    }
+
+    public ViewedMesh view() {
+        return view;
+    }
+
+    public Mesh mesh() {
+        return view.mesh();
+    }
+
+    public int finishOf(int face) {
+        return scene.finishNumber(face);
+    }
+
+    /** Whether the picture shows a face's back. */
+    public boolean seenFromBehind(int face) {
+        return view.seenFromInside(face);
+    }
+
+    /** The material of the side that is seen, and lit as such. */
+    public Material seenMaterial(int face) {
+        Finish finish = scene.finish(face);
+        return twoSided && seenFromBehind(face) ? finish.back() : finish.front();
+    }
+
+    /** The lighting of each finish, for one thread. */
+    public PointLighting[] forThread() {
+        var own = new PointLighting[lights.length];
+        for (int i = 0; i < own.length; i++) own[i] = lights[i].forThread();
+        return own;
+    }
+
+    /** The whole formula once for each face: at the mean of its corners, with its own normal. */
+    public int[] atMiddles() {
+        Mesh mesh = mesh();
+        PointLighting[] own = forThread();
+        var argb = new int[mesh.faceCount()];
+        for (int f = 0; f < argb.length; f++)
+            argb[f] =
+                    own[finishOf(f)].argb(
+                            FaceMiddle.of(mesh, f, mesh::x),
+                            FaceMiddle.of(mesh, f, mesh::y),
+                            FaceMiddle.of(mesh, f, mesh::z),
+                            mesh.normalX(f),
+                            mesh.normalY(f),
+                            mesh.normalZ(f),
+                            seenFromBehind(f));
+        return argb;
+    }
+
+    /**
+     * The whole formula at each face's corners, with their normals: red, green, blue and alpha, 0
+     * to 1, of each corner, counted through all faces.
+     */
+    public float[] atCorners() {
+        Mesh mesh = mesh();
+        PointLighting[] own = forThread();
+        var rgba = new float[4 * mesh.totalCorners()];
+        for (int f = 0; f < mesh.faceCount(); f++)
+            for (int k = 0; k < mesh.cornerCount(f); k++) {
+                int v = mesh.corner(f, k);
+                own[finishOf(f)].shade(
+                        mesh.x(v),
+                        mesh.y(v),
+                        mesh.z(v),
+                        mesh.cornerNormal(f, k, 0),
+                        mesh.cornerNormal(f, k, 1),
+                        mesh.cornerNormal(f, k, 2),
+                        seenFromBehind(f),
+                        rgba,
+                        4 * (mesh.firstCorner(f) + k));
+            }
+        return rgba;
+    }
+}

@@ -1,0 +1,11 @@
+package rasterlab.engine.pipeline.paint;
+
+/** How the backs of faces are lit. */
+public enum Sides {
+    /** As the scene's light model says. */
+    SCENE,
+    /** As their fronts are, with the same normal. */
+    ONE,
+    /** By their own material, with the normal turned round. */
+    TWO
+}

@@ -1,0 +1,42 @@
+package rasterlab.engine.visibility;
+
+import java.util.stream.IntStream;
+import rasterlab.engine.raster.Raster;
+
+/**
+ * Faces that turn their outer side to the eye, in the order of the mesh.
+ *
+ * <p>A face shows its outer side when n·p &lt; 0 for a point p of it seen from the eye, or n_z &lt;
+ * 0 in parallel projection. Of one convex body that is all there is to do; of others it leaves
+ * about half of the faces to another method.
+ */
+final class BackFaceCulling implements SteppedVisibility {
+    @Override
+    public boolean drawsOutlines() {
+        return true;
+    }
+
+    @Override
+    public String decision() {
+        return "n·p in perspective, n_z in parallel projection; not above 0 for the outer side";
+    }
+
+    @Override
+    public VisibilityWalk walk(ViewedMesh view, FacePaint paint, Raster out) {
+        var tally = new Tally();
+        tally.comparisons = view.mesh().faceCount();
+        int[] order =
+                IntStream.range(0, view.mesh().faceCount())
+                        .filter(face -> !view.seenFromInside(face))
+                        .toArray();
+        return new FaceSequence(view, order, facing(view), tally, paint, out);
+    }
+
+    /** The number whose sign tells the side of each face. */
+    static double[] facing(ViewedMesh view) {
+        boolean central = view.transform().central();
+        return IntStream.range(0, view.mesh().faceCount())
+                .mapToDouble(face -> central ? view.planeOffset(face) : view.eyeNormal(face, 2))
+                .toArray();
+    }
+}

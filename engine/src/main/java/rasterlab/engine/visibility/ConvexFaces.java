@@ -1,0 +1,47 @@
+package rasterlab.engine.visibility;
+
+import java.util.stream.IntStream;
+import rasterlab.engine.raster.Raster;
+
+/**
+ * One convex closed body: the faces that turn their outer side to the eye hide nothing of each
+ * other and are drawn unsorted.
+ *
+ * <p>Inner sides are drawn before them only where they can be seen: through a transparent face, or
+ * where the near plane cuts the body open.
+ */
+final class ConvexFaces implements SteppedVisibility {
+    @Override
+    public boolean drawsOutlines() {
+        return true;
+    }
+
+    @Override
+    public String decision() {
+        return "n·p in perspective, n_z in parallel projection; not above 0 for the outer side";
+    }
+
+    /**
+     * @throws IllegalArgumentException unless the mesh is one convex closed body; the message names
+     *     faces that show it
+     */
+    @Override
+    public VisibilityWalk walk(ViewedMesh view, FacePaint paint, Raster out) {
+        ConvexBody.require(view.mesh());
+        var tally = new Tally();
+        int faces = view.mesh().faceCount();
+        tally.comparisons = faces;
+        IntStream outer = IntStream.range(0, faces).filter(face -> !view.seenFromInside(face));
+        IntStream inner =
+                insideShows(view, paint)
+                        ? IntStream.range(0, faces).filter(view::seenFromInside)
+                        : IntStream.empty();
+        int[] order = IntStream.concat(inner, outer).toArray();
+        return new FaceSequence(view, order, BackFaceCulling.facing(view), tally, paint, out);
+    }
+
+    private static boolean insideShows(ViewedMesh view, FacePaint paint) {
+        for (double z : view.eyeZ) if (z < view.near()) return true;
+        return IntStream.range(0, view.mesh().faceCount()).anyMatch(face -> !paint.opaque(face));
+    }
+}

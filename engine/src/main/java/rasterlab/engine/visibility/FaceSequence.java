@@ -1,0 +1,54 @@
+package rasterlab.engine.visibility;
+
+import rasterlab.engine.raster.Raster;
+
+/** Whole faces drawn one over the other in a given order. */
+final class FaceSequence implements VisibilityWalk {
+    private final ViewedMesh view;
+    private final int[] order;
+    private final double[] values;
+    private final Tally tally;
+    private final FaceBrush brush;
+    private final ScreenPolygon polygon;
+    private int drawn;
+
+    /**
+     * @param order numbers of the faces, first to last
+     * @param values what decided about each face, by its number
+     * @param tally what was done to find the order
+     */
+    FaceSequence(
+            ViewedMesh view,
+            int[] order,
+            double[] values,
+            Tally tally,
+            FacePaint paint,
+            Raster out) {
+        this.view = view;
+        this.order = order;
+        this.values = values;
+        this.tally = tally;
+        brush = new FaceBrush(paint, out, tally);
+        polygon = new ScreenPolygon(view.mesh().mostCorners());
+    }
+
+    @Override
+    public boolean advance() {
+        if (drawn == order.length) return false;
+        int face = order[drawn++];
+        polygon.load(view, face);
+        brush.paint(polygon, face);
+        return true;
+    }
+
+    @Override
+    public VisibilityStep step() {
+        int face = order[drawn - 1];
+        return new VisibilityStep.Drawn(face, values[face]);
+    }
+
+    @Override
+    public VisibilityWork work() {
+        return tally.work();
+    }
+}

@@ -1,0 +1,37 @@
+package rasterlab.engine.visibility;
+
+import rasterlab.engine.transform.PictureFit;
+
+/**
+ * Nearness over one face, ρ/z in perspective and −z in parallel projection, as a linear function of
+ * the pixel: {@code base + x·perColumn + y·perRow}. z itself is not linear in perspective.
+ */
+final class NearnessPlane {
+    double base;
+    double perColumn;
+    double perRow;
+
+    /**
+     * With X, Y on the picture plane, n·p = k becomes ρ/z = (nx·X + ny·Y + nz·ρ)/k in perspective
+     * and −z = (nx·X + ny·Y − k)/nz in parallel projection.
+     *
+     * @return false for a face seen exactly edge-on: it covers nothing
+     */
+    boolean load(ViewedMesh view, int face) {
+        double nx = view.eyeNormal(face, 0);
+        double ny = view.eyeNormal(face, 1);
+        double nz = view.eyeNormal(face, 2);
+        double k = view.planeOffset(face);
+        boolean central = view.transform().central();
+        double divisor = central ? k : nz;
+        if (divisor == 0) return false;
+        double perUnitX = nx / divisor;
+        double perUnitY = ny / divisor;
+        double middle = central ? nz * view.transform().distance() / k : -k / nz;
+        PictureFit fit = view.fit();
+        perColumn = perUnitX / fit.pixelsPerUnit();
+        perRow = -perUnitY / fit.pixelsPerUnit();
+        base = middle + perUnitX * fit.toPlaneX(0) + perUnitY * fit.toPlaneY(0);
+        return true;
+    }
+}

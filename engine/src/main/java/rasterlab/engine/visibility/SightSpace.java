@@ -1,0 +1,102 @@
+package rasterlab.engine.visibility;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import rasterlab.engine.visibility.order.Sight;
+
+/**
+ * View space changed so that an eye at the origin sees in it what the view sees, with everything in
+ * a narrow cone round z.
+ *
+ * <p>In perspective x and y shrink: (σx, σy, z). In parallel projection the eye is at infinity, and
+ * a projective map brings it to the origin: {@code Z = e/(a − z)}, X = σ·x·Z, Y = σ·y·Z, a − z
+ * running from 2e down to e. It keeps planes plane, takes lines of sight to lines through the
+ * origin, and Z grows with z, so what hides what is the same; a far eye would only be nearly right.
+ */
+final class SightSpace {
+    /** The widest tangent of the cone. */
+    private static final double WIDEST = 0.25;
+
+    private final boolean central;
+    private final int[] faces;
+    private final double[][] polygons;
+    private double shrink;
+    private double extent = 1;
+    private double end;
+
+    /** Faces that own no pixel of the picture are left out, others cut at near and far planes. */
+    SightSpace(ViewedMesh view) {
+        central = view.transform().central();
+        List<double[]> cut = new ArrayList<>();
+        faces = new int[view.mesh().faceCount()];
+        var polygon = new ScreenPolygon(view.mesh().mostCorners());
+        var owned = new boolean[1];
+        for (int f = 0; f < faces.length; f++) {
+            owned[0] = false;
+            polygon.load(view, f);
+            polygon.fill(view.fit().width(), view.fit().height(), (y, from, to) -> owned[0] = true);
+            if (!owned[0]) continue;
+            faces[cut.size()] = f;
+            cut.add(polygon.viewCorners());
+        }
+        span(cut);
+        polygons = cut.stream().map(this::toSight).toArray(double[][]::new);
+    }
+
+    private void span(List<double[]> cut) {
+        double widest = Double.MIN_NORMAL;
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        for (double[] corners : cut)
+            for (int i = 0; i < corners.length; i += 3) {
+                double across = Math.max(Math.abs(corners[i]), Math.abs(corners[i + 1]));
+                widest = Math.max(widest, central ? across / corners[i + 2] : across);
+                least = Math.min(least, corners[i + 2]);
+                most = Math.max(most, corners[i + 2]);
+            }
+        // A power of two, so that in perspective nothing is rounded.
+        shrink = Math.scalb(0.5, Math.getExponent(WIDEST) - Math.getExponent(widest));
+        if (most > least) extent = most - least;
+        if (most >= least) end = most + extent;
+    }
+
+    private double[] toSight(double[] corners) {
+        var seen = new double[corners.length];
+        for (int i = 0; i < corners.length; i += 3) {
+            double z = central ? corners[i + 2] : extent / (end - corners[i + 2]);
+            double across = central ? shrink : shrink * z;
+            seen[i] = across * corners[i];
+            seen[i + 1] = across * corners[i + 1];
+            seen[i + 2] = z;
+        }
+        return seen;
+    }
+
+    /** The polygons and the eye at the origin. */
+    Sight sight() {
+        return new Sight(polygons, new double[3]);
+    }
+
+    /** The face that a polygon of {@link #sight} is of. */
+    int face(int polygon) {
+        return faces[polygon];
+    }
+
+    boolean whole(int polygon, double[] corners) {
+        return Arrays.equals(polygons[polygon], corners);
+    }
+
+    /** Corners of a piece in view space, x, y, z of each. */
+    double[] toView(double[] corners) {
+        var back = new double[corners.length];
+        for (int i = 0; i < corners.length; i += 3) {
+            double z = corners[i + 2];
+            double across = central ? shrink : shrink * z;
+            back[i] = corners[i] / across;
+            back[i + 1] = corners[i + 1] / across;
+            back[i + 2] = central ? z : end - extent / z;
+        }
+        return back;
+    }
+}

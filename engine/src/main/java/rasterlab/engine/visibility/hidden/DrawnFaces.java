@@ -1,0 +1,43 @@
+package rasterlab.engine.visibility.hidden;
+
+import java.util.function.Consumer;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.visibility.SteppedVisibility;
+import rasterlab.engine.visibility.Visibility;
+import rasterlab.engine.visibility.VisibilityStep;
+import rasterlab.engine.visibility.VisibilityWalk;
+import rasterlab.engine.visibility.VisibilityWork;
+
+/**
+ * What a method shows, and what it did for it.
+ *
+ * @param picture the face at each pixel
+ * @param work what was counted
+ */
+public record DrawnFaces(FacePicture picture, VisibilityWork work) {
+
+    /** Draws all at once. */
+    public static DrawnFaces by(Visibility method, SurfaceView input) {
+        var out = new Raster(input.width(), input.height());
+        VisibilityWork work =
+                method.draw(
+                        input.view(),
+                        FacePicture.NUMBERS,
+                        out,
+                        Thread.currentThread()::isInterrupted);
+        return new DrawnFaces(FacePicture.of(out), work);
+    }
+
+    /**
+     * Draws step by step.
+     *
+     * @param observer gets each step
+     */
+    public static DrawnFaces watched(
+            SteppedVisibility method, SurfaceView input, Consumer<VisibilityStep> observer) {
+        var out = new Raster(input.width(), input.height());
+        VisibilityWalk walk = method.walk(input.view(), FacePicture.NUMBERS, out);
+        while (walk.advance()) observer.accept(walk.step());
+        return new DrawnFaces(FacePicture.of(out), walk.work());
+    }
+}

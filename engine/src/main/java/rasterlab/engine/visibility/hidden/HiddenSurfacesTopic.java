@@ -1,0 +1,102 @@
+package rasterlab.engine.visibility.hidden;
+
+import java.util.List;
+import java.util.Map;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.LimitReached;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Workload;
+import rasterlab.engine.visibility.Visibilities;
+import rasterlab.engine.visibility.Visibility;
+
+/**
+ * The face seen at each pixel, by every visibility method, held against one ray for each pixel.
+ *
+ * <p>Up to 0.05 % of the pixels may differ: a pixel's centre may lie on an edge within rounding,
+ * and two faces may meet in it. Up to 1 % is usable.
+ */
+public final class HiddenSurfacesTopic implements Topic<Visibility, SurfaceView, FacePicture> {
+    private static final String REFERENCE = "raycast";
+    private static final double CORRECT = 0.05;
+    private static final double USABLE = 1;
+
+    private final Visibilities visibilities = new Visibilities();
+
+    @Override
+    public String name() {
+        return "hidden-surfaces";
+    }
+
+    @Override
+    public List<Method<Visibility>> methods() {
+        return visibilities.methods();
+    }
+
+    @Override
+    public List<Hazard<SurfaceView>> hazards() {
+        return HiddenSurfacesHazards.all(methods());
+    }
+
+    @Override
+    public List<Workload<SurfaceView>> workloads() {
+        return HiddenSurfacesWorkloads.all();
+    }
+
+    @Override
+    public FacePicture record(Visibility method, SurfaceView input, int limit) {
+        FacePicture picture = DrawnFaces.by(method, input).picture();
+        if (input.width() * input.height() > limit) throw new LimitReached(limit, picture);
+        return picture;
+    }
+
+    @Override
+    public long spend(Visibility method, SurfaceView input) {
+        var out = new Raster(input.width(), input.height());
+        method.draw(input.view(), FacePicture.NUMBERS, out, () -> false);
+        return out.argb().length;
+    }
+
+    @Override
+    public FacePicture exact(SurfaceView input, int limit) {
+        return record(visibilities.named(REFERENCE).implementation(), input, Integer.MAX_VALUE);
+    }
+
+    @Override
+    public Deviation compare(SurfaceView input, FacePicture exact, FacePicture actual) {
+        return exact.deviation(actual);
+    }
+
+    @Override
+    public boolean correct(Deviation deviation) {
+        return deviation.worst() <= CORRECT;
+    }
+
+    @Override
+    public boolean usable(Deviation deviation) {
+        return deviation.worst() <= USABLE;
+    }
+
+    @Override
+    public Map<String, Long> operations(Visibility method, SurfaceView input) {
+        return DrawnFaces.by(method, input).work().operations();
+    }
+
+    /** {@inheritDoc} A picture is answered whole: the most that one may have. */
+    @Override
+    public int mostItems() {
+        return Raster.LARGEST_SIDE * Raster.LARGEST_SIDE;
+    }
+
+    @Override
+    public String item() {
+        return "pixel";
+    }
+
+    @Override
+    public String errorUnit() {
+        return "% of the pixels";
+    }
+}

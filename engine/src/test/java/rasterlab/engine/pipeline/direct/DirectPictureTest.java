@@ -1,0 +1,140 @@
+package rasterlab.engine.pipeline.direct;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.Finish;
+import rasterlab.engine.scene.Mesh;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.SceneLight;
+import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.transform.SphericalView;
+
+/** The pipeline's pictures of scenes beside those of one ray for each pixel. */
+class DirectPictureTest {
+    /** Levels that light in floats may be off by. */
+    private static final int LEVELS = 2;
+
+    /** At 400×300; lines along which faces meet are twice as much of the picture as at 800×600. */
+    private static final double ALLOWED = 0.001;
+
+    private static final List<String> LIT = List.of("flat", "gouraud", "phong");
+    private static final List<String> ALL = List.of("tone", "flat", "gouraud", "phong");
+
+    private final Renderer renderer = new Renderer();
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("looks")
+    void isTheRaysPicture(String scene, String shading, String projection) {
+        var request = request(Scenes.named(scene), "pipeline", shading, projection);
+        double share = wrongShare(request.withVisibility("raycast"), request);
+        assertTrue(share <= ALLOWED, () -> "share of wrong pixels: " + share);
+    }
+
+    static Stream<Arguments> looks() {
+        List<Arguments> looks = new ArrayList<>();
+        for (Scene scene : Scenes.all().stream().filter(DirectPictureTest::hasOneAnswer).toList())
+            for (String projection : List.of("perspective", "parallel", "cavalier"))
+                for (String shading : seenThrough(scene) ? LIT : ALL)
+                    looks.add(
+                            argumentSet(
+                                    "%s, %s, %s is shifted, mirrored or lit from elsewhere"
+                                            .formatted(scene.name(), projection, shading),
+                                    scene.name(),
+                                    shading,
+                                    projection));
+        return looks.stream();
+    }
+
+    /** Of surfaces at one place any may be seen. */
+    private static boolean hasOneAnswer(Scene scene) {
+        return !scene.name().equals("coplanar");
+    }
+
+    private static boolean seenThrough(Scene scene) {
+        return scene.finishes().stream().anyMatch(finish -> finish.front().alpha() < 1);
+    }
+
+    @Test
+    @DisplayName("glass hides what is behind it, or is mixed in the mesh's order")
+    void mixesGlassFromFarToNear() {
+        Scene panes = panes();
+        for (String shading : List.of("flat", "phong")) {
+            var request = request(panes, "pipeline", shading, "perspective");
+            double share = wrongShare(request.withVisibility("painter"), request);
+            assertTrue(share <= ALLOWED, () -> shading + ": share of wrong pixels: " + share);
+        }
+    }
+
+    @Test
+    @DisplayName("numbers of transparent faces are mixed into rubbish")
+    void refusesToNumberGlass() {
+        var request = request(panes(), "pipeline", "tone", "perspective");
+        var refusal =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> renderer.render(request, () -> false));
+        assertEquals(
+                "pipeline: face 0 is transparent, and numbers cannot be mixed; zfloat can",
+                refusal.getMessage());
+    }
+
+    /** Two panes one behind the other, the nearer one listed first. */
+    private static Scene panes() {
+        double[] xyz = new double[24];
+        for (int v = 0; v < 8; v++) {
+            xyz[3 * v] = v < 4 ? 20 : -20;
+            xyz[3 * v + 1] = v % 4 == 0 || v % 4 == 3 ? -40 : 40;
+            xyz[3 * v + 2] = v % 4 < 2 ? -40 : 40;
+        }
+        var mesh = new Mesh(xyz, new int[][] {{0, 1, 2, 3}, {4, 5, 6, 7}});
+        List<Finish> finishes = List.of(glass(0xFF4020), glass(0x2040FF));
+        return new Scene(
+                "panes",
+                mesh,
+                finishes,
+                new int[] {0, 1},
+                SceneLight.lampAtEye(),
+                0x203040,
+                new SphericalView(0.2, 1.4, 300),
+                3);
+    }
+
+    private static Finish glass(int rgb) {
+        var opaque = Finish.dull(rgb).front();
+        return Finish.of(new rasterlab.engine.light.Material(opaque.surface(), 0.5));
+    }
+
+    private static RenderRequest request(
+            Scene scene, String visibility, String shading, String projection) {
+        return new RenderRequest(
+                scene, visibility, shading, projection, scene.defaultCamera(), 400, 300);
+    }
+
+    private double wrongShare(RenderRequest expected, RenderRequest actual) {
+        int[] exact = renderer.render(expected, () -> false).argb();
+        Raster picture = renderer.render(actual, () -> false);
+        int wrong = 0;
+        for (int i = 0; i < exact.length; i++) if (differ(exact[i], picture.argb()[i])) wrong++;
+        return (double) wrong / exact.length;
+    }
+
+    private static boolean differ(int a, int b) {
+        for (int shift = 0; shift < 24; shift += 8)
+            if (Math.abs((a >> shift & 255) - (b >> shift & 255)) > LEVELS) return true;
+        return false;
+    }
+}

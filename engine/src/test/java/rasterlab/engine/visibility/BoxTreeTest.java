@@ -1,0 +1,35 @@
+package rasterlab.engine.visibility;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+
+import java.util.Random;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import rasterlab.engine.scene.Mesh;
+
+class BoxTreeTest {
+    private static final long SEED = 1980;
+
+    @Test
+    @DisplayName("a box is missed that holds a face which the ray meets")
+    void raysMeetWhatTheyMeetWithoutBoxes() {
+        var random = new Random(SEED);
+        for (int count : new int[] {1, 4, 5, 33, 200}) {
+            Mesh mesh = TestScenes.crossing(count, 60, SEED + count);
+            var paint = TestScenes.numbers(mesh);
+            var targets = new RayTargets(mesh);
+            var boxes = new BoxTree(mesh);
+            var one = new RayHits(targets, paint, -1e3, 1e3, new Tally());
+            var all = new RayHits(targets, paint, -1e3, 1e3, new Tally());
+            for (int k = 0; k < 2000; k++) {
+                double[] ray = random.doubles(6, -150, 150).toArray();
+                if (k % 3 == 0) ray[3 + k / 3 % 3] = 0;
+                one.start(ray);
+                boxes.cast(one);
+                all.start(ray);
+                for (int f = 0; f < count; f++) all.tryFace(f);
+                assertArrayEquals(all.faces(), one.faces(), "seed " + SEED + ", ray " + k);
+            }
+        }
+    }
+}

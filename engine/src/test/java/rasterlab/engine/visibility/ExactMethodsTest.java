@@ -1,0 +1,146 @@
+package rasterlab.engine.visibility;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.raster.PictureDifference;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.Mesh;
+import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.transform.Projection;
+import rasterlab.engine.transform.SphericalView;
+
+/** Every method that claims to be right, against the ray caster, in every projection. */
+class ExactMethodsTest {
+    private static final boolean FULL = Boolean.getBoolean("rasterlab.full");
+    private static final int WIDTH = FULL ? 800 : 320;
+    private static final int HEIGHT = FULL ? 600 : 240;
+    private static final double ALLOWED = 5e-4;
+    private static final long SEED = 1972;
+    private static final SphericalView CAMERA = new SphericalView(0.13, 1.47, 500);
+    private static final List<String> ORDERS = List.of("newell", "bsp");
+    private static final List<String> PIXELS = List.of("scanline", "warnock");
+    private static final List<String> BUFFERS =
+            List.of("z16", "z24", "z32", "zfloat", "reversed-z");
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("scenes")
+    void fewPixelsAreWrong(Mesh mesh, SphericalView camera) {
+        for (Projection projection : Projection.values()) {
+            ViewedMesh view = TestScenes.seen(mesh, camera, projection, WIDTH, HEIGHT);
+            Raster exact = TestScenes.picture("raycast", view);
+            double byFloats = share(exact, "zfloat", view);
+            for (String method : all()) {
+                double share = share(exact, method, view);
+                double allowed = PIXELS.contains(method) ? byFloats : ALLOWED;
+                assertTrue(
+                        share <= allowed,
+                        () ->
+                                "%s %s, seed %d: share %s"
+                                        .formatted(method, projection, SEED, share));
+            }
+        }
+    }
+
+    private static double share(Raster exact, String method, ViewedMesh view) {
+        return PictureDifference.of(exact, TestScenes.picture(method, view)).share();
+    }
+
+    private static List<String> all() {
+        return Stream.of(ORDERS, PIXELS, BUFFERS).flatMap(List::stream).toList();
+    }
+
+    static Stream<Arguments> scenes() {
+        List<Arguments> scenes = new ArrayList<>();
+        for (var scene : Scenes.all())
+            scenes.add(
+                    argumentSet(scene.name() + " is wrong", scene.mesh(), scene.defaultCamera()));
+        scenes.add(argumentSet("circle is not cut", TestScenes.cycle(), CAMERA));
+        Mesh crossing = TestScenes.crossing(FULL ? 400 : 60, 60, SEED);
+        scenes.add(argumentSet("crossing planes are not split", crossing, CAMERA));
+        scenes.add(
+                argumentSet(
+                        "faces round the eye are refused",
+                        crossing,
+                        new SphericalView(0.4, 1, 50)));
+        return scenes.stream();
+    }
+
+    @Test
+    @DisplayName("cut circle shows a wrong pixel, or its splits are not counted")
+    void circleIsExactAndItsSplitsAreCounted() {
+        for (Projection projection : List.of(Projection.PERSPECTIVE, Projection.PARALLEL)) {
+            ViewedMesh view = TestScenes.seen(TestScenes.cycle(), CAMERA, projection, 800, 600);
+            Raster exact = TestScenes.picture("raycast", view);
+            long misled =
+                    PictureDifference.of(exact, TestScenes.picture("painter", view)).wrongPixels();
+            assertTrue(misled > 1000, "the painter is wrong in " + misled + " pixels only");
+            for (String method : ORDERS) {
+                assertArrayEquals(exact.argb(), TestScenes.picture(method, view).argb(), method);
+                assertTrue(work(method, view).splits() > 0, method);
+            }
+            for (String method : PIXELS)
+                assertArrayEquals(exact.argb(), TestScenes.picture(method, view).argb(), method);
+        }
+    }
+
+    private static VisibilityWork work(String method, ViewedMesh view) {
+        var out = new Raster(view.fit().width(), view.fit().height());
+        return new Visibilities()
+                .named(method)
+                .implementation()
+                .draw(view, TestScenes.numbers(view.mesh()), out, () -> false);
+    }
+
+    @Test
+    @DisplayName("convex takes an open, a hollow or a double body")
+    void convexDrawsABoxAndRefusesWhatIsNone() {
+        for (double rho : new double[] {500, 60, 10}) {
+            var camera = new SphericalView(0.5, 1.1, rho);
+            ViewedMesh box =
+                    TestScenes.seen(TestScenes.box(50), camera, Projection.PERSPECTIVE, 320, 240);
+            assertEquals(
+                    0,
+                    PictureDifference.of(
+                                    TestScenes.picture("raycast", box),
+                                    TestScenes.picture("convex", box))
+                            .wrongPixels(),
+                    "rho " + rho);
+        }
+        assertRefused("face 240 has no neighbour", Scenes.named("vase").mesh());
+        Mesh one = TestScenes.box(50);
+        double[] xyz = new double[48];
+        int[][] faces = new int[12][];
+        for (int v = 0; v < 8; v++) {
+            xyz[3 * v] = one.x(v) - 80;
+            xyz[3 * v + 24] = one.x(v) + 80;
+            xyz[3 * v + 1] = xyz[3 * v + 25] = one.y(v);
+            xyz[3 * v + 2] = xyz[3 * v + 26] = one.z(v);
+        }
+        for (int f = 0; f < 6; f++) {
+            faces[f] = new int[4];
+            faces[f + 6] = new int[4];
+            for (int k = 0; k < 4; k++) faces[f + 6][k] = 8 + (faces[f][k] = one.corner(f, k));
+        }
+        assertRefused("lies outside face", new Mesh(xyz, faces));
+    }
+
+    private static void assertRefused(String shown, Mesh mesh) {
+        ViewedMesh view = TestScenes.seen(mesh, CAMERA, Projection.PERSPECTIVE, 32, 24);
+        var refusal =
+                assertThrows(
+                        IllegalArgumentException.class, () -> TestScenes.picture("convex", view));
+        assertTrue(refusal.getMessage().contains(shown), refusal.getMessage());
+    }
+}
