@@ -25,6 +25,24 @@ public final class DetailLevel {
         return Math.max(ux * ux + vx * vx, uy * uy + vy * vy);
     }
 
+    /** ρ² of many pixels, in place of their ∂s/∂x. */
+    public static void squareSteps(
+            int count,
+            float[] dsdx,
+            float[] dtdx,
+            float[] dsdy,
+            float[] dtdy,
+            int width,
+            int height) {
+        for (int i = 0; i < count; i++) {
+            float ux = dsdx[i] * width;
+            float vx = dtdx[i] * height;
+            float uy = dsdy[i] * width;
+            float vy = dtdy[i] * height;
+            dsdx[i] = Math.max(ux * ux + vx * vx, uy * uy + vy * vy);
+        }
+    }
+
     /** λ = ½·log₂ ρ²; −∞ where nothing moves. */
     public static double of(double squaredStep) {
         return 0.5 * Math.log(squaredStep) / Math.log(2);

@@ -23,6 +23,11 @@ public final class TextureLevel {
         return height;
     }
 
+    /** Row by row, the bottom row first: not a copy. */
+    int[] argb() {
+        return argb;
+    }
+
     /** The texel in column {@code i} from the left and row {@code j} from the bottom. */
     public int texel(int i, int j) {
         return argb[j * width + i];

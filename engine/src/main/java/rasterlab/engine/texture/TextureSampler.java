@@ -1,5 +1,7 @@
 package rasterlab.engine.texture;
 
+import java.util.Optional;
+
 /**
  * Looks colours up in a texture; allocates nothing, safe to use from several threads.
  *
@@ -17,6 +19,9 @@ public final class TextureSampler {
     private final TextureLevel[] levels;
     private final int highest;
 
+    /** Set where there are faster ways. */
+    private final Optional<RepeatedLevels> repeated;
+
     public TextureSampler(Texture texture, Wrap alongS, Wrap alongT) {
         this.texture = texture;
         this.alongS = alongS;
@@ -24,6 +29,10 @@ public final class TextureSampler {
         levels = new TextureLevel[texture.levelCount()];
         for (int i = 0; i < levels.length; i++) levels[i] = texture.level(i);
         highest = levels.length - 1;
+        repeated =
+                RepeatedLevels.fits(texture, alongS, alongT)
+                        ? Optional.of(new RepeatedLevels(texture))
+                        : Optional.empty();
     }
 
     public Texture texture() {
@@ -58,10 +67,11 @@ public final class TextureSampler {
         int above = v & WHOLE - 1;
         if (i < 0 || j < 0 || i + 1 >= width || j + 1 >= height)
             return atRim(level, i, j, right, above);
-        return mix(
-                mix(level.texel(i, j), level.texel(i + 1, j), right),
-                mix(level.texel(i, j + 1), level.texel(i + 1, j + 1), right),
-                above);
+        return TexelMix.packed(
+                TexelMix.of(
+                        TexelMix.of(level.texel(i, j), level.texel(i + 1, j), right),
+                        TexelMix.of(level.texel(i, j + 1), level.texel(i + 1, j + 1), right),
+                        above));
     }
 
     private int atRim(TextureLevel level, int i, int j, int right, int above) {
@@ -69,14 +79,39 @@ public final class TextureSampler {
         int i1 = alongS.index(i + 1, level.width());
         int j0 = alongT.index(j, level.height());
         int j1 = alongT.index(j + 1, level.height());
-        return mix(
-                mix(texel(level, i0, j0), texel(level, i1, j0), right),
-                mix(texel(level, i0, j1), texel(level, i1, j1), right),
-                above);
+        return TexelMix.packed(
+                TexelMix.of(
+                        TexelMix.of(texel(level, i0, j0), texel(level, i1, j0), right),
+                        TexelMix.of(texel(level, i0, j1), texel(level, i1, j1), right),
+                        above));
     }
 
     private static int texel(TextureLevel level, int i, int j) {
         return (i | j) < 0 ? 0 : level.texel(i, j);
+    }
+
+    /** {@link #nearest(double, double)} for many places. */
+    public void nearest(int count, float[] s, float[] t, int[] texel) {
+        if (repeated.isPresent()) repeated.get().nearest(count, s, t, texel);
+        else for (int i = 0; i < count; i++) texel[i] = nearest(s[i], t[i]);
+    }
+
+    /** {@link #linear(double, double)} for many places. */
+    public void linear(int count, float[] s, float[] t, int[] texel) {
+        if (repeated.isPresent()) repeated.get().linear(count, s, t, texel);
+        else for (int i = 0; i < count; i++) texel[i] = linear(s[i], t[i]);
+    }
+
+    /**
+     * {@link #trilinear(double, double, double)} for many places.
+     *
+     * @param squaredStep ρ² of each, as {@link DetailLevel} computes it
+     */
+    public void trilinear(int count, float[] s, float[] t, float[] squaredStep, int[] texel) {
+        if (repeated.isPresent()) repeated.get().trilinear(count, s, t, squaredStep, texel);
+        else
+            for (int i = 0; i < count; i++)
+                texel[i] = trilinear(s[i], t[i], DetailLevel.quick(squaredStep[i]));
     }
 
     /** The nearest texel of the nearest level. */
@@ -98,20 +133,10 @@ public final class TextureSampler {
         double tt = alongT.within(t);
         int fine = linear(levels[finer], ss, tt);
         if (coarser == 0 || finer == highest) return fine;
-        return mix(fine, linear(levels[finer + 1], ss, tt), coarser);
+        return TexelMix.packed(TexelMix.of(fine, linear(levels[finer + 1], ss, tt), coarser));
     }
 
     private double within(double lambda) {
         return lambda > 0 ? Math.min(lambda, highest) : 0;
-    }
-
-    /** (a·(256 − share) + b·share)/256 of each channel, rounded; two channels at a time. */
-    private static int mix(int a, int b, int share) {
-        int rest = WHOLE - share;
-        int half = 0x00800080;
-        int redBlue = (a & 0xFF00FF) * rest + (b & 0xFF00FF) * share + half >>> BITS & 0xFF00FF;
-        int alphaGreen =
-                (a >>> 8 & 0xFF00FF) * rest + (b >>> 8 & 0xFF00FF) * share + half & 0xFF00FF00;
-        return alphaGreen | redBlue;
     }
 }

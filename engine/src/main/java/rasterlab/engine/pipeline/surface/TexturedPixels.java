@@ -95,9 +95,8 @@ public final class TexturedPixels implements PixelColors {
             return;
         }
         if (matrix.isPresent()) matrix.get().transform(batch.count, s, t);
-        if (filter == TextureFilter.LINEAR)
-            for (int i = 0; i < batch.count; i++) texel[i] = sampler.linear(s[i], t[i]);
-        else for (int i = 0; i < batch.count; i++) texel[i] = sampler.nearest(s[i], t[i]);
+        if (filter == TextureFilter.LINEAR) sampler.linear(batch.count, s, t, texel);
+        else sampler.nearest(batch.count, s, t, texel);
     }
 
     private void lookTrilinear(PixelBatch batch, float[] s, float[] t, int[] texel) {
@@ -112,11 +111,7 @@ public final class TexturedPixels implements PixelColors {
         }
         int width = sampler.texture().width();
         int height = sampler.texture().height();
-        for (int i = 0; i < batch.count; i++) {
-            double step =
-                    DetailLevel.squaredStep(
-                            sRight[i], tRight[i], sDown[i], tDown[i], width, height);
-            texel[i] = sampler.trilinear(s[i], t[i], DetailLevel.quick(step));
-        }
+        DetailLevel.squareSteps(batch.count, sRight, tRight, sDown, tDown, width, height);
+        sampler.trilinear(batch.count, s, t, sRight, texel);
     }
 }

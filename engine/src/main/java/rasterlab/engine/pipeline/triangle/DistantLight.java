@@ -101,12 +101,7 @@ public final class DistantLight implements VertexColors, PixelColors {
         channel(n, 0, diffuse, highlight, x);
         channel(n, 1, diffuse, highlight, y);
         channel(n, 2, diffuse, highlight, z);
-        for (int i = 0; i < n; i++)
-            batch.argb[i] =
-                    0xFF000000
-                            | (int) (x[i] * 255 + 0.5f) << 16
-                            | (int) (y[i] * 255 + 0.5f) << 8
-                            | (int) (z[i] * 255 + 0.5f);
+        PixelLevels.pack(n, x, y, z, batch.argb);
     }
 
     /** Replaces places by the vectors h, not of length 1. */

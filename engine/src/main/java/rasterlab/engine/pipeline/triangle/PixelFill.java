@@ -108,14 +108,16 @@ final class PixelFill {
         float rowC = scan.edgeC[row] * scan.inverseArea;
         float z = za + rowB * zb + rowC * zc;
         float step = toB * zb + toC * zc;
-        int from = (scan.top + row) * out.width() + scan.left[row];
+        int from = (scan.top + row) * out.width() + scan.left[row] + first;
         int kept = batch.count;
-        for (int k = first; k < first + n; k++) {
+        float k = first - 1;
+        for (int cell = from; cell < from + n; cell++) {
+            k += 1;
             float here = z + k * step;
-            if (!(here < depth[from + k])) continue;
-            if (early) depth[from + k] = here;
+            if (!(here < depth[cell])) continue;
+            if (early) depth[cell] = here;
             else batch.depth[kept] = here;
-            batch.cell[kept] = from + k;
+            batch.cell[kept] = cell;
             weightB[kept] = rowB + k * toB;
             weightC[kept++] = rowC + k * toC;
         }

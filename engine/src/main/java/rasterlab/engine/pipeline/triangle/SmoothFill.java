@@ -83,12 +83,14 @@ final class SmoothFill {
             int green = (int) (ga + weightB * gb + weightC * gc);
             int blue = (int) (ba + weightB * bb + weightC * bc);
             int from = (scan.top + row) * width + scan.left[row];
+            float k = 0;
             for (int i = from; i < from + n; i++) {
-                float here = z + (i - from) * stepZ;
+                float here = z + k * stepZ;
                 if (here < depth[i]) {
                     depth[i] = here;
                     argb[i] = argb(red, green, blue);
                 }
+                k += 1;
                 red += stepRed;
                 green += stepGreen;
                 blue += stepBlue;

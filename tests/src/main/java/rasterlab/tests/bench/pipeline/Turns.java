@@ -8,24 +8,36 @@ import java.util.Locale;
  * slows them all.
  */
 final class Turns {
+    /** For each way: by then the compiler has done with what is run most. */
+    private static final double WARM_UP_SECONDS = 2;
+
+    private static final int WARM_UP_ROUNDS = 5;
+
     private final Runnable[] ways;
     private final double[][] millis;
 
     /**
-     * @param rounds how often each is timed, after a quarter as many rounds to warm up
+     * @param rounds how often each is timed, after some rounds to warm up
      */
     Turns(int rounds, Runnable... ways) {
         this.ways = ways.clone();
         millis = new double[ways.length][rounds];
-        for (int round = -Math.max(5, rounds / 4); round < rounds; round++)
-            for (int way = 0; way < ways.length; way++) time(way, round);
+        for (Runnable way : ways) warmUp(way);
+        for (int round = 0; round < rounds; round++)
+            for (int way = 0; way < ways.length; way++) millis[way][round] = millis(ways[way]);
         for (double[] each : millis) Arrays.sort(each);
     }
 
-    private void time(int way, int round) {
+    private static void warmUp(Runnable way) {
+        double spent = 0;
+        for (int round = 0; round < WARM_UP_ROUNDS || spent < WARM_UP_SECONDS * 1e3; round++)
+            spent += millis(way);
+    }
+
+    private static double millis(Runnable way) {
         long start = System.nanoTime();
-        ways[way].run();
-        if (round >= 0) millis[way][round] = (System.nanoTime() - start) / 1e6;
+        way.run();
+        return (System.nanoTime() - start) / 1e6;
     }
 
     double median(int way) {
