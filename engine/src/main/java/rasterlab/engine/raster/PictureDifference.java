@@ -13,7 +13,11 @@ package rasterlab.engine.raster;
  *     dark × around each, so that a single wrong pixel is found by shape as well as by colour
  */
 public record PictureDifference(
-        long wrongPixels, long plainlyWrongPixels, long pixels, int largestLevelDifference, Raster mask) {
+        long wrongPixels,
+        long plainlyWrongPixels,
+        long pixels,
+        int largestLevelDifference,
+        Raster mask) {
     /** Levels by which rounding alone may change a channel. */
     public static final int ROUNDING = 2;
 

@@ -72,9 +72,7 @@ final class OrderScenes {
         double along = 110 * Math.cos(0.4 * k);
         double across = 110 * Math.sin(0.4 * k);
         return Quad.whole(
-                new Vector(0, 0, 0),
-                new Vector(along, across, 0),
-                new Vector(-across, along, 0));
+                new Vector(0, 0, 0), new Vector(along, across, 0), new Vector(-across, along, 0));
     }
 
     /** A hall that begins far behind the eye, and a beam from beside the eye to the far wall. */
