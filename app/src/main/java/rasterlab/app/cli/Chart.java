@@ -1,7 +1,7 @@
 package rasterlab.app.cli;
 
-import java.util.Iterator;
 import java.nio.charset.StandardCharsets;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
