@@ -1,14 +1,19 @@
 package rasterlab.app.cli;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
+import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.exercises.score.CasePictures;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Report;
 
-/** Writes a report's pictures as PNG: CASE-expected, CASE-actual and CASE-difference. */
+/**
+ * Writes a report's pictures as PNG: CASE-expected, CASE-actual and CASE-difference; beside them
+ * CASE.scene.json, with which {@code ./lab run --scene} shows what is right.
+ */
 final class CasePictureFiles {
     private CasePictureFiles() {}
 
@@ -30,6 +35,11 @@ final class CasePictureFiles {
             WholeFile.write(
                     folder.resolve(start + "-difference.png"), pictures.get().differencePng());
             files += 3;
+            if (!judged.scene().isEmpty()) {
+                byte[] scene = judged.scene().getBytes(StandardCharsets.UTF_8);
+                WholeFile.write(folder.resolve(start + SceneText.EXTENSION), scene);
+                files++;
+            }
         }
         return files;
     }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.pipeline.Cull;
@@ -53,7 +54,9 @@ abstract class EngineNames implements Iterable<String> {
 
     static final class OfVisibilities extends EngineNames {
         OfVisibilities() {
-            super(Renderer.visibilities());
+            super(
+                    Stream.concat(Renderer.visibilities().stream(), Stream.of(Renderer.SURFACES))
+                            .toList());
         }
     }
 

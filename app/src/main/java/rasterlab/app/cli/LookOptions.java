@@ -107,13 +107,14 @@ final class LookOptions {
     private EyesOption.Distance eyes;
 
     /**
+     * @param shown may say what the command line does not
      * @param rho the camera's distance from the origin
      * @throws IllegalArgumentException for an unknown name or a number out of range
      */
-    Look look(String visibility, double rho) {
+    Look look(ShownScene shown, String visibility, double rho) {
         Look look =
-                Look.of(visibility, ShadingMethod.named(shading))
-                        .withTexture(TextureMode.named(texture))
+                Look.of(visibility, ShadingMethod.named(shown.option("--shading", shading)))
+                        .withTexture(TextureMode.named(shown.option("--texture", texture)))
                         .withLight(seenTerms(), sides())
                         .withCull(Cull.named(cull))
                         .withWire(new WireStyle(HiddenLines.named(hiddenLines), crease));

@@ -10,7 +10,6 @@ import java.util.function.BooleanSupplier;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.PngFile;
@@ -21,7 +20,6 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 
@@ -41,17 +39,16 @@ import rasterlab.engine.transform.SphericalView;
 final class RenderCommand implements Callable<Integer> {
     private final Console console;
 
-    @Parameters(
-            index = "0",
-            paramLabel = "SCENE",
-            description = "${COMPLETION-CANDIDATES}",
-            completionCandidates = EngineNames.OfScenes.class)
-    private String sceneName;
+    @Mixin private SceneArgument shown;
 
     @Option(
             names = "--visibility",
             paramLabel = "METHOD",
-            description = "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}",
+            description = {
+                "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}.",
+                "raycast-surface draws the curved surface itself instead of the faces that stand for it,"
+                        + " with --shading phong or auto"
+            },
             completionCandidates = EngineNames.OfVisibilities.class,
             defaultValue = "zfloat")
     private String visibility;
@@ -153,9 +150,11 @@ final class RenderCommand implements Callable<Integer> {
 
     private RenderRequest request() {
         try {
-            Scene scene = texture.laid(Scenes.named(sceneName).zoomed(zoom));
+            ShownScene opened = shown.open(console);
+            Scene scene = texture.laid(opened.scene().zoomed(zoom));
             SphericalView eye = camera == null ? scene.defaultCamera() : camera;
-            Projection chosen = Projection.named(projection);
+            Projection chosen = Projection.named(opened.option("--projection", projection));
+            String method = opened.option("--visibility", visibility);
             return new RenderRequest(
                     scene,
                     eye,
@@ -163,7 +162,7 @@ final class RenderCommand implements Callable<Integer> {
                     depths(chosen, eye.rho()),
                     size.width(),
                     size.height(),
-                    look.look(reference ? Renderer.REFERENCE : visibility, eye.rho()));
+                    look.look(opened, reference ? Renderer.REFERENCE : method, eye.rho()));
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());
         }

@@ -49,7 +49,7 @@ record RenderReport(
 
     private void writeRequest(JsonGenerator json) throws IOException {
         json.writeStringField("scene", request.scene().name());
-        json.writeStringField("visibility", request.visibility());
+        writeChoice(json, "visibility", Renderer.visibility(request));
         writeChoice(json, "shading", Renderer.shading(request));
         writeChoice(json, "texture", Renderer.texture(request));
         writeView(json);

@@ -4,14 +4,19 @@ import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.cli.run.Runs;
 import rasterlab.app.cli.run.TopicRun;
+import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
+import rasterlab.exercises.scene.MethodCase;
 
 /** Runs one method on JSON input. */
 @Command(
@@ -39,11 +44,18 @@ final class RunCommand implements Callable<Integer> {
     private final Console console;
     private final JsonFactory json = new JsonFactory();
 
-    @Parameters(index = "0", paramLabel = "TOPIC", description = "such as line")
-    private String topic;
+    @Parameters(
+            arity = "0..2",
+            paramLabel = "TOPIC METHOD",
+            hideParamSyntax = true,
+            description = "such as line bresenham; see `./lab methods TOPIC`")
+    private List<String> names = List.of();
 
-    @Parameters(index = "1", paramLabel = "METHOD", description = "see `./lab methods TOPIC`")
-    private String method;
+    @Option(
+            names = "--scene",
+            paramLabel = "FILE",
+            description = "takes topic, method and input from a scene file; METHOD may differ")
+    private Path scene;
 
     @Option(
             names = "--steps",
@@ -65,11 +77,39 @@ final class RunCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        TopicRun run = Runs.named(topic);
+        return scene == null ? runInput() : runScene();
+    }
+
+    private int runInput() throws IOException {
+        if (names.size() < 2)
+            throw Complaint.badInput(
+                    "needs TOPIC and METHOD, or --scene FILE; see `./lab methods`");
+        TopicRun run = Runs.named(names.get(0));
+        String method = names.get(1);
         Runs.requireMethod(run, method);
         try (var generator = generator()) {
-            if (lines) answerLines(run, generator);
-            else answerWhole(run, generator);
+            if (lines) answerLines(run, method, generator);
+            else answerWhole(run, method, read(), generator);
+        }
+        return ExitCode.DONE;
+    }
+
+    private int runScene() throws IOException {
+        if (lines || names.size() > 1)
+            throw Complaint.badInput("--scene FILE goes with METHOD alone, and not with --lines");
+        MethodCase one = SceneText.methodCase(scene);
+        TopicRun run = Runs.named(one.topic());
+        String method =
+                names.stream()
+                        .findFirst()
+                        .or(one::method)
+                        .orElseThrow(
+                                () ->
+                                        Complaint.badInput(
+                                                scene + ": names no method; give one: METHOD"));
+        Runs.requireMethod(run, method);
+        try (var generator = generator()) {
+            answerWhole(run, method, one.input().getBytes(StandardCharsets.UTF_8), generator);
         }
         return ExitCode.DONE;
     }
@@ -83,8 +123,8 @@ final class RunCommand implements Callable<Integer> {
         return generator;
     }
 
-    private void answerWhole(TopicRun run, JsonGenerator out) throws IOException {
-        byte[] text = read();
+    private void answerWhole(TopicRun run, String method, byte[] text, JsonGenerator out)
+            throws IOException {
         if (text.length > LONGEST_INPUT) throw tooLong("the input");
         writeLine(out, run.answer(method, text, text.length, steps));
     }
@@ -97,16 +137,16 @@ final class RunCommand implements Callable<Integer> {
         }
     }
 
-    private void answerLines(TopicRun run, JsonGenerator out) throws IOException {
+    private void answerLines(TopicRun run, String method, JsonGenerator out) throws IOException {
         var input = new InputLines(console.in(), LONGEST_INPUT);
         while (input.next()) {
-            writeLine(out, answered(run, input));
+            writeLine(out, answered(run, method, input));
             if (input.drained()) flush(out);
             if (console.out().checkError()) return;
         }
     }
 
-    private TopicRun.Answer answered(TopicRun run, InputLines input) {
+    private TopicRun.Answer answered(TopicRun run, String method, InputLines input) {
         try {
             if (input.tooLong()) throw tooLong("the line");
             if (input.blank())

@@ -31,6 +31,10 @@ class CheckCommandTest {
         assertFalse(ran.out().contains("missing"), ran.out());
         Path picture = folder.resolve("pictures/steep-line-leaves-gaps-difference.png");
         assertTrue(Files.exists(picture), ran.out());
+        String scene = folder.resolve("pictures/steep-line-leaves-gaps.scene.json").toString();
+        Ran right = Ran.lab("run", "--scene", scene);
+        right.assertDone();
+        assertTrue(right.out().startsWith("{\"pixels\":[["), right.out());
         assertEquals(1, ran.exitCode());
     }
 

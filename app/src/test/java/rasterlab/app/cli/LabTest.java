@@ -95,8 +95,7 @@ class LabTest {
                         new String[] {"methods", "line", "circle"}),
                 argumentSet(
                         "argument is missing",
-                        "./lab run: missing required parameter: 'METHOD'"
-                                + " (see `./lab run --help`)",
+                        "./lab run: needs TOPIC and METHOD, or --scene FILE; see `./lab methods`",
                         new String[] {"run", "line"}),
                 argumentSet(
                         "topic is unknown",

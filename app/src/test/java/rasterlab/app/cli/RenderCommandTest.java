@@ -180,7 +180,7 @@ class RenderCommandTest {
     void helpNamesEveryMethodThatTheEngineHas() {
         String help = Ran.lab("render", "--help").out().replaceAll("\\s+", " ");
         for (String name : Renderer.visibilities()) assertTrue(help.contains(name), name);
-        assertTrue(help.contains(String.join(", ", Scenes.names())), help);
+        for (String name : Scenes.names()) assertTrue(help.contains(name), name);
         assertTrue(Ran.lab("completion").out().contains("painter-textbook"), "not completed");
     }
 

@@ -118,4 +118,22 @@ public record Look(
                 cue,
                 Optional.of(other));
     }
+
+    /**
+     * @throws IllegalArgumentException for what only faces have: other shading than Phong's, edges,
+     *     culling, mipmaps, fading
+     */
+    void requireSurfaces() {
+        if (shading != ShadingMethod.PHONG && shading != ShadingMethod.AUTO)
+            throw onlyFaces("shading " + shading.code(), "phong or auto");
+        if (cull != Cull.NONE) throw onlyFaces("culling", "none");
+        if (texture == TextureMode.MIPMAP || texture == TextureMode.AFFINE_NEAREST)
+            throw onlyFaces("texture " + texture.code(), "nearest, linear, none or auto");
+        if (cue.isPresent()) throw onlyFaces("depth cue", "none");
+    }
+
+    private static IllegalArgumentException onlyFaces(String what, String allowed) {
+        return new IllegalArgumentException(
+                "%s needs faces; surfaces are drawn with %s".formatted(what, allowed));
+    }
 }

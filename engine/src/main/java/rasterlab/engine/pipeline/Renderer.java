@@ -12,6 +12,7 @@ import rasterlab.engine.pipeline.direct.DirectPicture;
 import rasterlab.engine.pipeline.direct.NumberedFaces;
 import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.Paints;
+import rasterlab.engine.pipeline.paint.SurfacePicture;
 import rasterlab.engine.pipeline.paint.Veil;
 import rasterlab.engine.pipeline.wire.WirePicture;
 import rasterlab.engine.pipeline.wire.WireStyle;
@@ -32,6 +33,9 @@ import rasterlab.engine.visibility.Visibility;
 public final class Renderer implements AutoCloseable {
     /** The visibility method that the others are held against: one ray for each pixel. */
     public static final String REFERENCE = "raycast";
+
+    /** Draws a scene's surfaces instead of its faces; no method of the faces' visibility. */
+    public static final String SURFACES = "raycast-surface";
 
     /** The method that hides nothing, so that wires are seen whole. */
     private static final String HIDES_NOTHING = "none";
@@ -85,6 +89,10 @@ public final class Renderer implements AutoCloseable {
     }
 
     static void checkNames(String visibility, boolean outline) {
+        if (visibility.equals(SURFACES)) {
+            if (outline) throw new IllegalArgumentException(SURFACES + " draws no outlines");
+            return;
+        }
         Named.find("visibility method", visibility, visibilities(), name -> name);
         if (visibility.equals(AUTO)) return;
         Method<Visibility> method = named(KNOWN, visibility);
@@ -165,6 +173,12 @@ public final class Renderer implements AutoCloseable {
             RenderRequest request, RequestView seen, Raster out, BooleanSupplier cancelled) {
         Look look = request.look();
         ViewedMesh view = seen.viewed();
+        if (look.visibility().equals(SURFACES)) {
+            look.requireSurfaces();
+            var lights = new FaceLights(seen.scene(), view, look.terms(), look.sides());
+            new SurfacePicture(lights, look.texture()).draw(out, cancelled);
+            return;
+        }
         int background = seen.scene().backgroundRgb();
         Optional<Veil> veil = look.cue().map(cue -> new Veil(cue, view, background));
         String chosen = visibility(request).chosen();

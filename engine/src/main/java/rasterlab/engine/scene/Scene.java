@@ -2,6 +2,7 @@ package rasterlab.engine.scene;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import rasterlab.engine.transform.SphericalView;
 
@@ -16,6 +17,7 @@ import rasterlab.engine.transform.SphericalView;
  * @param backgroundRgb the colour 0xRRGGBB behind the faces
  * @param defaultCamera the first view
  * @param pictureScale pixels per world unit, at the object's centre, in a picture of 800×600
+ * @param surfaces what the faces stand for, where it is known; all finishes are theirs, in order
  */
 public record Scene(
         String name,
@@ -25,7 +27,8 @@ public record Scene(
         SceneLight light,
         int backgroundRgb,
         SphericalView defaultCamera,
-        double pictureScale) {
+        double pictureScale,
+        Optional<ExactSurfaces> surfaces) {
     public Scene {
         finishes = List.copyOf(finishes);
         finishOf = finishOf.clone();
@@ -42,6 +45,42 @@ public record Scene(
             throw new IllegalArgumentException(
                     "scene '%s': picture scale must be finite and above 0, got %s"
                             .formatted(name, pictureScale));
+    }
+
+    /** A scene of faces that stand for nothing but themselves. */
+    public Scene(
+            String name,
+            Mesh mesh,
+            List<Finish> finishes,
+            int[] finishOf,
+            SceneLight light,
+            int backgroundRgb,
+            SphericalView defaultCamera,
+            double pictureScale) {
+        this(
+                name,
+                mesh,
+                finishes,
+                finishOf,
+                light,
+                backgroundRgb,
+                defaultCamera,
+                pictureScale,
+                Optional.empty());
+    }
+
+    /** The same scene, its faces standing for surfaces. */
+    public Scene of(ExactSurfaces exact) {
+        return new Scene(
+                name,
+                mesh,
+                finishes,
+                finishOf,
+                light,
+                backgroundRgb,
+                defaultCamera,
+                pictureScale,
+                Optional.of(exact));
     }
 
     /**
@@ -89,7 +128,22 @@ public record Scene(
                 light,
                 backgroundRgb,
                 defaultCamera,
-                zoom * pictureScale);
+                zoom * pictureScale,
+                surfaces);
+    }
+
+    /** The same scene first seen from elsewhere. */
+    public Scene seenFrom(SphericalView camera) {
+        return new Scene(
+                name,
+                mesh,
+                finishes,
+                finishOf,
+                light,
+                backgroundRgb,
+                camera,
+                pictureScale,
+                surfaces);
     }
 
     /** The same scene with some of its faces only, in the order given. */
@@ -102,7 +156,8 @@ public record Scene(
                 light,
                 backgroundRgb,
                 defaultCamera,
-                pictureScale);
+                pictureScale,
+                surfaces);
     }
 
     /** The same scene with other finishes, one for each of its own. */
@@ -115,7 +170,8 @@ public record Scene(
                 light,
                 backgroundRgb,
                 defaultCamera,
-                pictureScale);
+                pictureScale,
+                surfaces);
     }
 
     /** Which of the finishes a face has. */

@@ -6,11 +6,11 @@ import com.fasterxml.jackson.core.io.JsonEOFException;
 import com.fasterxml.jackson.databind.exc.MismatchedInputException;
 
 /** Where a text is not JSON, and why, in words that do not ask for knowledge of the parser. */
-final class JsonMistake {
+public final class JsonMistake {
     private JsonMistake() {}
 
     /** Such as "line 3, column 8: Duplicate field 'name'". */
-    static String in(JsonProcessingException e) {
+    public static String in(JsonProcessingException e) {
         JsonLocation at = e.getLocation();
         return "line " + at.getLineNr() + ", column " + at.getColumnNr() + ": " + reason(e);
     }

@@ -2,6 +2,7 @@ package rasterlab.exercises.line;
 
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Optional;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
@@ -10,6 +11,7 @@ import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
+import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CasePictures;
 import rasterlab.exercises.score.Finding;
@@ -18,6 +20,9 @@ import rasterlab.exercises.score.Message;
 
 /** Compares what a method drew with the exact line, as the case and the exercise demand. */
 public final class LineJudge {
+    /** The method of the topic that draws what is asked for. */
+    private static final String REFERENCE = "bresenham";
+
     private static final JsonMapper MAPPER = new JsonMapper();
     private static final String REFUSAL = IllegalArgumentException.class.getName();
 
@@ -97,11 +102,11 @@ public final class LineJudge {
         return new Finding(verdict, said, CasePictures.of(PixelDifference.of(wanted, actual)));
     }
 
-    /** The case's segment as a scene file that the lab opens. */
+    /** The case's segment as a scene file that the lab opens, with the method that is right. */
     public static String scene(Segment segment) {
-        ObjectNode scene = MAPPER.createObjectNode().put("topic", "line");
-        scene.putArray("from").add(segment.x0()).add(segment.y0());
-        scene.putArray("to").add(segment.x1()).add(segment.y1());
-        return scene.toString();
+        ObjectNode input = MAPPER.createObjectNode();
+        input.putArray("from").add(segment.x0()).add(segment.y0());
+        input.putArray("to").add(segment.x1()).add(segment.y1());
+        return new MethodCase("line", Optional.of(REFERENCE), input.toString()).write();
     }
 }

@@ -220,7 +220,8 @@ class LineExerciseTest {
         Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
         try {
             assertEquals(
-                    "{\"topic\":\"line\",\"from\":[12,-3],\"to\":[0,7]}",
+                    "{\"version\":1,\"topic\":\"line\",\"method\":\"bresenham\","
+                            + "\"input\":{\"from\":[12,-3],\"to\":[0,7]}}",
                     LineJudge.scene(new Segment(12, -3, 0, 7)));
         } finally {
             Locale.setDefault(before);

@@ -11,6 +11,7 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.SceneLight;
 import rasterlab.engine.scene.shape.Placed;
 import rasterlab.engine.scene.shape.Shape;
+import rasterlab.engine.scene.shape.ShapeSurfaces;
 import rasterlab.engine.transform.SphericalView;
 
 /** Puts shapes together into a scene. */
@@ -23,6 +24,7 @@ final class Parts {
     private final DoubleStream.Builder texture = DoubleStream.builder();
     private final List<Finish> finishes = new ArrayList<>();
     private final IntStream.Builder finishOf = IntStream.builder();
+    private final List<Shape> shapes = new ArrayList<>();
     private int vertexCount;
 
     /**
@@ -35,6 +37,7 @@ final class Parts {
         for (int f = 0; f < mesh.faceCount(); f++) addFace(mesh, f);
         vertexCount += mesh.vertexCount();
         finishes.add(finish);
+        shapes.add(shape);
         return this;
     }
 
@@ -68,13 +71,14 @@ final class Parts {
                         .withNormals(normals.build().toArray())
                         .withTexture(texture.build().toArray());
         return new Scene(
-                name,
-                mesh,
-                finishes,
-                finishOf.build().toArray(),
-                light,
-                BACKGROUND_RGB,
-                camera,
-                pictureScale);
+                        name,
+                        mesh,
+                        finishes,
+                        finishOf.build().toArray(),
+                        light,
+                        BACKGROUND_RGB,
+                        camera,
+                        pictureScale)
+                .of(new ShapeSurfaces(shapes));
     }
 }

@@ -1,0 +1,81 @@
+package rasterlab.app.model;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.PictureFile;
+import rasterlab.app.outcome.WholeFile;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.obj.BrokenFileException;
+import rasterlab.engine.scene.obj.ObjModel;
+import rasterlab.engine.scene.obj.ObjReader;
+import rasterlab.engine.scene.obj.ObjScene;
+import rasterlab.engine.texture.Texture;
+
+/** A Wavefront model with the materials and textures in its folder. */
+public final class ModelFile {
+    private ModelFile() {}
+
+    /**
+     * @param notes told of what was passed over or changed
+     * @throws Complaint naming file and line, if one cannot be read, is broken or lies elsewhere
+     */
+    public static Scene read(Path file, Consumer<String> notes) {
+        if (Files.isDirectory(file)) throw Complaint.badInput(file + ": is a folder, not a model");
+        if (!Files.isReadable(file)) throw Complaint.badInput(file + ": no such file to read");
+        try {
+            var folder = new OwnFolder(file);
+            ObjModel model;
+            try (Reader reader = text(file)) {
+                model = ObjReader.read(file.toString(), reader, name -> opened(folder, name));
+            }
+            model.notes().forEach(notes);
+            if (model.colors().length > 0)
+                notes.accept(file + ": colours of vertices were passed over");
+            return ObjScene.of(
+                    file.getFileName().toString(), model, name -> texture(file, folder, name));
+        } catch (BrokenFileException e) {
+            throw Complaint.badInput(e.getMessage());
+        } catch (IOException e) {
+            throw Complaint.badInput(file + ": cannot be read: " + WholeFile.reason(e));
+        } catch (IllegalArgumentException e) {
+            throw Complaint.badInput(file + ": " + e.getMessage());
+        }
+    }
+
+    private static Optional<Reader> opened(OwnFolder folder, String name) throws IOException {
+        Optional<Path> found = folder.find(name);
+        return found.isEmpty() ? Optional.empty() : Optional.of(text(found.get()));
+    }
+
+    /** Bytes that are no UTF-8 become a sign that stands for them; names only can have any. */
+    private static Reader text(Path file) throws IOException {
+        return new BufferedReader(
+                new InputStreamReader(Files.newInputStream(file), StandardCharsets.UTF_8));
+    }
+
+    private static Texture texture(Path model, OwnFolder folder, String name) {
+        try {
+            Path found =
+                    folder.find(name)
+                            .orElseThrow(
+                                    () ->
+                                            Complaint.badInput(
+                                                    model
+                                                            + ": there is no texture '"
+                                                            + name
+                                                            + "' in its folder"));
+            return PictureFile.texture(found);
+        } catch (IOException e) {
+            throw Complaint.badInput(
+                    model + ": texture '" + name + "' cannot be read: " + WholeFile.reason(e));
+        }
+    }
+}

@@ -1,0 +1,192 @@
+package rasterlab.app.cli;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
+
+import java.awt.image.BufferedImage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.pipeline.Renderer;
+
+class RenderModelTest {
+    private static final String CUBE =
+            """
+            mtllib cube.mtl
+            v 0 0 0
+            v 1 0 0
+            v 1 1 0
+            v 0 1 0
+            v 0 0 1
+            v 1 0 1
+            v 1 1 1
+            v 0 1 1
+            vt 0 0
+            vt 1 0
+            vt 1 1
+            vt 0 1
+            usemtl red
+            f 4 3 2 1
+            f 5 6 7 8
+            usemtl pictured
+            f 1/1 2/2 6/3 5/4
+            f 2/1 3/2 7/3 6/4
+            f 3/1 4/2 8/3 7/4
+            f 4/1 1/2 5/3 8/4
+            """;
+    private static final String MATERIALS =
+            """
+            newmtl red
+            Kd 1 0 0
+            newmtl pictured
+            Kd 1 1 1
+            map_Kd textures/grid.png
+            """;
+
+    @TempDir Path folder;
+
+    @Test
+    void materialsAndTexturesBesideTheModelAreSeen() throws Exception {
+        model(CUBE, MATERIALS, 2, 2);
+        BufferedImage picture = picture("--visibility", "raycast");
+        int top = picture.getRGB(80, 45);
+        assertTrue((top >> 16 & 255) > 50 && (top & 0xFFFF) < 0x1010, "upper side: " + top);
+        assertFalse((picture.getRGB(80, 70) & 0x00FF00) == 0, "the texture is not on the side");
+    }
+
+    /** A power of two changes no bit, and the middle is taken away. */
+    @Test
+    void pictureDoesNotDependOnUnitsOrPlace() throws Exception {
+        model(CUBE, MATERIALS, 2, 2);
+        BufferedImage picture = picture();
+        model(CUBE.replaceAll("(?m)^v (\\d) (\\d) (\\d)$", "v 256$1 512$2 128$3"), MATERIALS, 2, 2);
+        assertSame(picture, picture());
+        String tiny = CUBE.replaceAll("(?m)^v (\\d) (\\d) (\\d)$", "v $1e-12 $2e-12 $3e-12");
+        model(tiny, MATERIALS, 2, 2);
+        BufferedImage scaled = picture();
+        assertFalse(scaled.getRGB(80, 60) == scaled.getRGB(0, 0), "a tiny model is not seen");
+    }
+
+    @Test
+    void everyVisibilityMethodDrawsOrRefusesIt() throws Exception {
+        model(CUBE, MATERIALS, 3, 5);
+        for (String visibility : Renderer.visibilities()) {
+            Ran ran = render("--visibility", visibility);
+            if (ran.exitCode() != 3) ran.assertDone();
+        }
+    }
+
+    @Test
+    void whatIsLeftOutIsTold() throws Exception {
+        model(CUBE + "f 1 1 2\n", MATERIALS, 1, 1);
+        Ran ran = render();
+        ran.assertDone();
+        String place = folder.resolve("cube.obj") + ":" + (CUBE.lines().count() + 1);
+        assertEquals(
+                "note: " + place + ": face without area was left out" + System.lineSeparator(),
+                ran.err());
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("broken")
+    void complainsInOneLine(String model, String materials, String complaint) throws Exception {
+        model(model, materials, 2, 2);
+        String message = complaint.replace("CUBE", folder.resolve("cube.obj").toString());
+        render().assertComplains(2, "./lab render: " + message);
+    }
+
+    static Stream<Arguments> broken() {
+        return Stream.of(
+                argumentSet(
+                        "number that is none becomes 0",
+                        CUBE.replace("v 1 1 1", "v 1 NaN 1"),
+                        MATERIALS,
+                        "CUBE:8: 'v' needs a number in ±1.0E18 as number 2, got 'NaN'"),
+                argumentSet(
+                        "materials are read from anywhere",
+                        CUBE.replace("cube.mtl", "../cube.mtl"),
+                        MATERIALS,
+                        "CUBE: '../cube.mtl' leads out of the file's folder, which is not allowed"),
+                argumentSet(
+                        "textures are read from anywhere",
+                        CUBE,
+                        MATERIALS.replace("textures/grid.png", "/grid.png"),
+                        "CUBE: '/grid.png' leads out of the file's folder, which is not allowed"),
+                argumentSet(
+                        "missing texture is white",
+                        CUBE,
+                        MATERIALS.replace("grid.png", "gird.png"),
+                        "CUBE: there is no texture 'textures/gird.png' in its folder"),
+                argumentSet(
+                        "folder is read as a texture",
+                        CUBE,
+                        MATERIALS.replace("/grid.png", ""),
+                        "CUBE: 'textures' is no file"),
+                argumentSet(
+                        "empty file is an empty picture",
+                        "",
+                        MATERIALS,
+                        "CUBE: no face with an area is in it"));
+    }
+
+    @Test
+    void linkOutOfTheFolderIsNotFollowed(@TempDir Path elsewhere) throws Exception {
+        model(CUBE, MATERIALS, 2, 2);
+        Files.move(folder.resolve("cube.mtl"), elsewhere.resolve("cube.mtl"));
+        Files.createSymbolicLink(folder.resolve("cube.mtl"), elsewhere.resolve("cube.mtl"));
+        render().assertComplains(
+                        2,
+                        "./lab render: "
+                                + folder.resolve("cube.obj")
+                                + ": 'cube.mtl' leads out of the file's folder, which is not"
+                                + " allowed");
+    }
+
+    @Test
+    void missingModelIsNamed() {
+        String file = folder.resolve("cube.obj").toString();
+        render().assertComplains(2, "./lab render: " + file + ": no such file to read");
+    }
+
+    private void model(String model, String materials, int width, int height) throws Exception {
+        Files.writeString(folder.resolve("cube.obj"), model);
+        Files.writeString(folder.resolve("cube.mtl"), materials);
+        Files.createDirectories(folder.resolve("textures"));
+        var texture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < height; y++)
+            for (int x = 0; x < width; x++)
+                texture.setRGB(x, y, (x + y) % 2 == 0 ? 0x80FF80 : 0x8080FF);
+        ImageIO.write(texture, "png", folder.resolve("textures/grid.png").toFile());
+    }
+
+    private Ran render(String... options) {
+        String[] fixed = {"render", folder.resolve("cube.obj").toString(), "--size", "160x120"};
+        return Ran.lab(
+                Stream.of(
+                                Stream.of(fixed),
+                                Stream.of("--out", folder.resolve("out.png").toString()),
+                                Stream.of(options))
+                        .flatMap(part -> part)
+                        .toArray(String[]::new));
+    }
+
+    private BufferedImage picture(String... options) throws Exception {
+        render(options).assertDone();
+        return ImageIO.read(folder.resolve("out.png").toFile());
+    }
+
+    private static void assertSame(BufferedImage one, BufferedImage other) {
+        assertArrayEquals(
+                one.getRGB(0, 0, 160, 120, null, 0, 160),
+                other.getRGB(0, 0, 160, 120, null, 0, 160));
+    }
+}

@@ -1,0 +1,60 @@
+package rasterlab.exercises.scene;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Optional;
+import rasterlab.contract.SurfaceMaterial;
+import rasterlab.engine.light.Material;
+import rasterlab.engine.scene.Finish;
+
+/** What faces look like, as JSON: a material, or one for the front and one for the back. */
+final class FinishJson {
+    private FinishJson() {}
+
+    static Finish read(Place finish) {
+        if (!finish.has("front")) return Finish.of(material(finish));
+        finish.object("front", "back");
+        return new Finish(
+                material(finish.at("front")), material(finish.at("back")), Optional.empty());
+    }
+
+    private static Material material(Place of) {
+        of.object("ambient", "diffuse", "specular", "emission", "shininess", "alpha");
+        double[] diffuse = of.at("diffuse").numbers(3, 0, 1);
+        var surface =
+                new SurfaceMaterial(
+                        of.optional("ambient").map(FinishJson::shares).orElse(diffuse),
+                        diffuse,
+                        of.optional("specular").map(FinishJson::shares).orElse(new double[3]),
+                        of.optional("emission").map(FinishJson::shares).orElse(new double[3]),
+                        of.optional("shininess")
+                                .map(p -> p.number(0, SurfaceMaterial.HIGHEST_SHININESS))
+                                .orElse(0.0));
+        return new Material(surface, of.optional("alpha").map(p -> p.number(0, 1)).orElse(1.0));
+    }
+
+    private static double[] shares(Place colour) {
+        return colour.numbers(3, 0, 1);
+    }
+
+    static void write(Finish finish, ObjectNode out) {
+        if (finish.back() == finish.front()) write(finish.front(), out);
+        else {
+            write(finish.front(), out.putObject("front"));
+            write(finish.back(), out.putObject("back"));
+        }
+    }
+
+    private static void write(Material material, ObjectNode out) {
+        SurfaceMaterial surface = material.surface();
+        putAll(out.putArray("ambient"), surface.ambient());
+        putAll(out.putArray("diffuse"), surface.diffuse());
+        putAll(out.putArray("specular"), surface.specular());
+        putAll(out.putArray("emission"), surface.emission());
+        out.put("shininess", surface.shininess()).put("alpha", material.alpha());
+    }
+
+    static void putAll(ArrayNode out, double[] numbers) {
+        for (double number : numbers) out.add(number);
+    }
+}

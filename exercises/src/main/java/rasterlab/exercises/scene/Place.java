@@ -1,0 +1,148 @@
+package rasterlab.exercises.scene;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import rasterlab.exercises.json.JsonMistake;
+
+/** A place of a JSON text that knows its path; whatever is wrong there is refused with it. */
+final class Place {
+    static final JsonMapper MAPPER =
+            JsonMapper.builder()
+                    .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+                    .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+                    .build();
+    private static final int SHOWN = 60;
+
+    private final String path;
+    private final JsonNode node;
+
+    private Place(String path, JsonNode node) {
+        this.path = path;
+        this.node = node;
+    }
+
+    static Place root(String json) {
+        try {
+            return new Place("$", MAPPER.readTree(json));
+        } catch (JsonProcessingException e) {
+            throw new IllegalArgumentException("not JSON: " + JsonMistake.in(e), e);
+        }
+    }
+
+    /** This object, in which only the known fields may occur; none given: any. */
+    Place object(String... known) {
+        if (!node.isObject()) throw wrong("must be an object {…}, got " + shown());
+        for (Iterator<String> names = node.fieldNames(); names.hasNext(); ) {
+            String name = names.next();
+            if (known.length > 0 && !List.of(known).contains(name))
+                throw at(cut(name))
+                        .wrong("is not known here; known are " + String.join(", ", known));
+        }
+        return this;
+    }
+
+    boolean has(String field) {
+        return node.has(field);
+    }
+
+    boolean isText() {
+        return node.isTextual();
+    }
+
+    /** A field that must be there. */
+    Place at(String field) {
+        return new Place(path + "." + field, node.path(field));
+    }
+
+    Optional<Place> optional(String field) {
+        return has(field) ? Optional.of(at(field)) : Optional.empty();
+    }
+
+    /** The members of this array. */
+    List<Place> members() {
+        if (!node.isArray()) throw wrong("must be an array […], got " + shown());
+        List<Place> members = new ArrayList<>();
+        for (JsonNode member : node)
+            members.add(new Place(path + "[" + members.size() + "]", member));
+        return members;
+    }
+
+    String text() {
+        if (!node.isTextual() || node.textValue().isBlank())
+            throw wrong("must be a text that is not blank, got " + shown());
+        return node.textValue();
+    }
+
+    boolean flag() {
+        if (!node.isBoolean()) throw wrong("must be true or false, got " + shown());
+        return node.booleanValue();
+    }
+
+    int integer(int least, int most) {
+        boolean whole = node.isIntegralNumber() && node.canConvertToInt();
+        if (!whole || node.intValue() < least || node.intValue() > most)
+            throw wrong(
+                    "must be a whole number from %d to %d, got ".formatted(least, most) + shown());
+        return node.intValue();
+    }
+
+    double number(double least, double most) {
+        double value = node.isNumber() ? node.doubleValue() : Double.NaN;
+        if (!(value >= least && value <= most))
+            throw wrong("must be a number from %s to %s, got ".formatted(least, most) + shown());
+        return value;
+    }
+
+    /** So many numbers. */
+    double[] numbers(int count, double least, double most) {
+        List<Place> members = members();
+        if (members.size() != count)
+            throw wrong("must have %d numbers, got %d".formatted(count, members.size()));
+        return members.stream().mapToDouble(member -> member.number(least, most)).toArray();
+    }
+
+    /** This object as it stands. */
+    String json() {
+        object();
+        return node.toString();
+    }
+
+    /** What {@code make} makes of this place; what it refuses is refused with the path. */
+    <T> T made(Function<Place, T> make) {
+        try {
+            return make.apply(this);
+        } catch (WrongPlace e) {
+            throw e;
+        } catch (IllegalArgumentException e) {
+            throw wrong(e.getMessage());
+        }
+    }
+
+    IllegalArgumentException wrong(String what) {
+        return new WrongPlace(path + ": " + what);
+    }
+
+    private String shown() {
+        return node.isMissingNode() ? "nothing" : cut(node.toString());
+    }
+
+    private static String cut(String text) {
+        return text.length() <= SHOWN ? text : text.substring(0, SHOWN) + "…";
+    }
+
+    private static final class WrongPlace extends IllegalArgumentException {
+        private static final long serialVersionUID = 1;
+
+        WrongPlace(String message) {
+            super(message);
+        }
+    }
+}

@@ -1,0 +1,33 @@
+package rasterlab.exercises.scene;
+
+/**
+ * What a scene file holds.
+ *
+ * <p>{@code {"version": 1, "topic": "line", "method": "bresenham", "input": {…}}} is a {@link
+ * MethodCase}; {@code {"version": 1, "scene": "vase", "camera": {…}, …}} is a {@link SceneView}.
+ * Both are read strictly: an unknown field, a wrong type and a value out of range are refused with
+ * the path of the place, such as {@code $.scene.faces[2].corners[0]}.
+ */
+public sealed interface SceneFile permits MethodCase, SceneView {
+    /** The only version there is. */
+    int VERSION = 1;
+
+    /** The most characters of a file: 64 Mi. */
+    int LONGEST = 64 << 20;
+
+    /**
+     * @param json the whole text
+     * @throws IllegalArgumentException naming the path, what is there and what is allowed
+     */
+    static SceneFile read(String json) {
+        if (json.length() > LONGEST)
+            throw new IllegalArgumentException(
+                    "a scene file has at most %d characters, got %d"
+                            .formatted(LONGEST, json.length()));
+        Place file = Place.root(json);
+        return file.has("topic") ? CaseJson.read(file) : ViewJson.read(file);
+    }
+
+    /** The same as text; {@link #read} gives back what is equal. */
+    String write();
+}
