@@ -1,6 +1,7 @@
 package rasterlab.app.cli;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
@@ -29,6 +30,14 @@ record Chart(
         Function<Language, byte[]> svg,
         Function<Language, byte[]> png,
         Supplier<String> csv) {
+    /** The charts as help lists them and the shell completes them. */
+    static final class Names implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return all().stream().map(Chart::name).iterator();
+        }
+    }
+
     static List<Chart> all() {
         var growth = new GrowthChart();
         return List.of(

@@ -35,7 +35,8 @@ final class ChartCommand implements Callable<Integer> {
     @Parameters(
             index = "0",
             paramLabel = "CHART",
-            description = "perspective, depth-precision, mach-bands or visibility-growth")
+            description = "${COMPLETION-CANDIDATES}",
+            completionCandidates = Chart.Names.class)
     private String name;
 
     @Option(

@@ -14,7 +14,7 @@ import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
-import rasterlab.engine.pipeline.DepthRange;
+import rasterlab.engine.pipeline.DrawnDepths;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PictureDifference;
@@ -168,9 +168,9 @@ final class RenderCommand implements Callable<Integer> {
         }
     }
 
-    private DepthRange depths(Projection chosen, double rho) {
-        DepthRange all = DepthRange.all(chosen, rho);
-        return new DepthRange(near == null ? all.near() : near, far == null ? all.far() : far);
+    private DrawnDepths depths(Projection chosen, double rho) {
+        DrawnDepths all = DrawnDepths.all(chosen, rho);
+        return new DrawnDepths(near == null ? all.near() : near, far == null ? all.far() : far);
     }
 
     private static void requirePng(Path file) {

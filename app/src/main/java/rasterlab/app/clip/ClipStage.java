@@ -4,6 +4,7 @@ import java.awt.Dimension;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
@@ -155,7 +156,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
     }
 
     private PlanePoint point(ClipScene scene, Grip grip, Place at) {
-        String kind = "grip." + grip.kind().name().toLowerCase(java.util.Locale.ROOT);
+        String kind = "grip." + grip.kind().name().toLowerCase(Locale.ROOT);
         String said = texts.text(kind, grip.label()) + " " + said(scene, grip, at);
         return new PlanePoint(
                 grip.componentName(),

@@ -21,7 +21,6 @@ import rasterlab.engine.study.Method;
 /** The curve lab's choosers, live numbers, matrices and the explanation of the chosen method. */
 final class CurveInspector {
     private static final int FIRST_STEPS = 12;
-    private static final double FIRST_FLATNESS = 5;
 
     private final CurveLabModel model;
     private final Texts texts;
@@ -152,7 +151,8 @@ final class CurveInspector {
     private void sample(String how) {
         boolean flat = how.equals("flat");
         if (flat == model.state().choice().sampling().isFlat()) return;
-        model.sample(flat ? Sampling.flat(FIRST_FLATNESS) : Sampling.equal(FIRST_STEPS));
+        model.sample(
+                flat ? Sampling.flat(CurveLabModel.FIRST_FLATNESS) : Sampling.equal(FIRST_STEPS));
     }
 
     Inspector column() {

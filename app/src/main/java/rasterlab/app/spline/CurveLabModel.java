@@ -23,7 +23,9 @@ import rasterlab.engine.study.Method;
  */
 public final class CurveLabModel implements Steps, AutoCloseable {
     private static final double FIRST_T = 0.4;
-    private static final double FIRST_FLATNESS = 5;
+
+    /** Pixels. */
+    static final double FIRST_FLATNESS = 5;
 
     private final CurveTopic topic = new CurveTopic();
     private final CurveChoice first =

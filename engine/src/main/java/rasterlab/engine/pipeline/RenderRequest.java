@@ -20,7 +20,7 @@ public record RenderRequest(
         Scene scene,
         SphericalView camera,
         Projection projection,
-        DepthRange depth,
+        DrawnDepths depth,
         int width,
         int height,
         Look look) {
@@ -43,7 +43,7 @@ public record RenderRequest(
                 scene,
                 camera,
                 Projection.named(projection),
-                DepthRange.all(Projection.named(projection), camera.rho()),
+                DrawnDepths.all(Projection.named(projection), camera.rho()),
                 width,
                 height,
                 Look.of(visibility, ShadingMethod.named(shading)));

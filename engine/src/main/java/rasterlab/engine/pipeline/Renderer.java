@@ -20,6 +20,7 @@ import rasterlab.engine.raster.Raster;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.StereoPair;
+import rasterlab.engine.visibility.Cancellation;
 import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibilities;
@@ -146,7 +147,7 @@ public final class Renderer implements AutoCloseable {
                     "picture must have the requested size %d×%d, got %d×%d"
                             .formatted(
                                     request.width(), request.height(), out.width(), out.height()));
-        if (cancelled.getAsBoolean()) throw new CancellationException("the picture is cancelled");
+        Cancellation.check(cancelled);
         out.clear(0xFF000000 | request.scene().backgroundRgb());
         if (request.look().stereo().isEmpty())
             draw(request, RequestView.of(request, request.width()), out, cancelled);

@@ -1,7 +1,10 @@
 /**
  * From a request to a picture: scene → view → light → visibility → raster, each stage chosen by
- * name.
+ * name, or by {@code auto} as the cheapest that is right.
  *
- * <p>Start with {@link rasterlab.engine.pipeline.Renderer}.
+ * <p>Depths are world units along the line of sight, sizes are pixels. Below: {@code paint} colours
+ * faces for any visibility method, {@code wire} draws their edges, {@code triangle} is the fast
+ * pipeline with the pixels' colours in {@code surface}, {@code direct} draws whole scenes by it.
+ * Start with {@link rasterlab.engine.pipeline.Renderer}.
  */
 package rasterlab.engine.pipeline;

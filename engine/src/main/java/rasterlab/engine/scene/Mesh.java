@@ -156,9 +156,4 @@ public final class Mesh {
     public double textureT(int face, int corner) {
         return hasTexture() ? cornerTexture[2 * (firstCorner[face] + corner) + 1] : 0;
     }
-
-    /** The same mesh with each face cut into a fan of triangles, and which face each is of. */
-    public Fans fans() {
-        return Fans.of(this);
-    }
 }

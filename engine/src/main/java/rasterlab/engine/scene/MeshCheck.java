@@ -96,13 +96,6 @@ final class MeshCheck {
         return sum;
     }
 
-    /** Whether a face of these corners would have an area. */
-    static boolean spansArea(double[] xyz, int[] corners) {
-        var check = new MeshCheck(xyz);
-        double[] sum = check.vectorArea(corners);
-        return Math.sqrt(dot(sum, sum)) > TOLERANCE * check.longestDiagonal(corners);
-    }
-
     private double[] vectorArea(int[] corners) {
         double[] sum = new double[3];
         for (int k = 1; k + 1 < corners.length; k++) {

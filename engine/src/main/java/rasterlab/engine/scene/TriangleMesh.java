@@ -33,16 +33,6 @@ public final class TriangleMesh {
         return new TriangleMesh(vertices, copy);
     }
 
-    /** Every face of a mesh cut into a fan, its corners its own, with the face's normal. */
-    public static TriangleMesh of(Mesh mesh) {
-        return new MeshTriangles(mesh).withoutColors();
-    }
-
-    /** The same with one colour 0xRRGGBB for each face. */
-    public static TriangleMesh of(Mesh mesh, int[] faceRgb) {
-        return new MeshTriangles(mesh).colored(faceRgb);
-    }
-
     /**
      * The same mesh with normals.
      *

@@ -4,10 +4,13 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
 /** How a method stops when its caller no longer wants the picture. */
-final class Cancellation {
+public final class Cancellation {
     private Cancellation() {}
 
-    static void check(BooleanSupplier cancelled) {
+    /**
+     * @throws CancellationException if {@code cancelled} says true
+     */
+    public static void check(BooleanSupplier cancelled) {
         if (cancelled.getAsBoolean()) throw new CancellationException("the picture is cancelled");
     }
 }

@@ -305,7 +305,7 @@ class LookTest {
                         plain.scene(),
                         plain.camera(),
                         plain.projection(),
-                        new DepthRange(near, far),
+                        new DrawnDepths(near, far),
                         40,
                         30,
                         plain.look()),

@@ -172,7 +172,7 @@ class RenderRequestTest {
                 plain.scene(),
                 plain.camera(),
                 projection,
-                new DepthRange(near, far),
+                new DrawnDepths(near, far),
                 9,
                 7,
                 plain.look());

@@ -1,6 +1,5 @@
 package rasterlab.engine.scene;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
@@ -71,16 +70,5 @@ class TriangleMeshTest {
         triangles[0] = 9;
         assertEquals(0, mesh.values(VertexQuantity.X)[0]);
         assertEquals(0, mesh.triangles()[0]);
-    }
-
-    @Test
-    void facesBecomeFansWithTheirNormalsAndColors() {
-        double[] xyz = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
-        var square = new Mesh(xyz, new int[][] {{0, 1, 2, 3}});
-        var mesh = TriangleMesh.of(square, new int[] {0xFF0033});
-        assertArrayEquals(new int[] {0, 1, 2, 0, 2, 3}, mesh.triangles());
-        assertArrayEquals(new float[] {1, 1, 1, 1}, mesh.values(VertexQuantity.NORMAL_Z));
-        assertArrayEquals(new float[] {1, 1, 1, 1}, mesh.values(VertexQuantity.RED));
-        assertEquals(0.2f, mesh.values(VertexQuantity.BLUE)[3]);
     }
 }

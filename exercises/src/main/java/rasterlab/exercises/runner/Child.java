@@ -4,6 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.security.SecureRandom;
 import java.time.Duration;
@@ -145,7 +146,7 @@ final class Child implements AutoCloseable {
     private void drainStderr() {
         try (InputStream in = process.getErrorStream()) {
             complaint = new String(in.readNBytes(MOST_STDERR), StandardCharsets.UTF_8).strip();
-            in.transferTo(java.io.OutputStream.nullOutputStream());
+            in.transferTo(OutputStream.nullOutputStream());
         } catch (IOException closed) {
             complaint = complaint.isEmpty() ? closed.toString() : complaint;
         }

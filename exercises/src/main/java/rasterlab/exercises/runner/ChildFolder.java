@@ -6,9 +6,11 @@ import java.nio.channels.FileLock;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
+import java.nio.file.OpenOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.UserPrincipal;
+import java.util.HashSet;
 import java.util.List;
 
 /**
@@ -66,7 +68,7 @@ final class ChildFolder implements AutoCloseable {
 
     private static FileChannel openLock(Path folder, StandardOpenOption... more)
             throws IOException {
-        var options = new java.util.HashSet<java.nio.file.OpenOption>(List.of(more));
+        var options = new HashSet<OpenOption>(List.of(more));
         options.add(StandardOpenOption.WRITE);
         options.add(LinkOption.NOFOLLOW_LINKS);
         return FileChannel.open(folder.resolve(LOCK), options);

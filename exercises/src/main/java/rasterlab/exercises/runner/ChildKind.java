@@ -1,5 +1,6 @@
 package rasterlab.exercises.runner;
 
+import java.io.File;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.exercises.child.CompileMain;
@@ -49,7 +50,7 @@ enum ChildKind {
         arguments.addAll(limits);
         arguments.add("-cp");
         if (this == RUN) {
-            arguments.add(harness + java.io.File.pathSeparator + contract);
+            arguments.add(harness + File.pathSeparator + contract);
             arguments.add(RunMain.class.getName());
         } else {
             arguments.add(harness);

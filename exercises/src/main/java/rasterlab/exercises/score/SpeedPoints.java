@@ -2,6 +2,7 @@ package rasterlab.exercises.score;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /** Points for speed, in bands, because a measured time is never the same twice. */
 public final class SpeedPoints {
@@ -57,13 +58,6 @@ public final class SpeedPoints {
 
     private static CaseReport report(GradingVerdict verdict, int points, int of, Message said) {
         return new CaseReport(
-                "speed",
-                Disclosure.OPEN,
-                verdict,
-                points,
-                of,
-                said,
-                java.util.Optional.empty(),
-                "");
+                "speed", Disclosure.OPEN, verdict, points, of, said, Optional.empty(), "");
     }
 }

@@ -1,6 +1,7 @@
 package rasterlab.engine.pipeline.direct;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -52,7 +53,7 @@ final class Batches {
             int finish = lights.finishOf(ordered[from]);
             to = from + 1;
             while (to < ordered.length && lights.finishOf(ordered[to]) == finish) to++;
-            batches.add(new Batch(finish, false, java.util.Arrays.copyOfRange(ordered, from, to)));
+            batches.add(new Batch(finish, false, Arrays.copyOfRange(ordered, from, to)));
         }
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.direct;
 
+import java.util.List;
 import org.joml.Matrix4d;
 import rasterlab.engine.pipeline.triangle.Culling;
 import rasterlab.engine.pipeline.triangle.TriangleView;
@@ -44,7 +45,7 @@ final class ClipSpace {
     }
 
     TriangleView view() {
-        return new TriangleView(new Matrix4d(), worldToClip(), java.util.List.of(), Culling.NONE);
+        return new TriangleView(new Matrix4d(), worldToClip(), List.of(), Culling.NONE);
     }
 
     private Matrix4d worldToClip() {

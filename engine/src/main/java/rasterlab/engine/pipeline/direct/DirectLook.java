@@ -31,9 +31,13 @@ public record DirectLook(Light light, TextureMode texture) {
     }
 
     TextureFilter filter() {
-        return texture == TextureMode.AUTO
-                ? TextureFilter.MIPMAP
-                : TextureFilter.named(texture.code());
+        return switch (texture) {
+            case NEAREST -> TextureFilter.NEAREST;
+            case LINEAR -> TextureFilter.LINEAR;
+            case MIPMAP, AUTO -> TextureFilter.MIPMAP;
+            case AFFINE_NEAREST -> TextureFilter.AFFINE_NEAREST;
+            case NONE -> throw new AssertionError("no texture is laid, so none is looked up");
+        };
     }
 
     /** Whether each face hides all that is behind it. */

@@ -1,8 +1,10 @@
 package rasterlab.engine.pipeline.direct;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import rasterlab.engine.light.PointLighting;
 import rasterlab.engine.pipeline.direct.Batches.Batch;
 import rasterlab.engine.pipeline.paint.FaceLights;
@@ -40,10 +42,12 @@ public final class DirectPicture implements AutoCloseable {
         boolean[] opaque = look.opaque(lights);
         PointLighting[] lighting = lights.forThread();
         TriangleView view = space.view();
+        Function<FaceTriangles, TriangleMesh> lit = lit(lights, look.light());
         for (Batch batch : Batches.of(lights, opaque)) {
             Optional<LaidTexture> laid = look.laid(lights.scene().finishes().get(batch.finish()));
             Surface surface = surface(look, laid, lighting[batch.finish()], batch.opaque());
-            pipeline.draw(mesh(lights, look, batch), view, surface, picture, cancelled);
+            var triangles = new FaceTriangles(lights.mesh(), batch.faces());
+            pipeline.draw(lit.apply(triangles), view, surface, picture, cancelled);
         }
         System.arraycopy(picture.raster().argb(), 0, out.argb(), 0, out.argb().length);
     }
@@ -51,16 +55,23 @@ public final class DirectPicture implements AutoCloseable {
     private void begin(Raster out) {
         if (picture.width() != out.width() || picture.height() != out.height())
             picture = new DepthRaster(out.width(), out.height());
-        java.util.Arrays.fill(picture.depth(), DepthRaster.FARTHEST);
+        Arrays.fill(picture.depth(), DepthRaster.FARTHEST);
         System.arraycopy(out.argb(), 0, picture.raster().argb(), 0, out.argb().length);
     }
 
-    private static TriangleMesh mesh(FaceLights lights, DirectLook look, Batch batch) {
-        var triangles = new FaceTriangles(lights.mesh(), batch.faces());
-        return switch (look.light()) {
-            case FACES -> triangles.flat(lights.atMiddles());
-            case CORNERS -> triangles.smooth(lights.atCorners());
-            case PIXELS -> triangles.uncoloured();
+    /** Lights all faces at once; a batch takes what is its own. */
+    private static Function<FaceTriangles, TriangleMesh> lit(
+            FaceLights lights, DirectLook.Light light) {
+        return switch (light) {
+            case FACES -> {
+                int[] faceArgb = lights.atMiddles();
+                yield triangles -> triangles.flat(faceArgb);
+            }
+            case CORNERS -> {
+                float[] cornerRgba = lights.atCorners();
+                yield triangles -> triangles.smooth(cornerRgba);
+            }
+            case PIXELS -> FaceTriangles::uncolored;
         };
     }
 

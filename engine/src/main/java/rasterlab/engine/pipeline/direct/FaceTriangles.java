@@ -8,6 +8,9 @@ import rasterlab.engine.scene.TriangleMesh;
  * faces share none, and what they have at one place has bit-equal coordinates.
  */
 final class FaceTriangles {
+    /** Where red, green, blue and alpha begin in 0xAARRGGBB. */
+    private static final int[] SHIFT = {16, 8, 0, 24};
+
     private final Mesh mesh;
     private final int[] faces;
     private final int corners;
@@ -24,7 +27,7 @@ final class FaceTriangles {
     }
 
     /** Places, normals and texture coordinates. */
-    TriangleMesh uncoloured() {
+    TriangleMesh uncolored() {
         float[][] place = new float[3][corners];
         float[][] normal = new float[3][corners];
         float[][] texture = new float[2][corners];
@@ -57,10 +60,8 @@ final class FaceTriangles {
         for (int f : faces)
             for (int k = 0; k < mesh.cornerCount(f); k++, at++)
                 for (int c = 0; c < 4; c++) rgba[c][at] = (faceArgb[f] >>> SHIFT[c] & 255) / 255f;
-        return uncoloured().withColors(rgba[0], rgba[1], rgba[2], rgba[3]);
+        return uncolored().withColors(rgba[0], rgba[1], rgba[2], rgba[3]);
     }
-
-    private static final int[] SHIFT = {16, 8, 0, 24};
 
     /**
      * The same with colours.
@@ -74,7 +75,7 @@ final class FaceTriangles {
             for (int k = 0; k < mesh.cornerCount(f); k++, at++)
                 for (int c = 0; c < 4; c++)
                     rgba[c][at] = cornerRgba[4 * (mesh.firstCorner(f) + k) + c];
-        return uncoloured().withColors(rgba[0], rgba[1], rgba[2], rgba[3]);
+        return uncolored().withColors(rgba[0], rgba[1], rgba[2], rgba[3]);
     }
 
     private static void put(float[][] into, int at, double... values) {

@@ -1,7 +1,6 @@
 package rasterlab.engine.pipeline.direct;
 
 import java.util.Arrays;
-import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
@@ -9,6 +8,7 @@ import rasterlab.engine.pipeline.triangle.Surface;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 import rasterlab.engine.pipeline.triangle.VertexColors;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.visibility.Cancellation;
 import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibility;
@@ -41,8 +41,7 @@ public final class NumberedFaces implements Visibility {
         }
         long pixels = 0;
         for (int y = 0; y < out.height(); y++) {
-            if (cancelled.getAsBoolean())
-                throw new CancellationException("the picture is cancelled");
+            Cancellation.check(cancelled);
             pixels += paintRow(numbers.raster(), y, paint, out);
         }
         return painted(pixels);

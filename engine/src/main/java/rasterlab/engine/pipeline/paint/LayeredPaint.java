@@ -8,7 +8,7 @@ import rasterlab.engine.visibility.FacePaint;
 /** Light, then texture, then depth cue, then what is behind: I = I₁·α + I₂·(1 − α). */
 final class LayeredPaint implements FacePaint {
     private final CornerWeights weights;
-    private final SurfaceColour light;
+    private final SurfaceColor light;
     private final TextureLayer texture;
     private final Optional<Veil> veil;
     private final boolean[] opaque;
@@ -22,7 +22,7 @@ final class LayeredPaint implements FacePaint {
      */
     LayeredPaint(
             CornerWeights weights,
-            SurfaceColour light,
+            SurfaceColor light,
             TextureLayer texture,
             Optional<Veil> veil,
             boolean[] opaque,

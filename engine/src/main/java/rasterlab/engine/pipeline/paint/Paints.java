@@ -44,12 +44,12 @@ public record Paints(FaceLights lights, TextureMode filter, Optional<Veil> veil,
 
     /** The whole formula at the corners. */
     public FacePaint gouraud() {
-        return layered(new CornerColours(lights), outlines());
+        return layered(new CornerColors(lights), outlines());
     }
 
     /** The whole formula at each pixel. */
     public FacePaint phong() {
-        return layered(new PointColours(lights), outlines());
+        return layered(new PointColors(lights), outlines());
     }
 
     private int[] outlines() {
@@ -67,14 +67,14 @@ public record Paints(FaceLights lights, TextureMode filter, Optional<Veil> veil,
         boolean plain = veil.isEmpty();
         for (int f = 0; f < fill.length && plain; f++)
             plain = fill[f] >>> 24 == 255 && (filter == TextureMode.NONE || untextured(f));
-        return plain ? new FlatPaint(fill, edges) : layered(new FaceColours(fill), edges);
+        return plain ? new FlatPaint(fill, edges) : layered(new FaceColors(fill), edges);
     }
 
     private boolean untextured(int face) {
         return lights.scene().finish(face).texture().isEmpty();
     }
 
-    private FacePaint layered(SurfaceColour light, int[] edges) {
+    private FacePaint layered(SurfaceColor light, int[] edges) {
         ViewedMesh view = lights.view();
         Mesh mesh = view.mesh();
         var weights = new CornerWeights(view);

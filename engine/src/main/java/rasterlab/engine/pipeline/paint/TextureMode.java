@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import rasterlab.engine.naming.Named;
 
-/** How the faces' textures are looked up. */
+/** How the faces' textures are looked up, as a request says it. */
 public enum TextureMode {
     /** The texel that the pixel's centre lies in. */
     NEAREST,

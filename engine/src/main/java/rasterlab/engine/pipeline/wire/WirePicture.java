@@ -7,6 +7,7 @@ import java.util.function.BooleanSupplier;
 import rasterlab.engine.pipeline.paint.Veil;
 import rasterlab.engine.pipeline.wire.MeshEdges.Edge;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.visibility.Cancellation;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibility;
 
@@ -75,8 +76,7 @@ public final class WirePicture {
 
     private void draw(List<Edge> edges, int[] faces, boolean seen, BooleanSupplier cancelled) {
         for (Edge edge : edges) {
-            if (cancelled.getAsBoolean())
-                throw new CancellationException("the picture is cancelled");
+            Cancellation.check(cancelled);
             if (screen.load(edge.from(), edge.to())) draw(edge, faces, seen);
         }
     }

@@ -42,6 +42,8 @@ final class Polynomial {
     /**
      * Finds the roots from {@code low} to {@code high} in rising order; close ones may come twice.
      *
+     * @param low at least −2: beyond, neighbouring doubles are farther apart than 2⁻⁵²
+     * @param high at most 2, likewise
      * @return how many; 0 where all coefficients are 0
      */
     int roots(double low, double high) {

@@ -77,15 +77,7 @@ final class HiddenSurfacesHazards {
                         "Two slanted squares cross along a line.",
                         "none back-face painter-textbook painter",
                         "",
-                        perspective(
-                                new Quads()
-                                        .add(
-                                                -40.3, -40.6, 460, 41.2, -40.6, 541, 41.2, 39.7,
-                                                541, -40.3, 39.7, 460)
-                                        .add(
-                                                -39.6, -30.4, 540, 40.7, -30.4, 463, 40.7, 49.8,
-                                                463, -39.6, 49.8, 540)
-                                        .mesh())),
+                        perspective(crossedSquares())),
                 hazard(
                         "coplanar",
                         "Two overlapping squares in one plane: z-fighting; the earlier is right.",
@@ -96,6 +88,14 @@ final class HiddenSurfacesHazards {
                                 new SphericalView(0.7, 1.1, 500),
                                 Projection.PERSPECTIVE,
                                 SMALL)));
+    }
+
+    /** One is nearer on the left, the other on the right. */
+    private static Mesh crossedSquares() {
+        return new Quads()
+                .add(-40.3, -40.6, 460, 41.2, -40.6, 541, 41.2, 39.7, 541, -40.3, 39.7, 460)
+                .add(-39.6, -30.4, 540, 40.7, -30.4, 463, 40.7, 49.8, 463, -39.6, 49.8, 540)
+                .mesh();
     }
 
     /** A bar that is nearer at one end, turned about the line of sight. */

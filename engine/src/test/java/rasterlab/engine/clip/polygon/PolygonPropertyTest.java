@@ -3,6 +3,7 @@ package rasterlab.engine.clip.polygon;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
@@ -27,7 +28,7 @@ class PolygonPropertyTest {
                 .ofMaxSize(14)
                 .map(
                         xy ->
-                                java.util.Arrays.stream(xy)
+                                Arrays.stream(xy)
                                         .limit(xy.length / 2 * 2)
                                         .mapToDouble(Integer::doubleValue)
                                         .toArray());

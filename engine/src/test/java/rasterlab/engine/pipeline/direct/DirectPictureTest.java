@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.light.Material;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
@@ -115,7 +116,7 @@ class DirectPictureTest {
 
     private static Finish glass(int rgb) {
         var opaque = Finish.dull(rgb).front();
-        return Finish.of(new rasterlab.engine.light.Material(opaque.surface(), 0.5));
+        return Finish.of(new Material(opaque.surface(), 0.5));
     }
 
     private static RenderRequest request(

@@ -12,7 +12,7 @@ import rasterlab.engine.scene.Mesh;
  * <p>Source: H. Gouraud, Continuous shading of curved surfaces, IEEE Transactions on Computers
  * C-20(6), 1971.
  */
-final class CornerColours implements SurfaceColour {
+final class CornerColors implements SurfaceColor {
     private final Mesh mesh;
 
     /** Red, green, blue and alpha, 0 to 1, of each corner. */
@@ -21,7 +21,7 @@ final class CornerColours implements SurfaceColour {
     /**
      * @param faces the light on them
      */
-    CornerColours(FaceLights faces) {
+    CornerColors(FaceLights faces) {
         mesh = faces.mesh();
         rgba = faces.atCorners();
     }

@@ -12,12 +12,12 @@ import rasterlab.engine.scene.Mesh;
  * <p>Source: B. T. Phong, Illumination for computer generated pictures, Communications of the ACM
  * 18(6), 1975.
  */
-final class PointColours implements SurfaceColour {
+final class PointColors implements SurfaceColor {
     private final FaceLights faces;
     private final Mesh mesh;
     private final ThreadLocal<PointLighting[]> lights;
 
-    PointColours(FaceLights faces) {
+    PointColors(FaceLights faces) {
         this.faces = faces;
         mesh = faces.mesh();
         lights = ThreadLocal.withInitial(faces::forThread);

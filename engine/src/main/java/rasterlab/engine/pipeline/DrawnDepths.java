@@ -9,20 +9,20 @@ import rasterlab.engine.visibility.ViewedMesh;
  * @param near the smallest one
  * @param far the largest one, above {@code near}; infinity cuts nothing off
  */
-public record DepthRange(double near, double far) {
+public record DrawnDepths(double near, double far) {
     /** The smallest near depth in perspective, as a share of ρ: what is nearer grows too large. */
     private static final double LEAST_SHARE = 1e-6;
 
-    public DepthRange {
+    public DrawnDepths {
         if (!(near < far))
             throw new IllegalArgumentException(
                     "near must be below far, got near %s, far %s".formatted(near, far));
     }
 
     /** All that a projection can draw from a distance ρ. */
-    public static DepthRange all(Projection projection, double rho) {
+    public static DrawnDepths all(Projection projection, double rho) {
         boolean central = projection == Projection.PERSPECTIVE;
-        return new DepthRange(
+        return new DrawnDepths(
                 central ? ViewedMesh.NEAR_SHARE * rho : Double.NEGATIVE_INFINITY,
                 Double.POSITIVE_INFINITY);
     }

@@ -7,7 +7,7 @@ import java.util.Arrays;
  *
  * @param argb by face
  */
-record FaceColours(int[] argb) implements SurfaceColour {
+record FaceColors(int[] argb) implements SurfaceColor {
     @Override
     public void light(int face, PixelRow row) {
         Arrays.fill(row.argb, 0, row.size, argb[face]);

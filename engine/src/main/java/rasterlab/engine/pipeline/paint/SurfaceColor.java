@@ -1,7 +1,7 @@
 package rasterlab.engine.pipeline.paint;
 
 /** The light on a face before anything is laid on it. Several threads may use one at once. */
-interface SurfaceColour {
+interface SurfaceColor {
     /** Sets the colours of a row from its weights. */
     void light(int face, PixelRow row);
 }
