@@ -86,6 +86,12 @@ public final class MethodColours {
                     Map.entry("homogeneous", GREEN),
                     Map.entry("painter-textbook", PURPLE),
                     Map.entry("painter", ORANGE),
+                    Map.entry("none", GREY),
+                    Map.entry("back-face", INDIGO),
+                    Map.entry("newell", WINE),
+                    Map.entry("bsp", OLIVE),
+                    Map.entry("scanline", DARK_GREEN),
+                    Map.entry("warnock", SKY_BLUE),
                     Map.entry("zfloat", BLUE),
                     Map.entry("raycast", GREEN));
 

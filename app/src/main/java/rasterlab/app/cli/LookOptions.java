@@ -22,7 +22,7 @@ final class LookOptions {
             paramLabel = "METHOD",
             description = "${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}",
             completionCandidates = EngineNames.OfShadings.class,
-            defaultValue = "flat")
+            defaultValue = "auto")
     private String shading;
 
     @Option(

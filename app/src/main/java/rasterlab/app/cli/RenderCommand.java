@@ -22,6 +22,7 @@ import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
+import rasterlab.engine.visibility.VisibilityWork;
 
 /** Renders a scene in software. */
 @Command(
@@ -128,21 +129,23 @@ final class RenderCommand implements Callable<Integer> {
                         .map(file -> PngFile.read(file, request.width(), request.height()));
         var progress = new RenderProgress(console.err());
         long start = System.nanoTime();
-        Raster picture = drawn(request, progress);
+        var picture = new Raster(request.width(), request.height());
+        Optional<VisibilityWork> work = draw(request, picture, progress);
         double milliseconds = (System.nanoTime() - start) / 1e6;
         Optional<PictureDifference> difference =
                 expected.map(image -> PictureDifference.of(copied(image), picture));
         if (out != null) WholeFile.write(out, PngFile.bytes(picture.image()));
         Optional<ShadingErrors> shadings =
                 errors ? Optional.of(ShadingErrors.of(request, progress)) : Optional.empty();
-        new RenderReport(request, milliseconds, out, other, difference, shadings)
+        new RenderReport(request, milliseconds, work, out, other, difference, shadings)
                 .write(console.out());
         return ExitCode.DONE;
     }
 
-    private static Raster drawn(RenderRequest request, BooleanSupplier cancelled) {
-        try {
-            return new Renderer().render(request, cancelled);
+    private static Optional<VisibilityWork> draw(
+            RenderRequest request, Raster picture, BooleanSupplier cancelled) {
+        try (var renderer = new Renderer()) {
+            return renderer.render(request, picture, cancelled);
         } catch (IllegalArgumentException refusal) {
             throw Complaint.refused(request.visibility() + " refuses: " + refusal.getMessage());
         }

@@ -15,11 +15,13 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.raster.PictureDifference;
+import rasterlab.engine.visibility.VisibilityWork;
 
 /**
  * What {@code ./lab render} prints.
  *
  * @param milliseconds wall time of the rendering alone
+ * @param work what the visibility method counted
  * @param out where the picture was written; null if it was not
  * @param other what it was compared with; null if with nothing
  * @param errors of the cheaper shadings, if asked for
@@ -27,6 +29,7 @@ import rasterlab.engine.raster.PictureDifference;
 record RenderReport(
         RenderRequest request,
         double milliseconds,
+        Optional<VisibilityWork> work,
         Path out,
         Path other,
         Optional<PictureDifference> difference,
@@ -39,12 +42,22 @@ record RenderReport(
             json.writeStartObject();
             writeRequest(json);
             json.writeNumberField("milliseconds", milliseconds);
+            if (work.isPresent()) writeWork(json, work.get());
             if (out != null) json.writeStringField("out", out.toString());
             if (difference.isPresent()) writeDifference(json, difference.get());
             if (errors.isPresent()) errors.get().write(json);
             json.writeEndObject();
             json.writeRaw('\n');
         }
+    }
+
+    private static void writeWork(JsonGenerator json, VisibilityWork work) throws IOException {
+        json.writeObjectFieldStart("work");
+        json.writeNumberField("comparisons", work.comparisons());
+        json.writeNumberField("depthTests", work.depthTests());
+        json.writeNumberField("pixelsWritten", work.pixelsWritten());
+        json.writeNumberField("splits", work.splits());
+        json.writeEndObject();
     }
 
     private void writeRequest(JsonGenerator json) throws IOException {

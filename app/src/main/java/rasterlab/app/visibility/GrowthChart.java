@@ -14,11 +14,10 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.XYStyler;
-import org.knowm.xchart.style.markers.SeriesMarkers;
-import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.ChartPicture;
+import rasterlab.app.study.MethodLook;
 import rasterlab.engine.visibility.hidden.Growth;
 import rasterlab.engine.visibility.hidden.Growth.Axis;
 
@@ -30,7 +29,7 @@ public final class GrowthChart {
     private static final int ROW = 19;
 
     private final List<String> methods = Growth.methodNames();
-    private final Map<String, Color> colours = MethodColours.among(methods);
+    private final Map<String, MethodLook> looks = MethodLook.of(methods);
 
     /** What was counted; empty until it is asked for, as that takes some seconds. */
     private List<Growth> growths = List.of();
@@ -119,9 +118,10 @@ public final class GrowthChart {
                             method,
                             Arrays.stream(growth.sizes()).asDoubleStream().toArray(),
                             Arrays.stream(growth.work()).asDoubleStream().toArray());
-            series.setMarker(SeriesMarkers.CIRCLE);
-            series.setMarkerColor(colours.get(method));
-            series.setLineColor(colours.get(method));
+            MethodLook look = looks.get(method);
+            series.setMarker(look.marker());
+            series.setMarkerColor(look.colour());
+            series.setLineColor(look.colour());
         }
         return chart;
     }
@@ -152,8 +152,8 @@ public final class GrowthChart {
                     texts.text("growth." + code(axis) + ".short"), left + 150 + 105 * column++, y);
         for (String method : methods) {
             y += ROW;
-            graphics.setColor(colours.get(method));
-            graphics.fillOval(left, y - 9, 9, 9);
+            graphics.setColor(looks.get(method).colour());
+            looks.get(method).marker().paint(graphics, left + 4, y - 5, 9);
             graphics.setColor(Color.BLACK);
             graphics.drawString(method, left + 16, y);
             column = 0;

@@ -25,6 +25,7 @@ import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibilities;
 import rasterlab.engine.visibility.Visibility;
+import rasterlab.engine.visibility.VisibilityWork;
 
 /**
  * Draws requests. The same request gives the same pixels; a renderer may serve several threads and
@@ -140,8 +141,13 @@ public final class Renderer implements AutoCloseable {
         return out;
     }
 
-    /** The same into a picture of the request's size, whatever it holds before. */
-    public void render(RenderRequest request, Raster out, BooleanSupplier cancelled) {
+    /**
+     * The same into a picture of the request's size, whatever it holds before.
+     *
+     * @return what the visibility method counted; nothing where another part of the pipeline drew
+     */
+    public Optional<VisibilityWork> render(
+            RenderRequest request, Raster out, BooleanSupplier cancelled) {
         if (out.width() != request.width() || out.height() != request.height())
             throw new IllegalArgumentException(
                     "picture must have the requested size %d×%d, got %d×%d"
@@ -150,8 +156,9 @@ public final class Renderer implements AutoCloseable {
         Cancellation.check(cancelled);
         out.clear(0xFF000000 | request.scene().backgroundRgb());
         if (request.look().stereo().isEmpty())
-            draw(request, RequestView.of(request, request.width()), out, cancelled);
-        else drawEyes(request, request.look().stereo().get(), out, cancelled);
+            return draw(request, RequestView.of(request, request.width()), out, cancelled);
+        drawEyes(request, request.look().stereo().get(), out, cancelled);
+        return Optional.empty();
     }
 
     private void drawEyes(
@@ -169,7 +176,7 @@ public final class Renderer implements AutoCloseable {
         Eyes.join(stereo, left, right, out);
     }
 
-    private void draw(
+    private Optional<VisibilityWork> draw(
             RenderRequest request, RequestView seen, Raster out, BooleanSupplier cancelled) {
         Look look = request.look();
         ViewedMesh view = seen.viewed();
@@ -177,7 +184,7 @@ public final class Renderer implements AutoCloseable {
             look.requireSurfaces();
             var lights = new FaceLights(seen.scene(), view, look.terms(), look.sides());
             new SurfacePicture(lights, look.texture()).draw(out, cancelled);
-            return;
+            return Optional.empty();
         }
         int background = seen.scene().backgroundRgb();
         Optional<Veil> veil = look.cue().map(cue -> new Veil(cue, view, background));
@@ -188,7 +195,9 @@ public final class Renderer implements AutoCloseable {
             new WirePicture(view, wire(look), background, veil, out).draw(method, cancelled);
         else if (chosen.equals(PIPELINE) && drawsDirectly(look, shading))
             direct().draw(lights(look, seen), directLook(look, shading), out, cancelled);
-        else method.draw(view, paint(look, shading, seen, veil), out, cancelled);
+        else
+            return Optional.of(method.draw(view, paint(look, shading, seen, veil), out, cancelled));
+        return Optional.empty();
     }
 
     private static FaceLights lights(Look look, RequestView seen) {

@@ -49,7 +49,11 @@ final class PixelAnswers {
 
     /** Whether a pixel has more than one right answer. */
     boolean undecided(int x, int y) {
-        long right = IntStream.range(-1, outlines.length).filter(f -> right(f, x, y)).count();
+        long right =
+                IntStream.range(-1, outlines.length)
+                        .filter(face -> face < 0 || outlines[face].reaches(x, y))
+                        .filter(face -> right(face, x, y))
+                        .count();
         return right > 1;
     }
 
