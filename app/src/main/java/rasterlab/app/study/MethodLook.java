@@ -28,11 +28,17 @@ public record MethodLook(Color colour, Marker marker) {
     public static Map<String, MethodLook> of(List<String> methods) {
         Map<String, Color> colours = MethodColours.among(methods);
         var looks = new LinkedHashMap<String, MethodLook>();
-        for (String method : methods)
-            looks.put(
-                    method,
-                    new MethodLook(
-                            colours.get(method), MARKERS.get(looks.size() % MARKERS.size())));
+        for (String method : methods) {
+            int marker = looks.size();
+            var look = new MethodLook(colours.get(method), marker(marker));
+            while (looks.containsValue(look) && marker < looks.size() + MARKERS.size())
+                look = new MethodLook(colours.get(method), marker(++marker));
+            looks.put(method, look);
+        }
         return looks;
+    }
+
+    private static Marker marker(int number) {
+        return MARKERS.get(number % MARKERS.size());
     }
 }
