@@ -62,10 +62,8 @@ final class LookOptions {
     @Option(
             names = "--hidden-lines",
             paramLabel = "HOW",
-            description =
-                    "with --shading wire: ${COMPLETION-CANDIDATES}; default: ${DEFAULT-VALUE}",
-            completionCandidates = EngineNames.OfHiddenLines.class,
-            defaultValue = "removed")
+            description = "with --shading wire: ${COMPLETION-CANDIDATES}; default: removed",
+            completionCandidates = EngineNames.OfHiddenLines.class)
     private String hiddenLines;
 
     @Option(
@@ -73,9 +71,8 @@ final class LookOptions {
             paramLabel = "DEGREES",
             description =
                     "with --shading wire: leaves out edges at which faces meet at less than this"
-                            + " angle, but no outlines; default: ${DEFAULT-VALUE}",
-            defaultValue = "0")
-    private double crease;
+                            + " angle, but no outlines; default: 0")
+    private Double crease;
 
     @Option(names = "--outline", description = "draws the faces' edges; painters only")
     private boolean outline;
@@ -112,15 +109,30 @@ final class LookOptions {
      * @throws IllegalArgumentException for an unknown name or a number out of range
      */
     Look look(ShownScene shown, String visibility, double rho) {
+        ShadingMethod chosen = ShadingMethod.named(shown.option("--shading", shading));
         Look look =
-                Look.of(visibility, ShadingMethod.named(shown.option("--shading", shading)))
+                Look.of(visibility, chosen)
                         .withTexture(TextureMode.named(shown.option("--texture", texture)))
                         .withLight(seenTerms(), sides())
                         .withCull(Cull.named(cull))
-                        .withWire(new WireStyle(HiddenLines.named(hiddenLines), crease));
+                        .withWire(wire(chosen));
         if (outline) look = look.withOutline();
         if (depthCue != null) look = look.withCue(new DepthCue(depthCue));
         return stereo == null ? onePicture(look) : look.withStereo(stereo(rho));
+    }
+
+    private WireStyle wire(ShadingMethod chosen) {
+        if (chosen != ShadingMethod.WIRE) {
+            if (hiddenLines != null) throw needsWire("--hidden-lines");
+            if (crease != null) throw needsWire("--crease");
+        }
+        return new WireStyle(
+                hiddenLines == null ? HiddenLines.REMOVED : HiddenLines.named(hiddenLines),
+                crease == null ? 0 : crease);
+    }
+
+    private static IllegalArgumentException needsWire(String option) {
+        return new IllegalArgumentException(option + " needs --shading wire");
     }
 
     private Look onePicture(Look look) {
