@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import rasterlab.engine.study.Deviation;
 
 /** Very many scenes against the reference: all of them with {@code -Drasterlab.full=true}. */
@@ -32,7 +31,6 @@ class DepthOrderFullTest {
     }
 
     @Test
-    @EnabledIfSystemProperty(named = "rasterlab.full", matches = "true")
     void aThousandThatAllCutEachOtherAreRefused() {
         Sight sight = triangles(1_000, new Random(SEED));
         for (String name : List.of("newell", "bsp")) {
