@@ -105,7 +105,7 @@ final class ScenePictures implements TourPart {
         return List.of(
                 visibility,
                 String.valueOf(difference.wrongPixels()),
-                String.format(Locale.ROOT, "%.4f %%", 100 * difference.share()),
+                String.format(Locale.ROOT, "%.4f\u00a0%%", 100 * difference.share()),
                 String.valueOf(difference.largestLevelDifference()),
                 String.format(Locale.ROOT, "%.1f", milliseconds));
     }
