@@ -63,6 +63,8 @@ abstract class WindowHarness {
                         });
         window = new FrameFixture(robot, frame);
         window.show(new Dimension(1280, 720));
+        await("the window has the keyboard", () -> frame.isFocused());
+        robot.waitForIdle();
     }
 
     @AfterEach

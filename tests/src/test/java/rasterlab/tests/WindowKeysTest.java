@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.util.List;
@@ -149,6 +150,20 @@ class WindowKeysTest extends WindowHarness {
     void otherLanguageLeavesTheKeysToTheShownPicture() {
         show("visibility");
         GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        robot.waitForIdle();
+        double theta = theta();
+        press(KeyEvent.VK_RIGHT);
+        assertEquals(theta + STEP, theta(), 1e-9);
+    }
+
+    @Test
+    void otherLanguageGivesThePictureTheKeysWhenNothingHasThem() {
+        show("visibility");
+        GuiActionRunner.execute(
+                () -> {
+                    KeyboardFocusManager.getCurrentKeyboardFocusManager().clearFocusOwner();
+                    frame.speak(Language.RUSSIAN);
+                });
         robot.waitForIdle();
         double theta = theta();
         press(KeyEvent.VK_RIGHT);

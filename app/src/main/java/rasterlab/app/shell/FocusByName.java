@@ -11,8 +11,11 @@ import java.util.Optional;
 final class FocusByName {
     private FocusByName() {}
 
-    static void request(Container root, String name) {
-        find(root, name).ifPresent(Component::requestFocusInWindow);
+    /** Asks for the focus, and says whether there is a component of that name to have it. */
+    static boolean request(Container root, String name) {
+        Optional<Component> found = find(root, name);
+        found.ifPresent(Component::requestFocusInWindow);
+        return found.isPresent();
     }
 
     static Optional<Component> find(Container root, String name) {

@@ -53,15 +53,11 @@ public final class LabFrame extends JFrame {
         addWindowListener(
                 new WindowAdapter() {
                     @Override
-                    public void windowOpened(WindowEvent e) {
-                        content.focusPicture();
-                    }
-
-                    @Override
                     public void windowClosed(WindowEvent e) {
                         end();
                     }
                 });
+        addWindowFocusListener(new FirstFocus());
         fill(settings.tab());
         place();
     }
@@ -97,14 +93,17 @@ public final class LabFrame extends JFrame {
         refill();
     }
 
-    /** Makes the tabs again in the present language and theme; tab and focus stay. */
+    /**
+     * Makes the tabs again in the present language and theme; tab and focus stay. A focus that was
+     * still on its way goes to the picture.
+     */
     private void refill() {
         Component focused = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
         String focus = focused == null ? null : focused.getName();
         LabTabs old = tabs;
         fill(content.shown());
         old.close();
-        if (focus != null) FocusByName.request(content, focus);
+        if (focus == null || !FocusByName.request(content, focus)) content.focusPicture();
     }
 
     private void fill(String tab) {
@@ -144,5 +143,17 @@ public final class LabFrame extends JFrame {
         file.save(settings.at(content.shown(), filled ? unmaximised : getBounds(), filled));
         tabs.close();
         models.close();
+    }
+
+    /**
+     * Gives the picture the keyboard when the window first has it; what is asked before that may be
+     * overruled by the component that Swing finds first.
+     */
+    private final class FirstFocus extends WindowAdapter {
+        @Override
+        public void windowGainedFocus(WindowEvent e) {
+            removeWindowFocusListener(this);
+            content.focusPicture();
+        }
     }
 }
