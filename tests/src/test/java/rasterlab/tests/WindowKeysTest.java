@@ -160,10 +160,9 @@ class WindowKeysTest extends WindowHarness {
     void otherLanguageGivesThePictureTheKeysWhenNothingHasThem() {
         show("visibility");
         GuiActionRunner.execute(
-                () -> {
-                    KeyboardFocusManager.getCurrentKeyboardFocusManager().clearFocusOwner();
-                    frame.speak(Language.RUSSIAN);
-                });
+                () -> KeyboardFocusManager.getCurrentKeyboardFocusManager().clearFocusOwner());
+        robot.waitForIdle();
+        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
         robot.waitForIdle();
         double theta = theta();
         press(KeyEvent.VK_RIGHT);
