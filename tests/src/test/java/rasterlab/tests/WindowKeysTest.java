@@ -86,7 +86,7 @@ class WindowKeysTest extends WindowHarness {
             case "mouse" -> window.tabbedPane("tabs").selectTab(TABS.indexOf(tab));
             case "mnemonic" -> {
                 robot.pressKey(KeyEvent.VK_ALT);
-                press(tab.equals("line") ? KeyEvent.VK_L : KeyEvent.VK_H);
+                press(KeyEvent.VK_1 + TABS.indexOf(tab));
                 robot.releaseKey(KeyEvent.VK_ALT);
             }
             default -> {

@@ -1,6 +1,5 @@
 package rasterlab.app.clip;
 
-import java.awt.BorderLayout;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -12,13 +11,14 @@ import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
 
 /** The clipping lab as the window shows it, in one language. */
-public final class ClipPanel extends JPanel implements AutoCloseable {
+public final class ClipPanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient ClipLabModel model;
@@ -34,7 +34,6 @@ public final class ClipPanel extends JPanel implements AutoCloseable {
      * @param onFailure told what a control could not do or painting threw, on any thread
      */
     public ClipPanel(ClipLabModel model, Language language, Consumer<Throwable> onFailure) {
-        super(new BorderLayout());
         this.model = model;
         setName("clip");
         texts = Texts.of("clip", language);
@@ -63,6 +62,7 @@ public final class ClipPanel extends JPanel implements AutoCloseable {
     }
 
     /** Gives the keyboard to the point that had it last. */
+    @Override
     public void focusPicture() {
         stage.focusPoint();
     }

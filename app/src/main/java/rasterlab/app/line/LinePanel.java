@@ -1,14 +1,13 @@
 package rasterlab.app.line;
 
-import java.awt.BorderLayout;
 import java.util.function.Consumer;
-import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -16,7 +15,7 @@ import rasterlab.engine.line.Segment;
 import rasterlab.engine.study.Hazard;
 
 /** The line lab as the window shows it, in one language. */
-public final class LinePanel extends JPanel implements AutoCloseable {
+public final class LinePanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient LineLabModel model;
@@ -31,7 +30,6 @@ public final class LinePanel extends JPanel implements AutoCloseable {
      * @param onFailure told what a control could not do or painting threw, on any thread
      */
     public LinePanel(LineLabModel model, Language language, Consumer<Throwable> onFailure) {
-        super(new BorderLayout());
         this.model = model;
         setName("line");
         texts = Texts.of("line", language);
@@ -57,6 +55,7 @@ public final class LinePanel extends JPanel implements AutoCloseable {
     }
 
     /** Gives the keyboard to the end of the segment that had it last. */
+    @Override
     public void focusPicture() {
         stage.focusEnd();
     }

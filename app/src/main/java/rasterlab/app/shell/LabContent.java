@@ -1,7 +1,10 @@
 package rasterlab.app.shell;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.EventQueue;
 import java.awt.Font;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
@@ -12,6 +15,7 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
+import javax.swing.JViewport;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -26,11 +30,13 @@ public final class LabContent extends JPanel {
     private final transient List<LabTab> tabs;
 
     /**
+     * @param shown name of the tab to show; an unknown one is the first
      * @param onLanguage told the language that the user chooses
      * @param onTheme told the theme that the user chooses
      */
     public LabContent(
             LabTabs labs,
+            String shown,
             LabTheme theme,
             Consumer<Language> onLanguage,
             Consumer<LabTheme> onTheme) {
@@ -40,25 +46,47 @@ public final class LabContent extends JPanel {
         pane.setName("tabs");
         pane.getAccessibleContext().setAccessibleName(texts.text("tabs"));
         pane.putClientProperty("JTabbedPane.tabHeight", 40);
+        pane.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
+        for (Component part : pane.getComponents())
+            if (part instanceof JViewport strip) strip.setFocusable(false);
         for (LabTab tab : tabs) {
-            pane.addTab(tab.title(), tab.panel());
-            int index = pane.getTabCount() - 1;
-            if (tab.mnemonic() != 0) {
-                pane.setMnemonicAt(index, tab.mnemonic());
-                pane.setDisplayedMnemonicIndexAt(index, tab.mnemonicIndex());
-            }
+            int digit = (pane.getTabCount() + 1) % 10;
+            pane.addTab(
+                    tab.title(),
+                    null,
+                    new JPanel(new BorderLayout()),
+                    texts.text("tab.tip", digit));
+            pane.setMnemonicAt(pane.getTabCount() - 1, KeyEvent.VK_0 + digit);
         }
+        show(shown);
+        fill();
         pane.putClientProperty("JTabbedPane.leadingComponent", brand());
         pane.putClientProperty(
                 "JTabbedPane.trailingComponent", choices(texts, theme, onLanguage, onTheme));
         add(pane);
-        pane.addChangeListener(e -> focusPicture());
+        pane.addChangeListener(
+                e -> {
+                    fill();
+                    focusPicture();
+                });
         pane.addMouseListener(new ChoiceOfTheShownTab());
     }
 
-    /** Gives the keyboard to the picture of the tab that is shown. */
+    /** Makes the panel of the tab that is shown, unless it is there. */
+    private void fill() {
+        var place = (JPanel) pane.getSelectedComponent();
+        if (place.getComponentCount() == 0) place.add(tabs.get(pane.getSelectedIndex()).panel());
+        place.revalidate();
+    }
+
+    /**
+     * Gives the keyboard to the picture of the tab that is shown. Asked twice, since Swing moves
+     * the focus out of what was hidden by itself, and sometimes later than it is first asked.
+     */
     void focusPicture() {
-        tabs.get(pane.getSelectedIndex()).focusPicture().run();
+        Runnable give = () -> tabs.get(pane.getSelectedIndex()).panel().focusPicture();
+        give.run();
+        EventQueue.invokeLater(give);
     }
 
     /** Name of the tab that is shown. */

@@ -3,6 +3,7 @@ package rasterlab.app.shell;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.Frame;
 import java.awt.GraphicsDevice;
 import java.awt.GraphicsEnvironment;
@@ -103,15 +104,23 @@ public final class LabFrame extends JFrame {
         LabTabs old = tabs;
         fill(content.shown());
         old.close();
-        if (focus == null || !FocusByName.request(content, focus)) content.focusPicture();
+        giveFocus(focus);
+        EventQueue.invokeLater(() -> giveFocus(focus));
+    }
+
+    /**
+     * @param name of the component that is to have the keyboard; null, or one that is not there,
+     *     for the picture
+     */
+    private void giveFocus(String name) {
+        if (name == null || !FocusByName.request(content, name)) content.focusPicture();
     }
 
     private void fill(String tab) {
         Texts texts = Texts.of("shell", settings.language());
         setTitle(texts.text("title"));
         tabs = LabTabs.create(models, settings.language(), onFailure);
-        content = new LabContent(tabs, settings.theme(), this::speak, this::wear);
-        content.show(tab);
+        content = new LabContent(tabs, tab, settings.theme(), this::speak, this::wear);
         setContentPane(content);
         revalidate();
         repaint();

@@ -51,8 +51,7 @@ public final class LabSnapshot {
         prepare.accept(models);
         LabTabs tabs = LabTabs.create(models, language, failure::set);
         tabs.named(tab);
-        var content = new LabContent(tabs, theme, chosen -> {}, chosen -> {});
-        content.show(tab);
+        var content = new LabContent(tabs, tab, theme, chosen -> {}, chosen -> {});
         return new Made(models, tabs, content);
     }
 

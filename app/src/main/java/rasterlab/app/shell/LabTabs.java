@@ -1,8 +1,11 @@
 package rasterlab.app.shell;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import javax.swing.JComponent;
+import java.util.function.Supplier;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.clip.ClipPanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -15,12 +18,10 @@ import rasterlab.engine.naming.Named;
 public final class LabTabs implements AutoCloseable {
     private final Language language;
     private final List<LabTab> tabs;
-    private final Runnable close;
 
-    private LabTabs(Language language, List<LabTab> tabs, Runnable close) {
+    private LabTabs(Language language, List<LabTab> tabs) {
         this.language = language;
         this.tabs = List.copyOf(tabs);
-        this.close = close;
     }
 
     /**
@@ -31,34 +32,15 @@ public final class LabTabs implements AutoCloseable {
     public static LabTabs create(
             LabModels models, Language language, Consumer<Throwable> onFailure) {
         Texts texts = Texts.of("shell", language);
-        var line = new LinePanel(models.line(), language, onFailure);
-        var clip = new ClipPanel(models.clip(), language, onFailure);
-        var visibility = new VisibilityPanel(models.visibility(), language, onFailure);
-        var spline = new SplinePanel(models.spline(), language, onFailure);
-        return new LabTabs(
-                language,
-                List.of(
-                        tab("line", texts, line, line::focusPicture),
-                        tab("clip", texts, clip, clip::focusPicture),
-                        tab("visibility", texts, visibility, visibility::focusPicture),
-                        tab("spline", texts, spline, spline::focusPicture)),
-                () -> {
-                    line.close();
-                    clip.close();
-                    visibility.close();
-                    spline.close();
-                });
-    }
-
-    private static LabTab tab(String name, Texts texts, JComponent panel, Runnable focusPicture) {
-        String key = "tab." + name;
-        return new LabTab(
-                name,
-                texts.label(key),
-                texts.mnemonic(key),
-                texts.mnemonicIndex(key),
-                panel,
-                focusPicture);
+        var tabs = new ArrayList<LabTab>();
+        BiConsumer<String, Supplier<LabPanel>> add =
+                (name, made) -> tabs.add(new LabTab(name, texts.text("tab." + name), made));
+        add.accept("line", () -> new LinePanel(models.line(), language, onFailure));
+        add.accept("clip", () -> new ClipPanel(models.clip(), language, onFailure));
+        add.accept(
+                "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));
+        add.accept("spline", () -> new SplinePanel(models.spline(), language, onFailure));
+        return new LabTabs(language, tabs);
     }
 
     public Language language() {
@@ -79,6 +61,6 @@ public final class LabTabs implements AutoCloseable {
     /** Stops what the panels play and listen to. On the event thread. */
     @Override
     public void close() {
-        close.run();
+        tabs.forEach(LabTab::close);
     }
 }

@@ -2,11 +2,11 @@ package rasterlab.app.spline;
 
 import java.awt.CardLayout;
 import java.util.function.Consumer;
-import javax.swing.JPanel;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.language.Language;
 
 /** The lab of splines as the window shows it, in one language: curves or functions. */
-public final class SplinePanel extends JPanel implements AutoCloseable {
+public final class SplinePanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient SplineLabModel model;
@@ -31,6 +31,7 @@ public final class SplinePanel extends JPanel implements AutoCloseable {
     }
 
     /** Gives the keyboard to the point that had it last. */
+    @Override
     public void focusPicture() {
         if (model.mode() == SplineMode.CURVE) curve.focusPicture();
         else function.focusPicture();

@@ -1,20 +1,19 @@
 package rasterlab.app.visibility;
 
-import java.awt.BorderLayout;
 import java.util.function.Consumer;
-import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /** The hidden-surface lab as the window shows it, in one language. */
-public final class VisibilityPanel extends JPanel implements AutoCloseable {
+public final class VisibilityPanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient VisibilityLabModel model;
@@ -30,7 +29,6 @@ public final class VisibilityPanel extends JPanel implements AutoCloseable {
      */
     public VisibilityPanel(
             VisibilityLabModel model, Language language, Consumer<Throwable> onFailure) {
-        super(new BorderLayout());
         this.model = model;
         setName("visibility");
         texts = Texts.of("visibility", language);
@@ -57,6 +55,7 @@ public final class VisibilityPanel extends JPanel implements AutoCloseable {
     }
 
     /** Gives the keyboard to the picture, whose arrow keys turn the scene. */
+    @Override
     public void focusPicture() {
         stage.requestFocusInWindow();
     }

@@ -63,6 +63,7 @@ class ClippedTextTest {
                     models.set(LabModels.first(failures::add));
                     models.get().line().compareWith("naive-textbook");
                     tabs.set(LabTabs.create(models.get(), language, failures::add));
+                    tabs.get().all().forEach(LabTab::panel);
                 });
         for (LabTab tab : tabs.get().all()) {
             OffscreenPainter.paint(tab.panel(), width, height);

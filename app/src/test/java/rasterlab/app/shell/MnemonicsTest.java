@@ -62,6 +62,7 @@ class MnemonicsTest {
                 theme,
                 (tab, mnemonics) -> {
                     for (Mnemonic each : mnemonics) {
+                        if (each.index() < 0) continue;
                         char letter = each.text().charAt(each.index());
                         int key = KeyEvent.getExtendedKeyCodeForChar(letter);
                         var pressed = KeyStroke.getKeyStroke(key, InputEvent.ALT_DOWN_MASK);
@@ -86,7 +87,8 @@ class MnemonicsTest {
                     theme.install();
                     try (LabModels models = LabModels.first(failure::set);
                             LabTabs tabs = LabTabs.create(models, language, failure::set)) {
-                        var content = new LabContent(tabs, theme, chosen -> {}, chosen -> {});
+                        var content =
+                                new LabContent(tabs, "line", theme, chosen -> {}, chosen -> {});
                         for (LabTab tab : tabs.all()) {
                             content.show(tab.name());
                             check.accept(tab.name(), shown(content));

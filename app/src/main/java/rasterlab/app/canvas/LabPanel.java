@@ -1,0 +1,20 @@
+package rasterlab.app.canvas;
+
+import java.awt.BorderLayout;
+import javax.swing.JPanel;
+
+/** A lab as the window shows it, in one language and theme; its model outlives it. */
+public abstract class LabPanel extends JPanel implements AutoCloseable {
+    private static final long serialVersionUID = 1L;
+
+    protected LabPanel() {
+        super(new BorderLayout());
+    }
+
+    /** Gives the keyboard to the lab's picture, whose keys change what it shows. */
+    public abstract void focusPicture();
+
+    /** Stops what the panel plays and listens to; the model lives on. On the event thread. */
+    @Override
+    public abstract void close();
+}
