@@ -100,8 +100,9 @@ class WindowTest extends WindowHarness {
         await("Russian", () -> frame.language() == Language.RUSSIAN);
         assertEquals("visibility", frame.shownTab());
         int light = window.robot().finder().findByName(frame, "tabs").getBackground().getRGB();
-        window.button("theme").click();
-        await("dark", () -> frame.theme() == LabTheme.DARK);
+        window.button("look").click();
+        window.menuItem("theme.dark").click();
+        await("dark", () -> frame.look().theme() == LabTheme.DARK);
         int dark = window.robot().finder().findByName(frame, "tabs").getBackground().getRGB();
         assertTrue((dark & 255) < (light & 255), "background did not darken");
         assertEquals("visibility", frame.shownTab());
@@ -146,7 +147,7 @@ class WindowTest extends WindowHarness {
                 new SettingsFile(settings(), problems::add)
                         .load(LabSettings.first(Language.ENGLISH));
         assertEquals("visibility", kept.tab());
-        assertEquals(Language.RUSSIAN, kept.language());
+        assertEquals(Language.RUSSIAN, kept.look().language());
         assertFalse(kept.bounds().isEmpty());
     }
 

@@ -2,6 +2,7 @@ package rasterlab.app.canvas;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
+import javax.swing.UIManager;
 
 /**
  * The colours of a stage around what the methods draw.
@@ -15,6 +16,9 @@ import java.awt.Color;
  */
 public record StageColours(
         Color ground, Color grid, Color axis, Color ink, Color margin, Color focus) {
+    /** Key of {@code UIManager} that says whether the theme is one of high contrast. */
+    public static final String HIGH_CONTRAST = "Rasterlab.highContrast";
+
     public static final StageColours LIGHT =
             new StageColours(
                     Color.WHITE,
@@ -33,8 +37,19 @@ public record StageColours(
                     new Color(0x25282C),
                     new Color(0x6CB2FF));
 
+    /** For a projector, whose weak greys are lost on the wall. */
+    public static final StageColours PROJECTOR =
+            new StageColours(
+                    Color.WHITE,
+                    new Color(0xB4BAC2),
+                    new Color(0x4A5159),
+                    Color.BLACK,
+                    Color.WHITE,
+                    new Color(0x0050B3));
+
     /** The colours for the theme that is installed. */
     public static StageColours now() {
+        if (UIManager.getBoolean(HIGH_CONTRAST)) return PROJECTOR;
         return FlatLaf.isLafDark() ? DARK : LIGHT;
     }
 }

@@ -3,21 +3,16 @@ package rasterlab.app.shell;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.EventQueue;
-import java.awt.Font;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
-import javax.swing.JButton;
-import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.JViewport;
-import net.miginfocom.swing.MigLayout;
-import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /**
@@ -31,15 +26,9 @@ public final class LabContent extends JPanel {
 
     /**
      * @param shown name of the tab to show; an unknown one is the first
-     * @param onLanguage told the language that the user chooses
-     * @param onTheme told the theme that the user chooses
+     * @param onLook told how the user wants the window to look
      */
-    public LabContent(
-            LabTabs labs,
-            String shown,
-            LabTheme theme,
-            Consumer<Language> onLanguage,
-            Consumer<LabTheme> onTheme) {
+    public LabContent(LabTabs labs, String shown, LabLook look, Consumer<LabLook> onLook) {
         super(new BorderLayout());
         Texts texts = Texts.of("shell", labs.language());
         tabs = labs.all();
@@ -62,7 +51,7 @@ public final class LabContent extends JPanel {
         fill();
         pane.putClientProperty("JTabbedPane.leadingComponent", brand());
         pane.putClientProperty(
-                "JTabbedPane.trailingComponent", choices(texts, theme, onLanguage, onTheme));
+                "JTabbedPane.trailingComponent", new LookControls(texts, look, onLook));
         add(pane);
         pane.addChangeListener(
                 e -> {
@@ -101,40 +90,10 @@ public final class LabContent extends JPanel {
     }
 
     private static JLabel brand() {
-        var brand = new JLabel("Rasterlab", new BrandIcon(), JLabel.LEADING);
+        var brand = new JLabel(new BrandIcon());
         brand.setName("brand");
-        brand.setFont(brand.getFont().deriveFont(Font.BOLD, brand.getFont().getSize2D() + 2));
-        brand.setBorder(BorderFactory.createEmptyBorder(0, 12, 0, 16));
+        brand.setBorder(BorderFactory.createEmptyBorder(0, 12, 0, 8));
         return brand;
-    }
-
-    private static JPanel choices(
-            Texts texts,
-            LabTheme theme,
-            Consumer<Language> onLanguage,
-            Consumer<LabTheme> onTheme) {
-        var language = new JComboBox<String>();
-        for (Language each : Language.values()) language.addItem(each.ownName());
-        language.setSelectedIndex(texts.language().ordinal());
-        language.setName("language");
-        language.getAccessibleContext().setAccessibleName(texts.text("language"));
-        language.setToolTipText(texts.text("language"));
-        language.addActionListener(
-                e -> onLanguage.accept(Language.values()[language.getSelectedIndex()]));
-
-        String key = theme == LabTheme.LIGHT ? "theme.dark" : "theme.light";
-        var toggle = new JButton(texts.label(key), new ThemeIcon(theme.other()));
-        toggle.setName("theme");
-        toggle.setMnemonic(texts.mnemonic(key));
-        toggle.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
-        toggle.addActionListener(e -> onTheme.accept(theme.other()));
-
-        var panel =
-                new JPanel(new MigLayout("insets 0 0 0 10, gap 8", "push[][]", "[center,grow]"));
-        panel.setOpaque(false);
-        panel.add(language);
-        panel.add(toggle);
-        return panel;
     }
 
     /** A click on the tab that is shown already changes nothing, but chooses its picture too. */

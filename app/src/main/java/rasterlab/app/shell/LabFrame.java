@@ -1,5 +1,6 @@
 package rasterlab.app.shell;
 
+import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
@@ -63,12 +64,12 @@ public final class LabFrame extends JFrame {
         place();
     }
 
-    public Language language() {
-        return settings.language();
+    public LabLook look() {
+        return settings.look();
     }
 
-    public LabTheme theme() {
-        return settings.theme();
+    public Language language() {
+        return look().language();
     }
 
     /** Name of the tab that is shown. */
@@ -81,17 +82,19 @@ public final class LabFrame extends JFrame {
         content.show(name);
     }
 
-    public void speak(Language language) {
-        if (language == settings.language()) return;
-        settings = settings.with(language);
+    /** Speaks and looks otherwise from now on. */
+    public void wear(LabLook look) {
+        LabLook before = settings.look();
+        if (look.equals(before)) return;
+        settings = settings.with(look);
+        look.theme().install(look.textPercent());
+        if (look.theme() != before.theme() || look.textPercent() != before.textPercent())
+            FlatLaf.updateUI();
         refill();
     }
 
-    public void wear(LabTheme theme) {
-        if (theme == settings.theme()) return;
-        settings = settings.with(theme);
-        theme.installEverywhere();
-        refill();
+    public void speak(Language language) {
+        wear(settings.look().with(language));
     }
 
     /**
@@ -117,10 +120,10 @@ public final class LabFrame extends JFrame {
     }
 
     private void fill(String tab) {
-        Texts texts = Texts.of("shell", settings.language());
+        Texts texts = Texts.of("shell", language());
         setTitle(texts.text("title"));
-        tabs = LabTabs.create(models, settings.language(), onFailure);
-        content = new LabContent(tabs, tab, settings.theme(), this::speak, this::wear);
+        tabs = LabTabs.create(models, language(), onFailure);
+        content = new LabContent(tabs, tab, look(), this::wear);
         setContentPane(content);
         revalidate();
         repaint();

@@ -11,30 +11,21 @@ import rasterlab.app.language.Language;
  * @param bounds where the window was on the screen, in view units; empty before the first run
  * @param maximised whether it filled the screen
  */
-public record LabSettings(
-        LabTheme theme,
-        Language language,
-        String tab,
-        Optional<Rectangle> bounds,
-        boolean maximised) {
+public record LabSettings(LabLook look, String tab, Optional<Rectangle> bounds, boolean maximised) {
     public LabSettings {
         bounds = bounds.map(Rectangle::new);
     }
 
     /** The settings of a first run. */
     public static LabSettings first(Language language) {
-        return new LabSettings(LabTheme.LIGHT, language, "", Optional.empty(), false);
+        return new LabSettings(LabLook.first(language), "", Optional.empty(), false);
     }
 
-    public LabSettings with(LabTheme other) {
-        return new LabSettings(other, language, tab, bounds, maximised);
-    }
-
-    public LabSettings with(Language other) {
-        return new LabSettings(theme, other, tab, bounds, maximised);
+    public LabSettings with(LabLook other) {
+        return new LabSettings(other, tab, bounds, maximised);
     }
 
     public LabSettings at(String shownTab, Rectangle place, boolean filled) {
-        return new LabSettings(theme, language, shownTab, Optional.of(place), filled);
+        return new LabSettings(look, shownTab, Optional.of(place), filled);
     }
 }

@@ -51,7 +51,7 @@ public final class LabSnapshot {
         prepare.accept(models);
         LabTabs tabs = LabTabs.create(models, language, failure::set);
         tabs.named(tab);
-        var content = new LabContent(tabs, tab, theme, chosen -> {}, chosen -> {});
+        var content = new LabContent(tabs, tab, LabLook.first(language).with(theme), chosen -> {});
         return new Made(models, tabs, content);
     }
 

@@ -83,10 +83,11 @@ public final class SettingsFile {
                 settings.bounds()
                         .map(b -> b.x + " " + b.y + " " + b.width + " " + b.height)
                         .orElse("");
-        return "theme=%s%nlanguage=%s%ntab=%s%nbounds=%s%nmaximised=%s%n"
+        return "theme=%s%nlanguage=%s%ntext=%d%ntab=%s%nbounds=%s%nmaximised=%s%n"
                 .formatted(
-                        settings.theme(),
-                        settings.language(),
+                        settings.look().theme(),
+                        settings.look().language(),
+                        settings.look().textPercent(),
                         settings.tab(),
                         bounds,
                         settings.maximised());
@@ -94,8 +95,10 @@ public final class SettingsFile {
 
     private static LabSettings parse(Properties kept) {
         return new LabSettings(
-                LabTheme.valueOf(value(kept, "theme")),
-                Language.valueOf(value(kept, "language")),
+                new LabLook(
+                        LabTheme.valueOf(value(kept, "theme")),
+                        Language.valueOf(value(kept, "language")),
+                        Integer.parseInt(kept.getProperty("text", "100").strip())),
                 value(kept, "tab"),
                 bounds(value(kept, "bounds")),
                 Boolean.parseBoolean(value(kept, "maximised")));

@@ -29,7 +29,7 @@ public final class WindowStart {
         LabSettings settings = file.load(LabSettings.first(Language.of(Locale.getDefault())));
         // Saved at once too: whoever cannot write it learns so now, not when the window is gone.
         file.save(settings);
-        settings.theme().install();
+        settings.look().theme().install(settings.look().textPercent());
         var shown = new LabFrame[1];
         var reports =
                 new FailureReports(

@@ -16,6 +16,8 @@ final class LabPictures implements TourPart {
     private static final int WIDTH = 1280;
     private static final int HEIGHT = 800;
 
+    private static final List<LabTheme> THEMES = List.of(LabTheme.LIGHT, LabTheme.DARK);
+
     /** A tab, and how it is prepared. */
     private record Shot(String name, String tab, Consumer<LabModels> prepare) {}
 
@@ -40,7 +42,7 @@ final class LabPictures implements TourPart {
         for (Shot shot : SHOTS) {
             page.heading(page.texts().text("labs." + shot.name()));
             List<TourPage.Figure> figures = new ArrayList<>();
-            for (LabTheme theme : LabTheme.values())
+            for (LabTheme theme : THEMES)
                 for (Language language : Language.values())
                     figures.add(figure(page, shot, theme, language));
             page.gallery(figures);

@@ -48,8 +48,8 @@ class LabSnapshotTest {
     @MethodSource("looks")
     void showsWhatIsLeftInItsMethodsColour(LabTheme theme, Language language)
             throws InterruptedException {
-        BufferedImage image = LabSnapshot.of("clip", theme, language, models -> {}, 900, 600);
-        BufferedImage stage = image.getSubimage(60, 220, 420, 320);
+        BufferedImage image = LabSnapshot.of("clip", theme, language, models -> {}, 1280, 800);
+        BufferedImage stage = image.getSubimage(60, 300, 600, 420);
         int left = 0xFF000000 | MethodColours.of("cohen-sutherland").getRGB();
         assertTrue(colours(stage).contains(left));
     }

@@ -88,7 +88,11 @@ class MnemonicsTest {
                     try (LabModels models = LabModels.first(failure::set);
                             LabTabs tabs = LabTabs.create(models, language, failure::set)) {
                         var content =
-                                new LabContent(tabs, "line", theme, chosen -> {}, chosen -> {});
+                                new LabContent(
+                                        tabs,
+                                        "line",
+                                        LabLook.first(language).with(theme),
+                                        chosen -> {});
                         for (LabTab tab : tabs.all()) {
                             content.show(tab.name());
                             check.accept(tab.name(), shown(content));

@@ -28,8 +28,7 @@ class SettingsFileTest {
     void keepsEverythingBetweenRuns() {
         var settings =
                 new LabSettings(
-                        LabTheme.DARK,
-                        Language.RUSSIAN,
+                        new LabLook(LabTheme.DARK, Language.RUSSIAN, 125),
                         "visibility",
                         Optional.of(new Rectangle(-5, 7, 1000, 700)),
                         true);
