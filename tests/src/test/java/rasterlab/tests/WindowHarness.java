@@ -31,6 +31,7 @@ import rasterlab.app.shell.LabFrame;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSettings;
 import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.LabsFile;
 import rasterlab.app.shell.SettingsFile;
 import rasterlab.engine.line.Segment;
 
@@ -59,6 +60,7 @@ abstract class WindowHarness {
                                     models,
                                     LabSettings.first(Language.ENGLISH),
                                     new SettingsFile(settings(), problems::add),
+                                    LabsFile.beside(settings(), problems::add),
                                     failures::add);
                         });
         window = new FrameFixture(robot, frame);

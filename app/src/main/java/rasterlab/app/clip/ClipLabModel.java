@@ -6,6 +6,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.engine.study.Hazard;
@@ -18,7 +19,7 @@ import rasterlab.engine.study.Method;
  * the executor it is given. Each change publishes a new immutable {@link ClipLabState}, first with
  * the choice, then with what is left.
  */
-public final class ClipLabModel implements Steps, AutoCloseable {
+public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseable {
     private final ClipTopics topics;
     private final LatestOnly<ClipScene, ClipResults> clippings;
     private final History<ClipChoice> history = new History<>();
@@ -55,7 +56,7 @@ public final class ClipLabModel implements Steps, AutoCloseable {
         return topics.method(state.choice().mode(), state.choice().scene().method());
     }
 
-    List<? extends Hazard<?>> hazards(ClipMode mode) {
+    public List<? extends Hazard<?>> hazards(ClipMode mode) {
         return topics.hazards(mode);
     }
 
@@ -159,6 +160,26 @@ public final class ClipLabModel implements Steps, AutoCloseable {
     /** Back to the mode's first scene and method; can be undone. */
     public void reset() {
         change(state.choice().with(state.choice().firstScene()).withDifference(false), true);
+    }
+
+    @Override
+    public Class<ClipChoice> keptType() {
+        return ClipChoice.class;
+    }
+
+    @Override
+    public ClipChoice kept() {
+        return state.choice();
+    }
+
+    @Override
+    public void bringBack(ClipChoice choice) {
+        for (ClipMode mode : ClipMode.values()) {
+            ClipScene scene = choice.in(mode).scene();
+            topics.method(mode, scene.method());
+            if (!scene.comparison().isEmpty()) topics.method(mode, scene.comparison());
+        }
+        clip(choice, state.arrangement() + 1);
     }
 
     /** Waits until every choice so far is clipped or dropped. Any other thread. */

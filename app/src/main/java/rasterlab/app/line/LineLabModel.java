@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.contract.LineRasterizer;
@@ -21,7 +22,7 @@ import rasterlab.engine.study.Topic;
  * executor it is given. Each change publishes a new immutable {@link LineLabState}, first with the
  * choice, then with what it draws.
  */
-public final class LineLabModel implements Steps, AutoCloseable {
+public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseable {
     private static final Segment FIRST_SEGMENT = new Segment(2, 3, 17, 9);
 
     private final Topic<LineRasterizer, Segment, PixelRecording> topic;
@@ -124,6 +125,23 @@ public final class LineLabModel implements Steps, AutoCloseable {
     /** Back to the first segment and method; can be undone. */
     public void reset() {
         change(first, true);
+    }
+
+    @Override
+    public Class<LineChoice> keptType() {
+        return LineChoice.class;
+    }
+
+    @Override
+    public LineChoice kept() {
+        return state.choice();
+    }
+
+    @Override
+    public void bringBack(LineChoice choice) {
+        topic.method(choice.method());
+        if (!choice.comparison().isEmpty()) topic.method(choice.comparison());
+        draw(choice, state.arrangement() + 1);
     }
 
     /** Waits until every choice so far is drawn or dropped. Any other thread. */

@@ -27,6 +27,7 @@ public final class LabFrame extends JFrame {
 
     private final transient LabModels models;
     private final transient SettingsFile file;
+    private final transient LabsFile labsFile;
     private final transient Consumer<Throwable> onFailure;
     private transient LabSettings settings;
     private transient LabTabs tabs;
@@ -37,16 +38,19 @@ public final class LabFrame extends JFrame {
      * A frame that is not shown yet. On the event thread, with the settings' theme installed.
      *
      * @param file where the settings are kept when the window closes
+     * @param labsFile where what the labs show is kept then
      * @param onFailure told what fails, on any thread
      */
     public LabFrame(
             LabModels models,
             LabSettings settings,
             SettingsFile file,
+            LabsFile labsFile,
             Consumer<Throwable> onFailure) {
         this.models = models;
         this.settings = settings;
         this.file = file;
+        this.labsFile = labsFile;
         this.onFailure = onFailure;
         setName("lab");
         setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
@@ -151,6 +155,7 @@ public final class LabFrame extends JFrame {
     }
 
     private void end() {
+        labsFile.save(models);
         boolean filled = (getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH;
         file.save(settings.at(content.shown(), filled ? unmaximised : getBounds(), filled));
         tabs.close();

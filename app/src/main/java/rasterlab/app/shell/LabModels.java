@@ -1,7 +1,10 @@
 package rasterlab.app.shell;
 
 import java.awt.EventQueue;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipTopics;
 import rasterlab.app.line.LineLabModel;
@@ -26,6 +29,18 @@ public record LabModels(
                 new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
                 new SplineLabModel(EventQueue::invokeLater, onFailure));
+    }
+
+    /** What opens as it was left, by the name under which it is kept. */
+    Map<String, Kept<?>> kept() {
+        var kept = new LinkedHashMap<String, Kept<?>>();
+        kept.put("line", line);
+        kept.put("clip", clip);
+        kept.put("visibility", visibility);
+        kept.put("spline", spline);
+        kept.put("spline.curve", spline.curve());
+        kept.put("spline.function", spline.function());
+        return kept;
     }
 
     /** Ends background work. */

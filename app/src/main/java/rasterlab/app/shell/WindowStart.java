@@ -2,9 +2,11 @@ package rasterlab.app.shell;
 
 import java.awt.Component;
 import java.awt.EventQueue;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import javax.swing.JOptionPane;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -19,13 +21,14 @@ public final class WindowStart {
 
     private static void openOnEventThread() {
         List<String> problems = new ArrayList<>();
-        var file =
-                new SettingsFile(
-                        SettingsFile.usual(System.getenv(), System.getProperties()),
-                        problem -> {
-                            System.err.println("rasterlab: " + problem);
-                            problems.add(problem);
-                        });
+        Consumer<String> problem =
+                line -> {
+                    System.err.println("rasterlab: " + line);
+                    problems.add(line);
+                };
+        Path place = SettingsFile.usual(System.getenv(), System.getProperties());
+        var file = new SettingsFile(place, problem);
+        LabsFile labsFile = LabsFile.beside(place, problem);
         LabSettings settings = file.load(LabSettings.first(Language.of(Locale.getDefault())));
         // Saved at once too: whoever cannot write it learns so now, not when the window is gone.
         file.save(settings);
@@ -35,9 +38,11 @@ public final class WindowStart {
                 new FailureReports(
                         failure -> new ErrorDialog(texts(shown[0])).show(shown[0], failure));
         Thread.setDefaultUncaughtExceptionHandler(reports);
-        shown[0] = new LabFrame(LabModels.first(reports), settings, file, reports);
+        LabModels models = LabModels.first(reports);
+        labsFile.load(models);
+        shown[0] = new LabFrame(models, settings, file, labsFile, reports);
         shown[0].setVisible(true);
-        problems.forEach(problem -> tell(shown[0], texts(shown[0]), problem));
+        problems.forEach(each -> tell(shown[0], texts(shown[0]), each));
     }
 
     private static Texts texts(LabFrame frame) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.contract.CurveTracer;
@@ -21,7 +22,7 @@ import rasterlab.engine.study.Method;
  * choice, then with what it draws. The steps are the points that the method sends: going to one
  * goes to its t.
  */
-public final class CurveLabModel implements Steps, AutoCloseable {
+public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoCloseable {
     private static final double FIRST_T = 0.4;
 
     /** Pixels. */
@@ -151,6 +152,24 @@ public final class CurveLabModel implements Steps, AutoCloseable {
     public void reset() {
         change(first, true);
         goToT(FIRST_T);
+    }
+
+    @Override
+    public Class<CurveChoice> keptType() {
+        return CurveChoice.class;
+    }
+
+    @Override
+    public CurveChoice kept() {
+        return state.choice();
+    }
+
+    @Override
+    public void bringBack(CurveChoice choice) {
+        topic.method(choice.method());
+        if (!choice.comparison().isEmpty()) topic.method(choice.comparison());
+        choice.curves();
+        draw(choice, state.arrangement() + 1);
     }
 
     /** Waits until every choice so far is drawn or dropped. Any other thread. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.contract.SplineEnds;
@@ -20,7 +21,7 @@ import rasterlab.engine.study.Method;
  * <p>Works like {@link CurveLabModel}; the steps are those of the method, after the last of which
  * all coefficients are known.
  */
-public final class FunctionLabModel implements Steps, AutoCloseable {
+public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, AutoCloseable {
     private static final double FIRST_SHARE = 0.5;
 
     /** A slope's handle lies outside the knots, by this share of their width. */
@@ -182,6 +183,23 @@ public final class FunctionLabModel implements Steps, AutoCloseable {
     public void reset() {
         change(first, true);
         readAt(FIRST_SHARE);
+    }
+
+    @Override
+    public Class<FunctionChoice> keptType() {
+        return FunctionChoice.class;
+    }
+
+    @Override
+    public FunctionChoice kept() {
+        return state.choice();
+    }
+
+    @Override
+    public void bringBack(FunctionChoice choice) {
+        topic.method(choice.method());
+        if (!choice.comparison().isEmpty()) topic.method(choice.comparison());
+        find(choice, state.arrangement() + 1);
     }
 
     /** Waits until every choice so far is answered or dropped. Any other thread. */

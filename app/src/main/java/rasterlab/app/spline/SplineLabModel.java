@@ -4,9 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.Kept;
 
 /** Both labs of splines, and which of them is shown. */
-public final class SplineLabModel implements AutoCloseable {
+public final class SplineLabModel implements Kept<SplineMode>, AutoCloseable {
     private final CurveLabModel curve;
     private final FunctionLabModel function;
     private final List<Consumer<SplineMode>> listeners = new ArrayList<>();
@@ -42,6 +43,21 @@ public final class SplineLabModel implements AutoCloseable {
     public Runnable listen(Consumer<SplineMode> listener) {
         listeners.add(listener);
         return () -> listeners.remove(listener);
+    }
+
+    @Override
+    public Class<SplineMode> keptType() {
+        return SplineMode.class;
+    }
+
+    @Override
+    public SplineMode kept() {
+        return mode;
+    }
+
+    @Override
+    public void bringBack(SplineMode choice) {
+        show(choice);
     }
 
     /** Ends the labs' threads. */

@@ -8,6 +8,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
@@ -25,7 +26,7 @@ import rasterlab.engine.visibility.Visibility;
  * <p>Pictures are made on threads of the model's own; answers and commands all run on the thread of
  * the executor it is given. Each change publishes a new immutable {@link VisibilityLabState}.
  */
-public final class VisibilityLabModel implements AutoCloseable {
+public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoCloseable {
     /** Makes a picture, or throws CancellationException once it is of no use any more. */
     @FunctionalInterface
     public interface PictureMaker {
@@ -180,6 +181,22 @@ public final class VisibilityLabModel implements AutoCloseable {
     /** Back to the first scene, view and methods; can be undone. */
     public void reset() {
         choose(choice -> first());
+    }
+
+    @Override
+    public Class<VisibilityChoice> keptType() {
+        return VisibilityChoice.class;
+    }
+
+    @Override
+    public VisibilityChoice kept() {
+        return state.choice();
+    }
+
+    @Override
+    public void bringBack(VisibilityChoice choice) {
+        choice.plain(1, 1); // Refuses unknown names.
+        draw(choice);
     }
 
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */

@@ -1,0 +1,103 @@
+package rasterlab.app.shell;
+
+import com.fasterxml.jackson.annotation.JsonAutoDetect.Visibility;
+import com.fasterxml.jackson.annotation.PropertyAccessor;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.Kept;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.WholeFile;
+
+/**
+ * What every lab shows, kept between runs in a JSON file beside the window's settings.
+ *
+ * <p>A lab whose part is missing, broken or of an older version opens as on the first run, and the
+ * others as they were left.
+ */
+public final class LabsFile {
+    /** Larger files are none of ours. */
+    private static final long MOST_BYTES = 4 << 20;
+
+    private static final ObjectMapper JSON =
+            JsonMapper.builder()
+                    .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
+                    .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
+                    .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
+                    .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+                    .visibility(PropertyAccessor.GETTER, Visibility.NONE)
+                    .visibility(PropertyAccessor.IS_GETTER, Visibility.NONE)
+                    .visibility(PropertyAccessor.FIELD, Visibility.ANY)
+                    .build();
+
+    private final Path file;
+    private final Consumer<String> problem;
+
+    /**
+     * @param problem told, once for every lab, what cannot be kept or brought back, in one English
+     *     line
+     */
+    public LabsFile(Path file, Consumer<String> problem) {
+        this.file = file;
+        this.problem = problem;
+    }
+
+    /** The file beside the window's settings. */
+    public static LabsFile beside(Path settings, Consumer<String> problem) {
+        return new LabsFile(settings.resolveSibling("labs.json"), problem);
+    }
+
+    /** Brings every lab to what it showed. On the event thread. */
+    public void load(LabModels models) {
+        if (!Files.exists(file)) return;
+        JsonNode root;
+        try {
+            if (Files.size(file) > MOST_BYTES)
+                throw new IOException("more than " + MOST_BYTES + " bytes");
+            root = JSON.readTree(file.toFile());
+            if (!root.isObject()) throw new IOException("not a JSON object");
+        } catch (IOException e) {
+            problem.accept("cannot use what the labs showed, in " + file + ": " + reason(e));
+            return;
+        }
+        models.kept().forEach((name, lab) -> bringBack(name, lab, root.path(name)));
+    }
+
+    private <C> void bringBack(String name, Kept<C> lab, JsonNode kept) {
+        if (kept.isMissingNode()) return;
+        try {
+            lab.bringBack(JSON.treeToValue(kept, lab.keptType()));
+        } catch (JsonProcessingException | IllegalArgumentException e) {
+            problem.accept(
+                    "cannot use what the lab '" + name + "' showed, in " + file + ": " + reason(e));
+        }
+    }
+
+    /** Keeps what every lab shows, whole or not at all. On the event thread. */
+    public void save(LabModels models) {
+        ObjectNode root = JSON.createObjectNode();
+        for (Map.Entry<String, Kept<?>> each : models.kept().entrySet())
+            root.set(each.getKey(), JSON.valueToTree(each.getValue().kept()));
+        try {
+            Files.createDirectories(file.toAbsolutePath().getParent());
+            WholeFile.write(file, JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root));
+        } catch (IOException | Complaint e) {
+            problem.accept("cannot keep what the labs show, in " + file + ": " + reason(e));
+        }
+    }
+
+    private static String reason(Exception e) {
+        String message =
+                e instanceof JsonProcessingException json ? json.getOriginalMessage() : null;
+        if (message == null) message = e.getMessage() == null ? e.toString() : e.getMessage();
+        return message.lines().findFirst().orElse(e.toString());
+    }
+}

@@ -1,0 +1,152 @@
+package rasterlab.app.shell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.canvas.Kept;
+import rasterlab.app.clip.ClipMode;
+import rasterlab.app.spline.CurveForm;
+import rasterlab.app.spline.SplineMode;
+import rasterlab.contract.SplineEnds;
+import rasterlab.engine.line.Segment;
+
+class LabsFileTest {
+    @TempDir Path folder;
+    private final List<String> problems = new ArrayList<>();
+    private final List<Throwable> failures = new ArrayList<>();
+
+    @Test
+    void everyLabOpensAsItWasLeft() throws InterruptedException {
+        Map<String, Object> first = shown(models -> {}, false);
+        Map<String, Object> left = shown(LabsFileTest::changeAll, false);
+        Map<String, Object> opened = shown(models -> {}, true);
+        assertEquals(left, opened);
+        left.forEach((name, choice) -> assertNotEquals(first.get(name), choice, name));
+        assertEquals(List.of(), problems);
+    }
+
+    /** Scenes with NaN, infinities and repeated points among them. */
+    @Test
+    void everyHazardCanBeKept() throws InterruptedException {
+        OffscreenPainter.onEventThread(
+                () -> {
+                    try (LabModels models = LabModels.first(failures::add)) {
+                        for (ClipMode mode : ClipMode.values())
+                            models.clip()
+                                    .hazards(mode)
+                                    .forEach(
+                                            each -> {
+                                                models.clip().show(mode, each.name());
+                                                assertKept(models);
+                                            });
+                        models.spline()
+                                .curve()
+                                .hazards()
+                                .forEach(
+                                        each -> {
+                                            models.spline().curve().show(each.input());
+                                            assertKept(models);
+                                        });
+                        models.spline()
+                                .function()
+                                .hazards()
+                                .forEach(
+                                        each -> {
+                                            models.spline().function().show(each.input());
+                                            assertKept(models);
+                                        });
+                    }
+                });
+        assertEquals(List.of(), problems);
+    }
+
+    private void assertKept(LabModels models) {
+        file().save(models);
+        try (LabModels others = LabModels.first(failures::add)) {
+            file().load(others);
+            assertEquals(choices(models), choices(others));
+        }
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @ValueSource(
+            strings = {
+                "{\"line\": {\"segment\": 7}}",
+                "{\"line\": {\"segment\": {\"x0\": 1, \"y0\": 2, \"x1\": 3, \"y1\": 4}}}",
+                "{\"line\": {\"segment\": null, \"method\": \"dda\", \"comparison\": \"\"}}",
+                "{\"line\": {\"segment\": {\"x0\": 1, \"y0\": 2, \"x1\": 3, \"y1\": 4},"
+                        + " \"method\": \"magic\", \"comparison\": \"\"}}",
+                "{\"line\": ",
+                "[]x"
+            })
+    void brokenPartIsToldAndTheLabOpensAsOnTheFirstRun(String text)
+            throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("labs.json"), text);
+        Map<String, Object> opened = shown(models -> {}, true);
+        problems.forEach(problem -> assertTrue(problem.contains("labs.json"), problem));
+        assertEquals(1, problems.size(), problems::toString);
+        assertEquals(shown(models -> {}, false), opened);
+    }
+
+    @Test
+    void brokenPartLeavesTheOtherLabsAsTheyWere() throws IOException, InterruptedException {
+        Map<String, Object> left = shown(LabsFileTest::changeAll, false);
+        Path file = folder.resolve("labs.json");
+        Files.writeString(
+                file, Files.readString(file).replace("\"dda\"", "\"a method of another time\""));
+        Map<String, Object> opened = shown(models -> {}, true);
+        assertNotEquals(left.remove("line"), opened.remove("line"));
+        assertEquals(left, opened);
+        assertTrue(problems.get(0).contains("another time"), problems::toString);
+    }
+
+    private static void changeAll(LabModels models) {
+        models.line().show(new Segment(-7, 3, 2_000_000_000, 4));
+        models.line().chooseMethod("dda");
+        models.clip().chooseMode(ClipMode.VOLUME);
+        models.visibility().turn(0.1, 0.2);
+        models.spline().show(SplineMode.FUNCTION);
+        models.spline().curve().chooseForm(CurveForm.PIECES);
+        models.spline().function().chooseEnds(SplineEnds.slopes(-1.25, 3));
+    }
+
+    /** What the labs show, after loading or before saving. */
+    private Map<String, Object> shown(Consumer<LabModels> prepare, boolean load)
+            throws InterruptedException {
+        var found = new TreeMap<String, Object>();
+        OffscreenPainter.onEventThread(
+                () -> {
+                    try (LabModels models = LabModels.first(failures::add)) {
+                        if (load) file().load(models);
+                        prepare.accept(models);
+                        found.putAll(choices(models));
+                        if (!load) file().save(models);
+                    }
+                });
+        return found;
+    }
+
+    private static Map<String, Object> choices(LabModels models) {
+        var found = new TreeMap<String, Object>();
+        for (Map.Entry<String, Kept<?>> each : models.kept().entrySet())
+            found.put(each.getKey(), each.getValue().kept());
+        return found;
+    }
+
+    private LabsFile file() {
+        return LabsFile.beside(folder.resolve("window.properties"), problems::add);
+    }
+}
