@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabTheme;
 import rasterlab.engine.line.Segment;
 
 /** Where the keyboard goes: to the picture of the chosen tab. */
@@ -167,5 +168,42 @@ class WindowKeysTest extends WindowHarness {
         double theta = theta();
         press(KeyEvent.VK_RIGHT);
         assertEquals(theta + STEP, theta(), 1e-9);
+    }
+
+    @Test
+    void keysChooseTheSizeOfType() {
+        int usual = typeSize();
+        pressWithControl(KeyEvent.VK_EQUALS);
+        pressWithControl(KeyEvent.VK_EQUALS);
+        assertEquals(125, frame.look().textPercent());
+        assertEquals(Math.round(usual * 1.25f), typeSize());
+        pressWithControl(KeyEvent.VK_MINUS);
+        assertEquals(110, frame.look().textPercent());
+        pressWithControl(KeyEvent.VK_0);
+        assertEquals(usual, typeSize());
+    }
+
+    @Test
+    void keyOpensTheMenuOfLooks() {
+        press(KeyEvent.VK_F10);
+        press(KeyEvent.VK_DOWN);
+        press(KeyEvent.VK_DOWN);
+        press(KeyEvent.VK_DOWN);
+        int usual = typeSize();
+        press(KeyEvent.VK_ENTER);
+        await("the projector's look", () -> frame.look().theme() == LabTheme.PROJECTOR);
+        assertTrue(typeSize() > usual, "type did not grow");
+    }
+
+    private int typeSize() {
+        return GuiActionRunner.execute(
+                () -> window.comboBox("language").target().getFont().getSize());
+    }
+
+    private void pressWithControl(int key) {
+        robot.pressKey(KeyEvent.VK_CONTROL);
+        press(key);
+        robot.releaseKey(KeyEvent.VK_CONTROL);
+        robot.waitForIdle();
     }
 }
