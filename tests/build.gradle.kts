@@ -4,6 +4,8 @@ plugins {
 
 dependencies {
     implementation(project(":engine"))
+    implementation(project(":app"))
+    implementation(libs.jackson.databind)
     implementation(libs.picocli)
     implementation(libs.joml)
     implementation(libs.jts.core)
@@ -15,10 +17,8 @@ dependencies {
     implementation(libs.jmh.core)
     annotationProcessor(libs.jmh.generator.annprocess)
     testImplementation(project(":exercises"))
-    testImplementation(project(":app"))
     testImplementation(project(":grader"))
     testImplementation(libs.archunit)
-    testImplementation(libs.jackson.databind)
     testImplementation(libs.jackson.dataformat.toml)
     testImplementation(libs.assertj.swing.junit)
     testImplementation(libs.selenium.chrome.driver)

@@ -1,5 +1,6 @@
 package rasterlab.tests.bench;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -23,6 +24,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import rasterlab.tests.bench.pipeline.PipelineBench;
+import rasterlab.tests.bench.window.WindowBench;
 
 /** Measures the engine's methods beside their peers and prints the ratios. */
 @Command(
@@ -43,9 +45,12 @@ public final class Bench implements Callable<Integer> {
     /** Measured by a runner of its own, beside OpenGL in the same process. */
     private static final String PIPELINE = "pipeline";
 
+    /** Measured in the real window. */
+    private static final String WINDOW = "window";
+
     @Spec private CommandSpec spec;
 
-    @Parameters(paramLabel = "GROUP", description = "raster or pipeline")
+    @Parameters(paramLabel = "GROUP", description = "raster, pipeline or window")
     private String group;
 
     @Option(
@@ -56,6 +61,12 @@ public final class Bench implements Callable<Integer> {
 
     @Option(names = "--quick", description = "short rounds: a first look, no figure to quote")
     private boolean quick;
+
+    @Option(
+            names = "--minutes",
+            paramLabel = "N",
+            description = "window only: also N minutes of use, and what memory they left behind")
+    private int minutes;
 
     public static void main(String[] arguments) {
         var command = new CommandLine(new Bench());
@@ -68,7 +79,12 @@ public final class Bench implements Callable<Integer> {
     }
 
     @Override
-    public Integer call() throws RunnerException {
+    public Integer call() throws RunnerException, IOException, InterruptedException {
+        if (minutes < 0) throw wrong("--minutes must be at least 0, got " + minutes);
+        if (group.equals(WINDOW)) {
+            new WindowBench(quick ? 1 : 5, quick ? 5 : 60, minutes, System.out).run();
+            return 0;
+        }
         if (group.equals(PIPELINE)) {
             new PipelineBench(quick, only, System.out).run();
             return 0;
@@ -89,8 +105,10 @@ public final class Bench implements Callable<Integer> {
                             + group
                             + "'; allowed are "
                             + GROUPS.keySet()
+                            + ", "
+                            + PIPELINE
                             + " and "
-                            + PIPELINE);
+                            + WINDOW);
         List<Goal> all = GROUPS.get(group).get();
         List<Goal> goals = all.stream().filter(goal -> goal.work().contains(only)).toList();
         if (goals.isEmpty())

@@ -1,0 +1,306 @@
+package rasterlab.tests.bench.window;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.awt.Point;
+import java.awt.Toolkit;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
+import javax.swing.RepaintManager;
+import javax.swing.SwingUtilities;
+import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabFrame;
+import rasterlab.app.shell.LabLook;
+import rasterlab.app.shell.LabModels;
+import rasterlab.app.shell.LabSettings;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.LabsFile;
+import rasterlab.app.shell.SettingsFile;
+import rasterlab.engine.line.Segment;
+
+/** The window's goals: its start, frames a second while dragging, memory after long use. */
+public final class WindowBench {
+    private static final Dimension SIZE = new Dimension(1280, 720);
+    private static final double START_GOAL_SECONDS = 2;
+    private static final double FRAMES_GOAL = 60;
+    private static final double LONGEST_GOAL_MILLIS = 50;
+    private static final double GROWTH_GOAL_MEBIBYTES = 10;
+    private static final double WARM_UP_SECONDS = 4;
+
+    /** So long that its pixels are shown small, and an end meets another with every move. */
+    private static final Segment LONG = new Segment(0, 0, 400, 200);
+
+    /** What is dragged: the tab, the part of it that is taken, and the picture that it changes. */
+    private record Work(
+            String name,
+            String tab,
+            String grip,
+            Function<LabModels, Object> picture,
+            Settled settled) {}
+
+    /** Waits until a lab has answered what it was asked. */
+    private interface Settled {
+        void in(LabModels models) throws InterruptedException;
+    }
+
+    private static final List<Work> WORKS =
+            List.of(
+                    new Work(
+                            "turning the vase",
+                            "visibility",
+                            "stage",
+                            models -> models.visibility().state().picture().orElse(null),
+                            models -> models.visibility().settle()),
+                    new Work(
+                            "dragging a segment's end",
+                            "line",
+                            "end.B",
+                            models -> models.line().state().drawings(),
+                            models -> models.line().settle()),
+                    new Work(
+                            "dragging a clipped segment's end",
+                            "clip",
+                            "end.B1",
+                            models -> models.clip().state().results(),
+                            models -> models.clip().settle()),
+                    new Work(
+                            "dragging a control point",
+                            "spline",
+                            "point.1",
+                            models -> models.spline().curve().state().drawings(),
+                            models -> models.spline().curve().settle()));
+
+    private final int starts;
+    private final double seconds;
+    private final int minutes;
+    private final PrintStream out;
+    private final FrameWatch frames = new FrameWatch();
+    private final EventWatch events = new EventWatch();
+    private final AtomicReference<Throwable> failure = new AtomicReference<>();
+
+    /**
+     * @param starts of the lab whose middle one counts, at least 1
+     * @param seconds that each thing is dragged
+     * @param minutes of use whose growth of memory is measured; 0 for none
+     */
+    public WindowBench(int starts, double seconds, int minutes, PrintStream out) {
+        this.starts = starts;
+        this.seconds = seconds;
+        this.minutes = minutes;
+        this.out = out;
+    }
+
+    /** Prints the table; without a display only that there is none. */
+    public void run() throws IOException, InterruptedException {
+        if (GraphicsEnvironment.isHeadless()) {
+            out.println("no display: the window is not measured");
+            return;
+        }
+        out.printf(
+                Locale.ROOT,
+                "%s %s, %d cores, Java %s, window of %d×%d, each dragged for %.0f s%n%n",
+                System.getProperty("os.name"),
+                System.getProperty("os.arch"),
+                Runtime.getRuntime().availableProcessors(),
+                Runtime.version(),
+                SIZE.width,
+                SIZE.height,
+                seconds);
+        out.println("work | figure | goal | met");
+        out.println("--- | --- | --- | ---");
+        start();
+        Path folder = Files.createTempDirectory("rasterlab-window");
+        Path settings = folder.resolve("window.properties");
+        try {
+            open(settings);
+        } finally {
+            Files.deleteIfExists(settings);
+            Files.deleteIfExists(settings.resolveSibling("labs.json"));
+            Files.deleteIfExists(folder);
+        }
+    }
+
+    private void start() throws IOException, InterruptedException {
+        var times = new ArrayList<Long>();
+        for (int k = 0; k < starts; k++) times.add(StartUp.milliseconds());
+        times.sort(null);
+        double median = times.get(starts / 2) / 1e3;
+        row(
+                "start to the first painted tab",
+                "%.2f s (%.2f–%.2f)"
+                        .formatted(median, times.get(0) / 1e3, times.get(starts - 1) / 1e3),
+                "≤ %.0f s".formatted(START_GOAL_SECONDS),
+                median <= START_GOAL_SECONDS);
+    }
+
+    private void open(Path settings) throws InterruptedException {
+        RepaintManager.setCurrentManager(frames);
+        Toolkit.getDefaultToolkit().getSystemEventQueue().push(events);
+        LabModels models = onEventThread(() -> models());
+        LabFrame frame = onEventThread(() -> shown(models, settings));
+        try {
+            for (Work work : WORKS) drag(frame, models, work);
+            if (minutes > 0) use(frame, models);
+        } finally {
+            onEventThread(
+                    () -> {
+                        frame.dispose();
+                        return null;
+                    });
+        }
+        if (failure.get() != null)
+            throw new IllegalStateException("the lab reported a failure", failure.get());
+    }
+
+    private LabModels models() {
+        LabTheme.LIGHT.install();
+        LabModels models = LabModels.first(failed -> failure.compareAndSet(null, failed));
+        models.line().show(LONG);
+        return models;
+    }
+
+    private LabFrame shown(LabModels models, Path settings) {
+        var frame =
+                new LabFrame(
+                        models,
+                        LabSettings.first(Language.ENGLISH),
+                        new SettingsFile(settings, out::println),
+                        LabsFile.beside(settings, out::println),
+                        failed -> failure.compareAndSet(null, failed));
+        frame.setSize(SIZE);
+        frame.setVisible(true);
+        return frame;
+    }
+
+    private void drag(LabFrame frame, LabModels models, Work work) throws InterruptedException {
+        Drag drag = grip(frame, models, work);
+        drag.run(Math.min(WARM_UP_SECONDS, seconds));
+        onEventThread(
+                () -> {
+                    frames.begin(() -> work.picture().apply(models));
+                    return events.longest();
+                });
+        long begun = System.nanoTime();
+        drag.run(seconds);
+        List<Long> shown = onEventThread(frames::frames);
+        double busy = events.longest() / 1e6;
+        double perSecond = shown.size() / ((System.nanoTime() - begun) / 1e9);
+        row(
+                work.name(),
+                "%.0f frames a second".formatted(perSecond),
+                "≥ %.0f".formatted(FRAMES_GOAL),
+                perSecond >= FRAMES_GOAL);
+        double longest = longest(begun, shown);
+        row(
+                work.name() + ", longest frame",
+                "%.1f ms".formatted(longest),
+                "≤ %.0f ms".formatted(LONGEST_GOAL_MILLIS),
+                longest <= LONGEST_GOAL_MILLIS);
+        row(
+                work.name() + ", longest event",
+                "%.1f ms".formatted(busy),
+                "≤ %.0f ms".formatted(LONGEST_GOAL_MILLIS),
+                busy <= LONGEST_GOAL_MILLIS);
+    }
+
+    private static double longest(long begun, List<Long> shown) {
+        long longest = 0;
+        long last = begun;
+        for (long each : shown) {
+            longest = Math.max(longest, each - last);
+            last = each;
+        }
+        return longest / 1e6;
+    }
+
+    /** Shows the tab, and waits until what it first shows is painted. */
+    private Drag grip(LabFrame frame, LabModels models, Work work) throws InterruptedException {
+        onEventThread(
+                () -> {
+                    frame.showTab(work.tab());
+                    return null;
+                });
+        work.settled().in(models);
+        onEventThread(() -> null);
+        return onEventThread(
+                () -> {
+                    Component grip = Drag.named(frame.getContentPane(), work.grip());
+                    if (grip == null)
+                        throw new IllegalStateException(work.tab() + " has no " + work.grip());
+                    var middle = new Point(grip.getWidth() / 2, grip.getHeight() / 2);
+                    Point place = SwingUtilities.convertPoint(grip, middle, frame);
+                    return new Drag(frame, place, 60);
+                });
+    }
+
+    /** Uses every tab, each language and theme, and tells what memory it left behind. */
+    private void use(LabFrame frame, LabModels models) throws InterruptedException {
+        double first = Double.NaN;
+        double last = Double.NaN;
+        for (int minute = 0; minute <= minutes; minute++) {
+            long end = System.nanoTime() + TimeUnit.MINUTES.toNanos(1);
+            for (int k = 0; System.nanoTime() < end; k++) {
+                int round = k;
+                onEventThread(
+                        () -> {
+                            var look = LabLook.first(Language.values()[round % 2]);
+                            frame.wear(look.with(LabTheme.values()[round % 3]));
+                            return null;
+                        });
+                for (Work work : WORKS) grip(frame, models, work).run(1);
+            }
+            last = heldMebibytes();
+            if (minute == 0) first = last;
+        }
+        double growth = last - first;
+        row(
+                "memory after %d minutes of use beside that after one".formatted(minutes + 1),
+                "%+.1f MiB (%.1f → %.1f)".formatted(growth, first, last),
+                "± %.0f MiB".formatted(GROWTH_GOAL_MEBIBYTES),
+                Math.abs(growth) <= GROWTH_GOAL_MEBIBYTES);
+    }
+
+    /**
+     * What is left after collections; several, as one does not clear what waits to be finalised.
+     */
+    private static double heldMebibytes() {
+        Runtime runtime = Runtime.getRuntime();
+        for (int k = 0; k < 4; k++) System.gc();
+        return (runtime.totalMemory() - runtime.freeMemory()) / (double) (1 << 20);
+    }
+
+    private void row(String work, String figure, String goal, boolean met) {
+        out.println(work + " | " + figure + " | " + goal + " | " + (met ? "yes" : "no"));
+    }
+
+    private static <T> T onEventThread(Callable<T> work) throws InterruptedException {
+        var answer = new AtomicReference<T>();
+        var failed = new AtomicReference<Exception>();
+        try {
+            EventQueue.invokeAndWait(
+                    () -> {
+                        try {
+                            answer.set(work.call());
+                        } catch (Exception e) {
+                            failed.set(e);
+                        }
+                    });
+        } catch (InvocationTargetException e) {
+            throw new IllegalStateException(e.getCause());
+        }
+        if (failed.get() != null) throw new IllegalStateException(failed.get());
+        return answer.get();
+    }
+}
