@@ -114,6 +114,12 @@ class ExactMethodsTest {
                         crossing,
                         new SphericalView(0.4, 1, 50),
                         all()));
+        scenes.add(
+                argumentSet(
+                        "eye in the middle of a body sees rounding",
+                        Scenes.named("interpenetrating").mesh(),
+                        new SphericalView(0.4, 1, SphericalView.NEAREST),
+                        all()));
         return scenes.stream();
     }
 
@@ -149,6 +155,29 @@ class ExactMethodsTest {
                 Raster picture = TestScenes.picture(method, view);
                 long wrong = PictureDifference.of(exact, picture).wrongPixels();
                 assertTrue(wrong > 200, "%s fights over %d pixels".formatted(method, wrong));
+            }
+        }
+    }
+
+    /** So wide a view makes faces so narrow, beside their depth, that they have no plane. */
+    @Test
+    @DisplayName("an order fails in its own words, or ends never")
+    void ordersRefuseAnEyeInTheMiddleOfLongFaces() {
+        Mesh boards = Scenes.named("cyclic-overlap").mesh();
+        for (Mesh mesh : List.of(boards, TestScenes.crossing(60, 60, SEED))) {
+            var camera = new SphericalView(0.4, 1, SphericalView.NEAREST);
+            ViewedMesh view = TestScenes.seen(mesh, camera, Projection.PERSPECTIVE, 320, 240);
+            for (String method : ORDERS) {
+                var refusal =
+                        assertThrows(
+                                IllegalArgumentException.class,
+                                () -> TestScenes.picture(method, view));
+                assertTrue(
+                        refusal.getMessage()
+                                .startsWith(
+                                        "the faces, as this view shows them, cannot be put in"
+                                                + " order, but a depth buffer may draw them: "),
+                        refusal.getMessage());
             }
         }
     }
