@@ -8,6 +8,9 @@ import rasterlab.engine.transform.SphericalView;
  * Reads a camera θ,φ,ρ: two angles in radians, also as multiples such as 0.25pi, and a distance.
  */
 final class CameraOption implements ITypeConverter<SphericalView> {
+    /** Of larger ones rounding leaves no direction to speak of. */
+    private static final double MOST_RADIANS = 1e6;
+
     @Override
     public SphericalView convert(String text) {
         String[] parts = text.split(",", -1);
@@ -24,7 +27,12 @@ final class CameraOption implements ITypeConverter<SphericalView> {
     private static double angle(String text) {
         String number = text.strip().replaceFirst("(pi|π)$", "");
         boolean multiple = number.length() < text.strip().length();
-        return multiple ? number(number) * Math.PI : number(number);
+        double radians = multiple ? number(number) * Math.PI : number(number);
+        if (Math.abs(radians) > MOST_RADIANS)
+            throw new TypeConversionException(
+                    "angle must be from %s to %s radians, got '%s'"
+                            .formatted(-MOST_RADIANS, MOST_RADIANS, text));
+        return radians;
     }
 
     private static double number(String text) {

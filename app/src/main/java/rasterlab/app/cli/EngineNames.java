@@ -13,6 +13,7 @@ import rasterlab.engine.pipeline.Stereo;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.TextureEnvironment;
 import rasterlab.engine.texture.Wrap;
 
@@ -87,6 +88,12 @@ abstract class EngineNames implements Iterable<String> {
     static final class OfCulls extends EngineNames {
         OfCulls() {
             super(Cull.names());
+        }
+    }
+
+    static final class OfUpAxes extends EngineNames {
+        OfUpAxes() {
+            super(UpAxis.names());
         }
     }
 

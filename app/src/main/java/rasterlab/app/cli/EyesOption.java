@@ -21,7 +21,7 @@ final class EyesOption implements ITypeConverter<EyesOption.Distance> {
         boolean degrees = text.endsWith("deg");
         String number = degrees ? text.substring(0, text.length() - 3) : text;
         try {
-            return new Distance(Double.parseDouble(number), degrees);
+            return above0(new Distance(Double.parseDouble(number), degrees), text);
         } catch (NumberFormatException e) {
             throw new TypeConversionException(
                     "'"
@@ -29,5 +29,11 @@ final class EyesOption implements ITypeConverter<EyesOption.Distance> {
                             + "' is no distance; expected world units such as 30 or an angle such"
                             + " as 3deg");
         }
+    }
+
+    private static Distance above0(Distance distance, String text) {
+        if (!(distance.number > 0))
+            throw new TypeConversionException("distance must be above 0, got '" + text + "'");
+        return distance;
     }
 }

@@ -57,6 +57,10 @@ public final class Lab {
                 .setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF))
                 .setUsageHelpWidth(100)
                 .registerConverter(ReportLanguage.class, ReportLanguage::named)
+                .registerConverter(Double.class, NumberText::number)
+                .registerConverter(double.class, NumberText::number)
+                .registerConverter(Integer.class, NumberText::whole)
+                .registerConverter(int.class, NumberText::whole)
                 .setAbbreviatedOptionsAllowed(false)
                 .setParameterExceptionHandler(failures::wrongArguments)
                 .setExecutionExceptionHandler(failures::failed);

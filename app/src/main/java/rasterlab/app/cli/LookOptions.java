@@ -39,7 +39,7 @@ final class LookOptions {
             split = ",",
             description = "what light is seen: ${COMPLETION-CANDIDATES}; default: all",
             completionCandidates = EngineNames.OfLightTerms.class)
-    private List<String> terms = LightTerm.names();
+    private List<String> terms;
 
     @Option(
             names = "--two-sided",
@@ -110,15 +110,40 @@ final class LookOptions {
      */
     Look look(ShownScene shown, String visibility, double rho) {
         ShadingMethod chosen = ShadingMethod.named(shown.option("--shading", shading));
+        requireLight(chosen);
         Look look =
                 Look.of(visibility, chosen)
-                        .withTexture(TextureMode.named(shown.option("--texture", texture)))
+                        .withTexture(texture(shown))
                         .withLight(seenTerms(), sides())
                         .withCull(Cull.named(cull))
                         .withWire(wire(chosen));
-        if (outline) look = look.withOutline();
+        if (outline) look = outlined(look);
         if (depthCue != null) look = look.withCue(new DepthCue(depthCue));
         return stereo == null ? onePicture(look) : look.withStereo(stereo(rho));
+    }
+
+    /** How textures are looked up. */
+    TextureMode texture(ShownScene shown) {
+        return TextureMode.named(shown.option("--texture", texture));
+    }
+
+    /** Wires and tones have no light that could be told anything. */
+    private void requireLight(ShadingMethod chosen) {
+        boolean wire = chosen == ShadingMethod.WIRE;
+        if (terms != null && (wire || chosen == ShadingMethod.TONE)) throw needsLight("--terms");
+        if (twoSided != null && wire) throw needsLight("--two-sided");
+    }
+
+    private static IllegalArgumentException needsLight(String option) {
+        return new IllegalArgumentException(
+                option + " needs light: --shading flat, gouraud, phong or auto");
+    }
+
+    private static Look outlined(Look look) {
+        if (look.shading() == ShadingMethod.WIRE)
+            throw new IllegalArgumentException(
+                    "--outline needs faces; --shading wire draws nothing but edges");
+        return look.withOutline();
     }
 
     private WireStyle wire(ShadingMethod chosen) {
@@ -146,8 +171,14 @@ final class LookOptions {
     }
 
     private Set<LightTerm> seenTerms() {
+        if (terms == null) return LightTerm.all();
+        if (terms.isEmpty())
+            throw new IllegalArgumentException(
+                    "--terms needs one of " + String.join(", ", LightTerm.names()));
         Set<LightTerm> seen = new TreeSet<>();
-        for (String term : terms) seen.add(LightTerm.named(term));
+        for (String term : terms)
+            if (!seen.add(LightTerm.named(term)))
+                throw new IllegalArgumentException("--terms names '" + term + "' twice");
         return seen;
     }
 

@@ -38,6 +38,8 @@ import rasterlab.engine.visibility.VisibilityWork;
             "         ./lab render vase --reference --diff vase.png"
         })
 final class RenderCommand implements Callable<Integer> {
+    private static final double MOST_ZOOM = 1e6;
+
     private final Console console;
 
     @Mixin private SceneArgument shown;
@@ -154,7 +156,8 @@ final class RenderCommand implements Callable<Integer> {
     private RenderRequest request() {
         try {
             ShownScene opened = shown.open(console);
-            Scene scene = texture.laid(opened.scene().zoomed(zoom));
+            requireZoom();
+            Scene scene = texture.laid(opened.scene().zoomed(zoom), look.texture(opened));
             SphericalView eye = camera == null ? scene.defaultCamera() : camera;
             Projection chosen = Projection.named(opened.option("--projection", projection));
             String method = opened.option("--visibility", visibility);
@@ -169,6 +172,12 @@ final class RenderCommand implements Callable<Integer> {
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());
         }
+    }
+
+    private void requireZoom() {
+        if (!(zoom >= 1 / MOST_ZOOM && zoom <= MOST_ZOOM))
+            throw new IllegalArgumentException(
+                    "zoom must be from %s to %s, got %s".formatted(1 / MOST_ZOOM, MOST_ZOOM, zoom));
     }
 
     private DrawnDepths depths(Projection chosen, double rho) {

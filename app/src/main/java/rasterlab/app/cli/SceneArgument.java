@@ -12,6 +12,7 @@ import rasterlab.app.model.ModelFile;
 import rasterlab.app.model.SceneText;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.exercises.scene.SceneView;
 
 /** What {@code ./lab render} shows: a scene by name, or a file. */
@@ -36,6 +37,13 @@ final class SceneArgument {
                             + " default: the scene's")
     private Integer detail;
 
+    @Option(
+            names = "--up",
+            paramLabel = "AXIS",
+            description = "of a model, FILE.obj: the axis that points up, z or y; default: z",
+            completionCandidates = EngineNames.OfUpAxes.class)
+    private String up;
+
     /** Of the command that this is an argument of. */
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
@@ -50,10 +58,15 @@ final class SceneArgument {
         boolean view = name.endsWith(SceneText.EXTENSION);
         if (detail != null && (model || view))
             throw new IllegalArgumentException("--detail is for scenes by name, not for a file");
+        if (up != null && !model)
+            throw new IllegalArgumentException("--up is for a model, FILE.obj; scenes have z up");
         if (view) return shown(SceneText.view(Path.of(scene)));
         if (model)
             return plain(
-                    ModelFile.read(Path.of(scene), note -> console.err().println("note: " + note)));
+                    ModelFile.read(
+                            Path.of(scene),
+                            up == null ? UpAxis.Z : UpAxis.named(up),
+                            note -> console.err().println("note: " + note)));
         return plain(detail == null ? Scenes.named(scene) : Scenes.named(scene, detail));
     }
 

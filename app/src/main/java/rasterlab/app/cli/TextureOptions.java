@@ -3,6 +3,7 @@ package rasterlab.app.cli;
 import java.nio.file.Path;
 import picocli.CommandLine.Option;
 import rasterlab.app.outcome.PictureFile;
+import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.texture.Texture;
@@ -39,9 +40,14 @@ final class TextureOptions {
     /**
      * The scene with its textures as told.
      *
-     * @throws IllegalArgumentException if it has none, or no place for one
+     * @param mode how they are looked up
+     * @throws IllegalArgumentException if it has none, or no place for one, or none is shown
      */
-    Scene laid(Scene scene) {
+    Scene laid(Scene scene, TextureMode mode) {
+        if (mode == TextureMode.NONE && (image != null || wrap != null || environment != null))
+            throw new IllegalArgumentException(
+                    "--texture-image, --wrap and --environment need a texture to be seen; --texture"
+                            + " none shows none");
         Scene changed = image == null ? scene : covered(scene, PictureFile.texture(image));
         if (wrap == null && environment == null) return changed;
         if (changed.finishes().stream().allMatch(finish -> finish.texture().isEmpty()))

@@ -17,6 +17,7 @@ import rasterlab.engine.scene.obj.BrokenFileException;
 import rasterlab.engine.scene.obj.ObjModel;
 import rasterlab.engine.scene.obj.ObjReader;
 import rasterlab.engine.scene.obj.ObjScene;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.Texture;
 
 /** A Wavefront model with the materials and textures in its folder. */
@@ -27,7 +28,7 @@ public final class ModelFile {
      * @param notes told of what was passed over or changed
      * @throws Complaint naming file and line, if one cannot be read, is broken or lies elsewhere
      */
-    public static Scene read(Path file, Consumer<String> notes) {
+    public static Scene read(Path file, UpAxis up, Consumer<String> notes) {
         if (Files.isDirectory(file)) throw Complaint.badInput(file + ": is a folder, not a model");
         if (!Files.isReadable(file)) throw Complaint.badInput(file + ": no such file to read");
         try {
@@ -40,7 +41,7 @@ public final class ModelFile {
             if (model.colors().length > 0)
                 notes.accept(file + ": colours of vertices were passed over");
             return ObjScene.of(
-                    file.getFileName().toString(), model, name -> texture(file, folder, name));
+                    file.getFileName().toString(), model, up, name -> texture(file, folder, name));
         } catch (BrokenFileException e) {
             throw Complaint.badInput(e.getMessage());
         } catch (IOException e) {

@@ -111,8 +111,8 @@ class RenderCommandTest {
                 mistake("size has no height", "expected WIDTHxHEIGHT", "--size=80"),
                 mistake("size is 0", "from 1×1 to 8192×8192 pixels, got 0×9", "--size=0x9"),
                 mistake("size is too large", "got 8193×1", "--size=8193x1"),
-                mistake("zoom is 0", "zoom must be finite and above 0, got 0.0", "--zoom=0"),
-                mistake("zoom is not finite", "above 0, got Infinity", "--zoom=Infinity"),
+                mistake("zoom is 0", "zoom must be from 1.0E-6 to 1000000.0, got 0.0", "--zoom=0"),
+                mistake("zoom is not finite", "to 1000000.0, got Infinity", "--zoom=Infinity"),
                 mistake("method has no outlines", "'zfloat' draws no outlines", "--outline"),
                 mistake("reference is outlined", "draws no", "--reference", "--outline"),
                 mistake("camera has two numbers", "expected theta,phi,rho", "--camera=1,2"),
@@ -140,6 +140,31 @@ class RenderCommandTest {
                 mistake("stereo is parallel", "needs perspective", PARALLEL, "--stereo=anaglyph"),
                 mistake("depth cue is too strong", "up to 1, got 3.0", "--depth-cue=3"),
                 mistake("wrap needs a texture", "scene 'vase' has none", "--wrap=repeat"),
+                mistake(
+                        "wrap of what is not shown",
+                        "--texture none shows none",
+                        "--wrap=repeat",
+                        "--texture=none"),
+                mistake("near is a word", "'nan' is not a number; expected", "--near=nan"),
+                mistake(
+                        "eyes are huge",
+                        "render: separation must be above 0",
+                        GLASSES,
+                        "--eyes=1e300"),
+                mistake("eyes are one", "distance must be above 0, got '0'", GLASSES, "--eyes=0"),
+                mistake("angle is huge", "1000000.0 radians, got '1e300'", "--camera=1e300,1,5"),
+                mistake("zoom is huge", "to 1000000.0, got 1.0E300", "--zoom=1e300"),
+                mistake("no term", "--terms needs one of ambient", "--terms=,"),
+                mistake("term is given twice", "'ambient' twice", "--terms=ambient,ambient"),
+                mistake("light of wires", "--terms needs light", WIRE, "--terms=ambient"),
+                mistake(
+                        "light of tones",
+                        "--terms needs light",
+                        "--shading=tone",
+                        "--terms=ambient"),
+                mistake("backs of wires", "--two-sided needs light", WIRE, "--two-sided"),
+                mistake("outlines of wires", "--outline needs faces", WIRE, "--outline"),
+                mistake("up of a scene", "--up is for a model", "--up=y"),
                 mistake("texture is missing", "no such file", "--texture-image=no.png"),
                 mistake("texture is text", "not a PNG or JPEG", "--texture-image=pom.xml"),
                 mistake("other picture is missing", "no such file to read", "--diff=no.png"),
@@ -147,6 +172,8 @@ class RenderCommandTest {
                 mistake("other picture is text", "is not a PNG picture", "--diff=pom.xml"));
     }
 
+    private static final String GLASSES = "--stereo=anaglyph";
+    private static final String WIRE = "--shading=wire";
     private static final String PARALLEL = "--projection=parallel";
 
     private static Arguments mistake(String name, String part, String... options) {

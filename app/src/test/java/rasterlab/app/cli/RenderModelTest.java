@@ -9,6 +9,7 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -74,6 +75,24 @@ class RenderModelTest {
         model(tiny, MATERIALS, 2, 2);
         BufferedImage scaled = picture();
         assertFalse(scaled.getRGB(80, 60) == scaled.getRGB(0, 0), "a tiny model is not seen");
+    }
+
+    /** Up is z unless told: the cube laid on its side is the same again with y up. */
+    @Test
+    void upMayBeY() throws Exception {
+        model(CUBE, MATERIALS, 2, 2);
+        BufferedImage upright = picture("--up", "z");
+        assertSame(picture(), upright);
+        model(CUBE.replaceAll("(?m)^v (\\d) (\\d) (\\d)$", "v $1 $3 -$2"), MATERIALS, 2, 2);
+        assertSame(upright, picture("--up", "y"));
+        assertFalse(Arrays.equals(pixels(upright), pixels(picture())), "the cube lies on its side");
+        render("--up", "x")
+                .assertComplains(2, "./lab render: no axis that points up 'x'; there are y, z");
+    }
+
+    private static int[] pixels(BufferedImage picture) {
+        return picture.getRGB(
+                0, 0, picture.getWidth(), picture.getHeight(), null, 0, picture.getWidth());
     }
 
     @Test

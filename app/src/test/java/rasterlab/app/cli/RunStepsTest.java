@@ -23,11 +23,10 @@ import rasterlab.engine.study.Topic;
 class RunStepsTest {
     /** Their steps are formulas or matrices one after the other; nothing is decided. */
     private static final List<String> UNDECIDED =
-            List.of("transform", "rotate-axis", "rotate", "view", "shade");
+            List.of("transform", "rotate-axis", "rotate", "view", "shade", "shade-face");
 
     /** One formula each: an answer lists its terms, and there is nothing to walk. */
-    private static final List<String> FORMULAS =
-            List.of("shade-face", "color", "texture-mapping", "texture-filter");
+    private static final List<String> FORMULAS = List.of("color", "texture-mapping");
 
     /** All other methods have steps, but for the topics above. */
     private static final List<String> WITHOUT_STEPS =
@@ -51,7 +50,8 @@ class RunStepsTest {
                     "depth-buffer zfloat",
                     "depth-buffer reversed-z",
                     "depth-buffer linear-16",
-                    "hidden-surfaces raycast");
+                    "hidden-surfaces raycast",
+                    "texture-filter summed-area");
 
     /** What textbooks' programs do as they are printed, and how that is told. */
     private static final Map<String, String> GIVEN_UP =
@@ -246,6 +246,17 @@ class RunStepsTest {
                                 + "{\"face\":2,\"vertex\":0,\"decision\":0.5,\"sum\":[0.5,0.0,1.0]},"
                                 + "{\"face\":2,\"vertex\":2,\"decision\":0.5,\"sum\":[0.5,0.0,1.0]},"
                                 + "{\"face\":2,\"vertex\":4,\"decision\":0.5,\"sum\":[0.5,0.0,0.0]}]"),
+                argumentSet(
+                        "texels and their shares are not told",
+                        "texture-filter",
+                        "linear",
+                        "{\"picture\":[[10,20],[30,40]],\"pixels\":[[0.375,0.5,0,0,0,0]]}",
+                        "\"steps\":[[{\"detail\":0,\"column\":0,\"row-from-below\":0,\"level\":30,"
+                                + "\"decision\":0.375},{\"detail\":0,\"column\":1,"
+                                + "\"row-from-below\":0,\"level\":40,\"decision\":0.125},"
+                                + "{\"detail\":0,\"column\":0,\"row-from-below\":1,\"level\":10,"
+                                + "\"decision\":0.375},{\"detail\":0,\"column\":1,"
+                                + "\"row-from-below\":1,\"level\":20,\"decision\":0.125}]]"),
                 argumentSet(
                         "convex window has no steps",
                         "clip-segment",

@@ -2,6 +2,8 @@ package rasterlab.engine.pipeline;
 
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.transform.Projection;
+import rasterlab.engine.transform.SphericalView;
+import rasterlab.engine.transform.StereoPair;
 
 /**
  * Two eyes' pictures as one.
@@ -15,11 +17,12 @@ import rasterlab.engine.transform.Projection;
 final class Eyes {
     private Eyes() {}
 
-    static void require(Stereo stereo, Projection projection, int width) {
+    static void require(Stereo stereo, Projection projection, SphericalView camera, int width) {
         if (projection != Projection.PERSPECTIVE)
             throw new IllegalArgumentException(
                     "stereo needs perspective, since two eyes see the same in projection '%s'"
                             .formatted(projection.code()));
+        new StereoPair(camera, stereo.separation(camera.rho()));
         if (stereo.kind() == Stereo.Kind.SIDE_BY_SIDE && width < 2)
             throw new IllegalArgumentException(
                     "two pictures side by side need a width of at least 2, got " + width);

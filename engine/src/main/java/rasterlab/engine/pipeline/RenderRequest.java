@@ -27,7 +27,7 @@ public record RenderRequest(
     public RenderRequest {
         Raster.checkSize(width, height);
         depth.require(projection, camera.rho());
-        if (look.stereo().isPresent()) Eyes.require(look.stereo().get(), projection, width);
+        if (look.stereo().isPresent()) Eyes.require(look.stereo().get(), projection, camera, width);
     }
 
     /** A request with the usual depths and look. */

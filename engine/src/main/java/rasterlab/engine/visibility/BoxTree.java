@@ -74,6 +74,42 @@ final class BoxTree {
             visit(0, 0, faces.length, ray);
     }
 
+    /** Two faces of the mesh, each pair once. */
+    @FunctionalInterface
+    interface PairSink {
+        void pair(int one, int other);
+    }
+
+    /** Hands out the pairs of faces whose boxes have a point in common. */
+    void overlaps(PairSink out) {
+        if (faces.length > 0) overlaps(0, 0, faces.length, 0, 0, faces.length, out);
+    }
+
+    private void overlaps(int a, int fromA, int toA, int b, int fromB, int toB, PairSink out) {
+        if (apart(a, b)) return;
+        if (a >= firstLeaf) {
+            for (int i = fromA; i < toA; i++)
+                for (int j = a == b ? i + 1 : fromB; j < toB; j++)
+                    if (!around.apart(faces[i], faces[j])) out.pair(faces[i], faces[j]);
+            return;
+        }
+        int middleA = fromA + toA >>> 1;
+        int middleB = fromB + toB >>> 1;
+        int nextA = 2 * a + 1;
+        int nextB = 2 * b + 1;
+        overlaps(nextA, fromA, middleA, nextB, fromB, middleB, out);
+        overlaps(nextA, fromA, middleA, nextB + 1, middleB, toB, out);
+        if (a != b) overlaps(nextA + 1, middleA, toA, nextB, fromB, middleB, out);
+        overlaps(nextA + 1, middleA, toA, nextB + 1, middleB, toB, out);
+    }
+
+    private boolean apart(int a, int b) {
+        for (int axis = 0; axis < 3; axis++)
+            if (boxes[6 * a + axis] > boxes[6 * b + 3 + axis]
+                    || boxes[6 * b + axis] > boxes[6 * a + 3 + axis]) return true;
+        return false;
+    }
+
     private void visit(int node, int from, int to, RayHits ray) {
         if (node >= firstLeaf) {
             for (int i = from; i < to; i++) ray.tryFace(faces[i]);

@@ -46,6 +46,13 @@ final class FaceBoxes {
         return boxes[6 * face + 3 + axis];
     }
 
+    boolean apart(int one, int other) {
+        for (int axis = 0; axis < 3; axis++)
+            if (least(one, axis) > most(other, axis) || least(other, axis) > most(one, axis))
+                return true;
+        return false;
+    }
+
     double middle(int face, int axis) {
         return (least(face, axis) + most(face, axis)) / 2;
     }

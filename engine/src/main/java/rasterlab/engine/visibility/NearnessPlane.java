@@ -5,6 +5,10 @@ import rasterlab.engine.transform.PictureFit;
 /**
  * Nearness over one face, ρ/z in perspective and −z in parallel projection, as a linear function of
  * the pixel: {@code base + x·perColumn + y·perRow}. z itself is not linear in perspective.
+ *
+ * <p>It is that of the point at which {@link RayCast} looks through the pixel, a hair right of its
+ * centre and below: of two faces that meet in a line through centres the one that is nearer beside
+ * it is the nearer.
  */
 final class NearnessPlane {
     double base;
@@ -31,7 +35,10 @@ final class NearnessPlane {
         PictureFit fit = view.fit();
         perColumn = perUnitX / fit.pixelsPerUnit();
         perRow = -perUnitY / fit.pixelsPerUnit();
-        base = middle + perUnitX * fit.toPlaneX(0) + perUnitY * fit.toPlaneY(0);
+        base =
+                middle
+                        + perUnitX * fit.toPlaneX(RayCast.RIGHT_OF_CENTRE)
+                        + perUnitY * fit.toPlaneY(RayCast.BELOW_CENTRE);
         return true;
     }
 }

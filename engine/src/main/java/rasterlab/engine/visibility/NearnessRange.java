@@ -14,7 +14,10 @@ record NearnessRange(double nearest, double farthest) {
                             .formatted(farthest, nearest));
     }
 
-    /** The view's own planes where both are finite, else the depths that the mesh has in them. */
+    /**
+     * The view's own planes where both are finite, else the depths that the mesh has in them; of a
+     * mesh that reaches past the near plane only what the picture shows counts.
+     */
     static NearnessRange of(ViewedMesh view) {
         double near = view.near();
         double far = view.far();
@@ -25,6 +28,7 @@ record NearnessRange(double nearest, double farthest) {
                 least = Math.min(least, z);
                 most = Math.max(most, z);
             }
+            if (view.transform().central() && least < near) least = NearestSeen.of(view);
             near = Math.max(near, least);
             far = Math.min(far, most);
         }

@@ -81,7 +81,8 @@ final class OrderedPieces implements SteppedVisibility {
                 return method.walk(space.sight(), this::paint, pulse);
             } catch (IllegalArgumentException e) {
                 throw new IllegalArgumentException(
-                        "the faces, as this view shows them, cannot be put in order: "
+                        "the faces, as this view shows them, cannot be put in order, but a depth"
+                                + " buffer may draw them: "
                                 + e.getMessage(),
                         e);
             }

@@ -18,8 +18,11 @@ import rasterlab.engine.transform.ViewTransform;
  * <p>Source: A. Appel, Some techniques for shading machine renderings of solids, AFIPS 1968.
  */
 final class RayCast implements Visibility {
-    private static final double RIGHT_OF_CENTRE = 0x1p-20;
-    private static final double BELOW_CENTRE = 0x1p-30;
+    /** Where the ray passes a pixel. */
+    static final double RIGHT_OF_CENTRE = 0x1p-20;
+
+    /** Where the ray passes a pixel. */
+    static final double BELOW_CENTRE = 0x1p-30;
 
     @Override
     public VisibilityWork draw(

@@ -1,7 +1,7 @@
 package rasterlab.engine.visibility;
 
 /**
- * A convex polygon in view space that is cut at planes of constant z.
+ * A convex polygon in eye space that is cut at planes of constant z, or through the eye.
  *
  * <p>A new corner is computed from the kept end of its edge to the lost one, so two polygons that
  * share an edge get bit-equal ones.
@@ -21,10 +21,10 @@ final class ViewPolygon {
         z = new double[mostCorners];
     }
 
-    void add(double viewX, double viewY, double viewZ) {
-        x[size] = viewX;
-        y[size] = viewY;
-        z[size] = viewZ;
+    void add(double eyeX, double eyeY, double eyeZ) {
+        x[size] = eyeX;
+        y[size] = eyeY;
+        z[size] = eyeZ;
         size++;
     }
 
@@ -42,6 +42,29 @@ final class ViewPolygon {
             if (aIn != bIn) kept.addCrossing(this, aIn ? a : b, aIn ? b : a, plane);
             if (bIn) kept.add(x[b], y[b], z[b]);
         }
+    }
+
+    /**
+     * What of this polygon is on the positive side of a plane through the eye, n·p ≥ 0.
+     *
+     * @param normal x, y, z of n
+     * @param kept receives it
+     */
+    void cut(double[] normal, ViewPolygon kept) {
+        kept.size = 0;
+        for (int a = size - 1, b = 0; b < size; a = b++) {
+            double atA = normal[0] * x[a] + normal[1] * y[a] + normal[2] * z[a];
+            double atB = normal[0] * x[b] + normal[1] * y[b] + normal[2] * z[b];
+            if (atA >= 0 != atB >= 0) {
+                double t = atA / (atA - atB);
+                kept.add(between(x, a, b, t), between(y, a, b, t), between(z, a, b, t));
+            }
+            if (atB >= 0) kept.add(x[b], y[b], z[b]);
+        }
+    }
+
+    private static double between(double[] values, int a, int b, double t) {
+        return values[a] + t * (values[b] - values[a]);
     }
 
     private void addCrossing(ViewPolygon of, int in, int out, double plane) {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
+import java.util.List;
 import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
@@ -13,12 +14,19 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.pipeline.wire.WireStyle;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.transform.PictureFit;
+import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
+import rasterlab.engine.transform.ViewTransform;
+import rasterlab.engine.visibility.FaceCrossings;
+import rasterlab.engine.visibility.ViewedMesh;
 
 class WireTest {
     private static final int WHITE = 0xFFFFFFFF;
@@ -139,8 +147,8 @@ class WireTest {
 
     /** Each pixel of a closed net has two neighbours at least. */
     private static void assertClosed(Raster picture) {
-        for (int y = 1; y < SIZE - 1; y++)
-            for (int x = 1; x < SIZE - 1; x++) {
+        for (int y = 1; y < picture.height() - 1; y++)
+            for (int x = 1; x < picture.width() - 1; x++) {
                 if (picture.argb(x, y) != WHITE) continue;
                 int neighbours = -1;
                 for (int dy = -1; dy <= 1; dy++)
@@ -216,6 +224,42 @@ class WireTest {
                 else if (meet) assertTrue(differs(wire, x, y, BLACK), "no edge " + at);
             }
         assertTrue(edges > 200, edges + " pixels on edges");
+    }
+
+    @Test
+    @DisplayName("line in which faces pass through each other is not drawn")
+    void drawsWhereFacesCross() {
+        double[] xyz = {
+            -1, 0, -1, 1, 0, -1, 1, 0, 1, -1, 0, 1, 0, -1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1
+        };
+        var crossed = new Mesh(xyz, new int[][] {{0, 1, 2, 3}, {4, 5, 6, 7}});
+        for (String method : List.of("zfloat", "raycast", "newell")) {
+            Raster picture = wire(crossed, method, "perspective", HiddenLines.REMOVED, 0);
+            for (int y = SIZE / 2 - 30; y <= SIZE / 2 + 30; y++)
+                assertEquals(WHITE, picture.argb(SIZE / 2, y), method + ", row " + y);
+        }
+    }
+
+    @Test
+    @DisplayName("faces that touch are taken for such as cross")
+    void neighboursDoNotCross() {
+        for (Mesh mesh : List.of(CUBE, halved(CUBE), Scenes.named("torus").mesh()))
+            for (Projection projection : List.of(Projection.PERSPECTIVE, Projection.CAVALIER)) {
+                var transform = new ViewTransform(CORNER, projection);
+                var view = new ViewedMesh(mesh, transform, PictureFit.of(SIZE, SIZE, 1));
+                assertEquals(List.of(), FaceCrossings.of(view, () -> false));
+            }
+    }
+
+    @ParameterizedTest(name = "lines of {0} are dotted, or a pixel of a hidden one strays")
+    @ValueSource(strings = {"interpenetrating", "sphere", "globe", "cyclic-overlap", "house"})
+    void linesGoOn(String name) {
+        Scene scene = Scenes.named(name);
+        var request =
+                new RenderRequest(
+                        scene, "zfloat", "wire", "perspective", scene.defaultCamera(), 800, 600);
+        var style = new WireStyle(HiddenLines.REMOVED, 30);
+        assertClosed(renderer.render(request.with(request.look().withWire(style)), () -> false));
     }
 
     /** Whether a pixel or one around it has another colour. */

@@ -11,7 +11,7 @@ import rasterlab.engine.raster.Raster;
  * behind all that is nearest there. Nothing is right if one of the points shows nothing. Nearnesses
  * within a level, by default 2⁻⁴⁰ of the largest in the scene, are equal.
  */
-final class PixelAnswers {
+public final class PixelAnswers {
     private static final double REACH = 0x1p-16;
     private static final double LEVEL = 0x1p-40;
     private static final int[] STEPS_X = {2, 1, -1, -2, -2, -1, 1, 2};
@@ -21,7 +21,7 @@ final class PixelAnswers {
     private final Outline[] outlines;
     private final double level;
 
-    PixelAnswers(ViewedMesh view) {
+    public PixelAnswers(ViewedMesh view) {
         this(view, 0);
     }
 
@@ -60,7 +60,7 @@ final class PixelAnswers {
     /**
      * @param face −1 for nothing
      */
-    boolean right(int face, int x, int y) {
+    public boolean right(int face, int x, int y) {
         double farthest = Double.POSITIVE_INFINITY;
         for (int k = 0; k < STEPS_X.length; k++) {
             double px = x + REACH * STEPS_X[k];

@@ -1,5 +1,9 @@
 package rasterlab.app.cli.run;
 
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
@@ -9,6 +13,7 @@ import rasterlab.contract.FaceShader;
 import rasterlab.contract.LitFace;
 import rasterlab.engine.light.face.FacePoints;
 import rasterlab.engine.light.face.FaceTopic;
+import rasterlab.engine.light.face.SteppedFace;
 import rasterlab.engine.study.Topic;
 
 /** Topic {@code shade-face}: a lit triangle and points of it; {@code intensity} of each out. */
@@ -53,7 +58,6 @@ final class ShadeFaceRun implements TopicRun {
 
     @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
-        if (steps) throw Steps.none(method);
         FacePoints points =
                 points(
                         StrictJson.object(
@@ -69,10 +73,40 @@ final class ShadeFaceRun implements TopicRun {
                                 POINTS));
         FaceShader shader = topic.method(method).implementation();
         double[] shades = watch.call(method, () -> topic.record(shader, points, Integer.MAX_VALUE));
+        List<Evaluation> walk =
+                steps ? watch.call(method, () -> evaluations(method, shader, points)) : List.of();
         return json -> {
             json.writeFieldName("intensity");
             JsonNumbers.writePoints(json, shades, 3);
+            if (steps) Steps.write(json, walk, ShadeFaceRun::write);
         };
+    }
+
+    /** The formula once. */
+    private record Evaluation(double[] place, double[] normal, double[] intensity) {}
+
+    private static List<Evaluation> evaluations(
+            String method, FaceShader shader, FacePoints points) {
+        SteppedFace stepped = Steps.of(method, shader, SteppedFace.class);
+        List<Evaluation> all = new ArrayList<>();
+        stepped.shade(
+                points.face(),
+                points.weights(),
+                (place, normal, intensity) ->
+                        Steps.add(
+                                all,
+                                new Evaluation(place.clone(), normal.clone(), intensity.clone())));
+        return all;
+    }
+
+    private static void write(JsonGenerator json, Evaluation step) throws IOException {
+        json.writeStringField("step", "formula");
+        json.writeFieldName("place");
+        JsonNumbers.write(json, step.place);
+        json.writeFieldName("normal");
+        JsonNumbers.write(json, step.normal);
+        json.writeFieldName("intensity");
+        JsonNumbers.write(json, step.intensity);
     }
 
     private static FacePoints points(Given given) {

@@ -1,15 +1,20 @@
 package rasterlab.app.cli.run;
 
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
 import java.util.List;
 import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
+import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.texture.TexelShare;
 import rasterlab.engine.texture.Texture;
 import rasterlab.engine.texture.filter.FilterTopic;
 import rasterlab.engine.texture.filter.FilteredPixels;
+import rasterlab.engine.texture.filter.SteppedFilter;
 
 /** Topic {@code texture-filter}: a grey picture and pixels that show it; their levels out. */
 final class TextureFilterRun implements TopicRun {
@@ -29,6 +34,10 @@ final class TextureFilterRun implements TopicRun {
                                     Texture.LARGEST));
     private static final JsonField<double[]> PIXELS =
             JsonField.required("pixels", json -> json.points(6, 0, PointJson.MOST));
+
+    private static final String SHARE =
+            "share of the texel in the colour; detail 0 is the picture, each further one half as"
+                    + " large";
 
     private final Topic<TextureFilter, FilteredPixels, double[]> topic = new FilterTopic();
     private final Watch watch;
@@ -58,15 +67,29 @@ final class TextureFilterRun implements TopicRun {
 
     @Override
     public Answer answer(String method, byte[] text, int length, boolean steps) {
-        if (steps) throw Steps.none(method);
         FilteredPixels pixels = pixels(StrictJson.object(text, length, PICTURE, PIXELS));
         TextureFilter filter = topic.method(method).implementation();
         double[] levels = watch.call(method, () -> topic.record(filter, pixels, Integer.MAX_VALUE));
+        List<List<TexelShare>> walk =
+                steps
+                        ? watch.call(
+                                method,
+                                () -> Steps.of(method, filter, SteppedFilter.class).texels(pixels))
+                        : List.of();
         return json -> {
             json.writeArrayFieldStart("levels");
             for (int i = 1; i < levels.length; i += 4) json.writeNumber((int) levels[i]);
             json.writeEndArray();
+            if (steps) Steps.writeLists(json, SHARE, walk, TextureFilterRun::write);
         };
+    }
+
+    private static void write(JsonGenerator json, TexelShare texel) throws IOException {
+        json.writeNumberField("detail", texel.level());
+        json.writeNumberField("column", texel.i());
+        json.writeNumberField("row-from-below", texel.j());
+        json.writeNumberField("level", texel.argb() & 255);
+        JsonNumbers.writeField(json, "decision", texel.share());
     }
 
     private static FilteredPixels pixels(Given given) {

@@ -2,6 +2,7 @@ package rasterlab.engine.light.face;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import rasterlab.contract.FaceShader;
 import rasterlab.engine.color.Levels;
 import rasterlab.engine.study.Deviation;
@@ -90,6 +91,15 @@ public final class FaceTopic implements Topic<FaceShader, FacePoints, double[]> 
     @Override
     public boolean usable(Deviation deviation) {
         return deviation.worst() <= USABLE;
+    }
+
+    /** How often the formula is evaluated, whatever the number of points. */
+    @Override
+    public Map<String, Long> operations(FaceShader method, FacePoints points) {
+        if (!(method instanceof SteppedFace stepped)) return Map.of();
+        var formulas = new long[1];
+        stepped.shade(points.face(), points.weights(), (place, n, intensity) -> formulas[0]++);
+        return Map.of("formulas", formulas[0]);
     }
 
     @Override

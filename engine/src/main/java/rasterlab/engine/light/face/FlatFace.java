@@ -1,13 +1,12 @@
 package rasterlab.engine.light.face;
 
-import rasterlab.contract.FaceShader;
 import rasterlab.contract.LitFace;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.normals.TriangleNormal;
 import rasterlab.engine.light.shade.FormulaShader;
 
 /** The formula once, in the middle of the face, with the face's own normal. */
-final class FlatFace implements FaceShader {
+final class FlatFace implements SteppedFace {
     private static final int[] CORNERS = {0, 1, 2};
 
     private final FormulaShader formula = new FormulaShader(Reflection.PHONG);
@@ -22,7 +21,7 @@ final class FlatFace implements FaceShader {
     }
 
     @Override
-    public double[] shade(LitFace face, double[] weights) {
+    public double[] shade(LitFace face, double[] weights, Evaluations told) {
         FacePoint.requireWeights(weights);
         double third = 1 / 3.0;
         double[] middle = FacePoint.mixed(face.corners(), third, third, third);
@@ -30,6 +29,7 @@ final class FlatFace implements FaceShader {
         if (divided) DividedNormal.of(face, middle, normal);
         else TriangleNormal.cross(face.corners(), CORNERS, 0, normal);
         double[] shade = formula.intensity(FacePoint.of(face, middle, normal));
+        told.at(middle, normal, shade);
         var shades = new double[weights.length];
         for (int i = 0; i < weights.length; i += 3) System.arraycopy(shade, 0, shades, i, 3);
         return shades;

@@ -1,6 +1,5 @@
 package rasterlab.engine.light.face;
 
-import rasterlab.contract.FaceShader;
 import rasterlab.contract.LitFace;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.shade.FormulaShader;
@@ -11,18 +10,19 @@ import rasterlab.engine.light.shade.FormulaShader;
  * <p>Source: H. Gouraud, Continuous shading of curved surfaces, IEEE Transactions on Computers
  * 20(6), 1971, pp. 623–629.
  */
-final class GouraudFace implements FaceShader {
+final class GouraudFace implements SteppedFace {
     private final FormulaShader formula = new FormulaShader(Reflection.PHONG);
 
     @Override
-    public double[] shade(LitFace face, double[] weights) {
+    public double[] shade(LitFace face, double[] weights, Evaluations told) {
         FacePoint.requireWeights(weights);
         var corners = new double[9];
         for (int k = 0; k < 9; k += 3) {
             double[] place = {face.corners()[k], face.corners()[k + 1], face.corners()[k + 2]};
             double[] normal = {face.normals()[k], face.normals()[k + 1], face.normals()[k + 2]};
-            System.arraycopy(
-                    formula.intensity(FacePoint.of(face, place, normal)), 0, corners, k, 3);
+            double[] shade = formula.intensity(FacePoint.of(face, place, normal));
+            told.at(place, normal, shade);
+            System.arraycopy(shade, 0, corners, k, 3);
         }
         var shades = new double[weights.length];
         for (int i = 0; i < weights.length; i += 3)

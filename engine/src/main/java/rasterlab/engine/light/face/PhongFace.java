@@ -1,6 +1,5 @@
 package rasterlab.engine.light.face;
 
-import rasterlab.contract.FaceShader;
 import rasterlab.contract.LitFace;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.shade.FormulaShader;
@@ -11,11 +10,11 @@ import rasterlab.engine.light.shade.FormulaShader;
  * <p>Source: B. T. Phong, Illumination for computer generated pictures, Communications of the ACM
  * 18(6), 1975, pp. 311–317.
  */
-final class PhongFace implements FaceShader {
+final class PhongFace implements SteppedFace {
     private final FormulaShader formula = new FormulaShader(Reflection.PHONG);
 
     @Override
-    public double[] shade(LitFace face, double[] weights) {
+    public double[] shade(LitFace face, double[] weights, Evaluations told) {
         FacePoint.requireWeights(weights);
         var shades = new double[weights.length];
         double[] normals = FacePoint.unit(face.normals());
@@ -25,7 +24,9 @@ final class PhongFace implements FaceShader {
             double c = weights[i + 2];
             double[] place = FacePoint.mixed(face.corners(), a, b, c);
             double[] normal = FacePoint.mixed(normals, a, b, c);
-            System.arraycopy(formula.intensity(FacePoint.of(face, place, normal)), 0, shades, i, 3);
+            double[] shade = formula.intensity(FacePoint.of(face, place, normal));
+            told.at(place, normal, shade);
+            System.arraycopy(shade, 0, shades, i, 3);
         }
         return shades;
     }

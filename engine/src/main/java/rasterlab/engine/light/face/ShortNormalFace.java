@@ -1,6 +1,5 @@
 package rasterlab.engine.light.face;
 
-import rasterlab.contract.FaceShader;
 import rasterlab.contract.LitFace;
 import rasterlab.engine.color.Levels;
 import rasterlab.engine.light.Powers;
@@ -10,9 +9,9 @@ import rasterlab.engine.light.UnitVector;
  * Phong's shading with the last step forgotten: mixed normals are not brought to length 1, so the
  * middle of a face is too dark and its highlight too weak.
  */
-final class ShortNormalFace implements FaceShader {
+final class ShortNormalFace implements SteppedFace {
     @Override
-    public double[] shade(LitFace face, double[] weights) {
+    public double[] shade(LitFace face, double[] weights, Evaluations told) {
         FacePoint.requireWeights(weights);
         var shades = new double[weights.length];
         double[] normals = FacePoint.unit(face.normals());
@@ -20,17 +19,16 @@ final class ShortNormalFace implements FaceShader {
             double a = weights[i];
             double b = weights[i + 1];
             double c = weights[i + 2];
-            point(
-                    face,
-                    FacePoint.mixed(face.corners(), a, b, c),
-                    FacePoint.mixed(normals, a, b, c),
-                    shades,
-                    i);
+            double[] place = FacePoint.mixed(face.corners(), a, b, c);
+            double[] normal = FacePoint.mixed(normals, a, b, c);
+            double[] shade = intensity(face, place, normal);
+            told.at(place, normal, shade);
+            System.arraycopy(shade, 0, shades, i, 3);
         }
         return shades;
     }
 
-    private static void point(LitFace face, double[] place, double[] n, double[] shades, int at) {
+    private static double[] intensity(LitFace face, double[] place, double[] n) {
         double[] l = FacePoint.difference(face.lamp(), place);
         double[] v = FacePoint.difference(face.eye(), place);
         double strength = face.light().attenuation().factor(UnitVector.length(l));
@@ -41,8 +39,9 @@ final class ShortNormalFace implements FaceShader {
         double specular = cosine > 0 ? Powers.of(mirrored, face.material().shininess()) : 0;
         var material = face.material();
         var light = face.light();
+        var shade = new double[3];
         for (int c = 0; c < 3; c++)
-            shades[at + c] =
+            shade[c] =
                     Levels.cut(
                             material.emission()[c]
                                     + face.globalAmbient()[c] * material.ambient()[c]
@@ -54,6 +53,7 @@ final class ShortNormalFace implements FaceShader {
                                                     + light.specular()[c]
                                                             * material.specular()[c]
                                                             * specular));
+        return shade;
     }
 
     private static double dot(double[] a, double[] b) {

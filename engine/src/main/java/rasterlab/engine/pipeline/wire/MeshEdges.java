@@ -1,9 +1,10 @@
 package rasterlab.engine.pipeline.wire;
 
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.stream.Stream;
 import rasterlab.engine.scene.Mesh;
+import rasterlab.engine.visibility.EyeSegment;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /** The edges of a mesh, each once, whichever faces share it. */
@@ -16,7 +17,7 @@ final class MeshEdges {
      * @param other another one, or the same where there is none
      * @param shared how many faces have it
      */
-    record Edge(int from, int to, int one, int other, int shared) {
+    private record Edge(int from, int to, int one, int other, int shared) {
         private Edge alsoOf(int face) {
             return new Edge(from, to, one, face, shared + 1);
         }
@@ -24,7 +25,7 @@ final class MeshEdges {
 
     private final Map<Long, Edge> edges = new LinkedHashMap<>();
 
-    MeshEdges(Mesh mesh) {
+    private MeshEdges(Mesh mesh) {
         for (int f = 0; f < mesh.faceCount(); f++)
             for (int k = 0; k < mesh.cornerCount(f); k++)
                 add(f, mesh.corner(f, k), mesh.corner(f, (k + 1) % mesh.cornerCount(f)));
@@ -39,12 +40,15 @@ final class MeshEdges {
         edges.put(key, known == null ? new Edge(from, to, face, face, 1) : known.alsoOf(face));
     }
 
-    Collection<Edge> all() {
-        return edges.values();
+    /** The edges of a view that are outlines, rims or sharp enough creases. */
+    static Stream<EyeSegment> shown(ViewedMesh view, double creaseDegrees) {
+        return new MeshEdges(view.mesh())
+                .edges.values().stream()
+                        .filter(edge -> shows(edge, view, creaseDegrees))
+                        .map(edge -> EyeSegment.between(view, edge.from, edge.to));
     }
 
-    /** Whether an edge is no crease but an outline, a rim or sharp enough. */
-    static boolean shows(Edge edge, ViewedMesh view, double creaseDegrees) {
+    private static boolean shows(Edge edge, ViewedMesh view, double creaseDegrees) {
         if (edge.shared() != 2 || creaseDegrees == 0) return true;
         if (view.seenFromInside(edge.one()) != view.seenFromInside(edge.other())) return true;
         Mesh mesh = view.mesh();

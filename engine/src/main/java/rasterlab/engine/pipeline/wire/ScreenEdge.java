@@ -1,12 +1,13 @@
 package rasterlab.engine.pipeline.wire;
 
 import rasterlab.engine.transform.PictureFit;
+import rasterlab.engine.visibility.EyeSegment;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
  * One edge at a time, cut at the near and the far plane and by the picture, in pixels.
  *
- * <p>Nearness is 1/z in perspective and −z in parallel projection: linear in the pixel, larger for
+ * <p>Nearness is ρ/z in perspective and −z in parallel projection: linear in the pixel, larger for
  * what is nearer.
  */
 final class ScreenEdge {
@@ -24,28 +25,28 @@ final class ScreenEdge {
         this.view = view;
     }
 
-    /** Takes the edge between two vertices; false when nothing of it can be seen. */
-    boolean load(int from, int to) {
-        double z0 = view.eyeZ(from);
-        double dz = view.eyeZ(to) - z0;
+    /** Takes a piece of a line; false when nothing of it can be seen. */
+    boolean load(EyeSegment piece) {
+        double dz = piece.z1() - piece.z0();
         enter = 0;
         leave = 1;
-        if (!keep(-dz, z0 - view.near()) || !keep(dz, view.far() - z0)) return false;
+        if (!keep(-dz, piece.z0() - view.near()) || !keep(dz, view.far() - piece.z0()))
+            return false;
         double first = enter;
         double last = leave;
-        project(0, from, to, first);
-        project(1, from, to, last);
+        project(0, piece, first);
+        project(1, piece, last);
         return cutByPicture();
     }
 
-    private void project(int end, int from, int to, double t) {
-        double z = view.eyeZ(from) + t * (view.eyeZ(to) - view.eyeZ(from));
+    private void project(int end, EyeSegment piece, double t) {
+        double z = piece.z0() + t * (piece.z1() - piece.z0());
         double shrink = view.transform().central() ? view.transform().distance() / z : 1;
-        double planeX = view.eyeX(from) + t * (view.eyeX(to) - view.eyeX(from));
-        double planeY = view.eyeY(from) + t * (view.eyeY(to) - view.eyeY(from));
-        x[end] = view.fit().toPixelX(planeX * shrink);
-        y[end] = view.fit().toPixelY(planeY * shrink);
-        nearness[end] = view.transform().central() ? 1 / z : -z;
+        double eyeX = piece.x0() + t * (piece.x1() - piece.x0());
+        double eyeY = piece.y0() + t * (piece.y1() - piece.y0());
+        x[end] = view.fit().toPixelX(eyeX * shrink);
+        y[end] = view.fit().toPixelY(eyeY * shrink);
+        nearness[end] = view.transform().central() ? shrink : -z;
     }
 
     private boolean cutByPicture() {

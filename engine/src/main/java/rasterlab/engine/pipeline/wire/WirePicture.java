@@ -4,28 +4,24 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import rasterlab.engine.pipeline.paint.Veil;
-import rasterlab.engine.pipeline.wire.MeshEdges.Edge;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.Cancellation;
+import rasterlab.engine.visibility.EyeSegment;
+import rasterlab.engine.visibility.FaceCrossings;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.Visibility;
 
 /**
- * The edges of a mesh.
+ * The edges of a mesh, and the lines in which its faces pass through each other.
  *
- * <p>A pixel of an edge is seen where the method's picture shows the background, or where the edge
- * is not behind the plane of the face that is shown: it is in the plane of its own faces, and along
- * outlines before that of what half of its pixels show.
+ * <p>A pixel of an edge is seen where the method's picture shows the background, or where {@link
+ * EdgeSight} finds the edge not to be behind what is shown.
  */
 public final class WirePicture {
-    /** How far behind a plane an edge still counts as in it, as a share of its nearness. */
-    private static final double IN_PLANE = 1e-6;
-
     /** Pixels of a dash, and of a gap. */
     private static final int DASH = 4;
-
-    private static final int[] ALL_SEEN = {};
 
     private final ViewedMesh view;
     private final WireStyle style;
@@ -56,14 +52,17 @@ public final class WirePicture {
      * @throws CancellationException soon after {@code cancelled} says true
      */
     public void draw(Visibility hiding, BooleanSupplier cancelled) {
-        List<Edge> edges =
-                new MeshEdges(view.mesh())
-                        .all().stream()
-                                .filter(e -> MeshEdges.shows(e, view, style.creaseDegrees()))
-                                .toList();
-        int[] faces = style.hidden() == HiddenLines.SHOWN ? ALL_SEEN : faces(hiding, cancelled);
-        if (style.hidden() == HiddenLines.DASHED) draw(edges, faces, false, cancelled);
-        draw(edges, faces, true, cancelled);
+        List<EyeSegment> edges =
+                Stream.concat(
+                                MeshEdges.shown(view, style.creaseDegrees()),
+                                FaceCrossings.of(view, cancelled).stream())
+                        .toList();
+        Optional<EdgeSight> sight =
+                style.hidden() == HiddenLines.SHOWN
+                        ? Optional.empty()
+                        : Optional.of(new EdgeSight(view, faces(hiding, cancelled)));
+        if (style.hidden() == HiddenLines.DASHED) draw(edges, sight, false, cancelled);
+        draw(edges, sight, true, cancelled);
     }
 
     /** The face shown at each pixel, plus 1. */
@@ -74,22 +73,25 @@ public final class WirePicture {
         return faces.argb();
     }
 
-    private void draw(List<Edge> edges, int[] faces, boolean seen, BooleanSupplier cancelled) {
-        for (Edge edge : edges) {
+    private void draw(
+            List<EyeSegment> edges,
+            Optional<EdgeSight> sight,
+            boolean seen,
+            BooleanSupplier cancelled) {
+        for (EyeSegment edge : edges) {
             Cancellation.check(cancelled);
-            if (screen.load(edge.from(), edge.to())) draw(edge, faces, seen);
+            if (screen.load(edge)) drawLoaded(sight, seen);
         }
     }
 
     /** Draws the parts of an edge that are seen, or dashes along those that are not. */
-    private void draw(Edge edge, int[] faces, boolean seen) {
+    private void drawLoaded(Optional<EdgeSight> sight, boolean seen) {
         int steps = screen.steps();
         for (int step = 0; step <= steps; step++) {
             double t = screen.parameter(step);
             int x = (int) Math.rint(screen.x(t));
             int y = (int) Math.rint(screen.y(t));
-            int shown = faces == ALL_SEEN ? FaceNumbers.BACKGROUND : faces[y * out.width() + x];
-            if (sees(shown, t) != seen || !seen && step / DASH % 2 == 1) continue;
+            if (sees(sight, t) != seen || !seen && step / DASH % 2 == 1) continue;
             int argb = seen ? ink.seen() : ink.hidden();
             out.argb()[y * out.width() + x] =
                     veil.isPresent() ? veil.get().over(argb, depth(t)) : argb;
@@ -97,24 +99,13 @@ public final class WirePicture {
     }
 
     private double depth(double t) {
-        return view.transform().central() ? 1 / screen.nearness(t) : -screen.nearness(t);
-    }
-
-    private boolean sees(int shown, double t) {
-        if (shown == FaceNumbers.BACKGROUND) return true;
-        double plane = planeNearness(shown - 1, screen.x(t), screen.y(t));
-        return !(screen.nearness(t) < plane - IN_PLANE * Math.abs(plane));
-    }
-
-    /** From the plane n·p = k: as the z-buffer has it; not finite for a face seen edge-on. */
-    private double planeNearness(int face, double pixelX, double pixelY) {
-        double across =
-                view.eyeNormal(face, 0) * view.fit().toPlaneX(pixelX)
-                        + view.eyeNormal(face, 1) * view.fit().toPlaneY(pixelY);
-        double nz = view.eyeNormal(face, 2);
-        double k = view.planeOffset(face);
         return view.transform().central()
-                ? (across / view.transform().distance() + nz) / k
-                : (across - k) / nz;
+                ? view.transform().distance() / screen.nearness(t)
+                : -screen.nearness(t);
+    }
+
+    /** Without a sight everything is seen. */
+    private boolean sees(Optional<EdgeSight> sight, double t) {
+        return sight.isEmpty() || sight.get().sees(screen.x(t), screen.y(t), screen.nearness(t));
     }
 }

@@ -15,6 +15,9 @@ import rasterlab.engine.transform.SphericalView;
 final class OrderScenes {
     private static final int[] PAINTS = {0xD9534F, 0x5BAF5B, 0x4F86D9};
 
+    /** World units: a few steps of 24 bits over the depths of the scene, and of a float. */
+    private static final double HAIR = 5e-5;
+
     private OrderScenes() {}
 
     /** Three boards, each over the next: no order of whole faces is right. */
@@ -54,25 +57,37 @@ final class OrderScenes {
                 .scene("interpenetrating", Lamps.beside(camera), camera, 2.1);
     }
 
-    /** Three squares in one slanting plane, turned against each other: which is in front? */
+    /**
+     * Three squares turned against each other. The first two are in one plane: which is in front?
+     * The third leans through it, out by a hair: by more than doubles lose, by less than most depth
+     * buffers can tell.
+     */
     static Recipe coplanar() {
         return Recipe.plain(
                 "coplanar",
                 () -> {
                     var parts = new Parts();
-                    for (int k = 0; k < PAINTS.length; k++)
-                        parts.add(Finishes.satin(PAINTS[k]), sheet(k));
+                    parts.add(Finishes.satin(PAINTS[0]), sheet(0, 0));
+                    parts.add(Finishes.satin(PAINTS[1]), sheet(1, 0));
+                    parts.add(Finishes.satin(PAINTS[2]), sheet(2, HAIR));
                     var camera = new SphericalView(-1.1, 0.75, 500);
                     return parts.scene("coplanar", Lamps.beside(camera), camera, 1.75);
                 });
     }
 
-    /** Sheets in the plane z = 0, which no rounding leads out of. */
-    private static Quad sheet(int k) {
+    /**
+     * A sheet in the plane z = 0, which no rounding leads out of.
+     *
+     * @param lean how far above it the middle of one side is, in world units, and the opposite one
+     *     below
+     */
+    private static Quad sheet(int k, double lean) {
         double along = 110 * Math.cos(0.4 * k);
         double across = 110 * Math.sin(0.4 * k);
         return Quad.whole(
-                new Vector(0, 0, 0), new Vector(along, across, 0), new Vector(-across, along, 0));
+                new Vector(0, 0, 0),
+                new Vector(along, across, lean),
+                new Vector(-across, along, 0));
     }
 
     /** A hall that begins far behind the eye, and a beam from beside the eye to the far wall. */

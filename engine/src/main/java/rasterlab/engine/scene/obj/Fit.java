@@ -12,7 +12,7 @@ final class Fit {
 
     private Fit() {}
 
-    static Mesh into(ObjModel model) {
+    static Mesh into(ObjModel model, UpAxis up) {
         int[][] faces = new int[model.faceCount()][];
         int corners = 0;
         for (int f = 0; f < faces.length; f++) {
@@ -21,8 +21,8 @@ final class Fit {
             corners += faces[f].length;
         }
         Mesh mesh =
-                new Mesh(fitted(model.positions(), faces), faces)
-                        .withNormals(normals(model, corners));
+                new Mesh(up.toScene(fitted(model.positions(), faces)), faces)
+                        .withNormals(up.toScene(normals(model, corners)));
         return hasTexture(model) ? mesh.withTexture(texture(model, corners)) : mesh;
     }
 

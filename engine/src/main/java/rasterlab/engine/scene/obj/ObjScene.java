@@ -33,10 +33,11 @@ public final class ObjScene {
 
     /**
      * @param name of the scene
+     * @param up the model's
      * @throws IllegalArgumentException if the model cannot be fitted, or once fitted a face is no
      *     longer flat
      */
-    public static Scene of(String name, ObjModel model, TextureFiles textures) {
+    public static Scene of(String name, ObjModel model, UpAxis up, TextureFiles textures) {
         Map<String, Texture> opened = new HashMap<>();
         List<Finish> finishes = new ArrayList<>();
         for (ObjMaterial material : model.materials())
@@ -49,7 +50,7 @@ public final class ObjScene {
         for (int f = 0; f < finishOf.length; f++) finishOf[f] = model.material(f);
         return new Scene(
                 name,
-                Fit.into(model),
+                Fit.into(model, up),
                 finishes,
                 finishOf,
                 SceneLight.lampAtEye(),

@@ -4,6 +4,7 @@ import java.util.List;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Method.About;
+import rasterlab.engine.texture.TexelShares;
 import rasterlab.engine.texture.TextureSampler;
 
 /** The methods of the topic, in teaching order. */
@@ -24,7 +25,9 @@ final class FilterMethods {
                         "1 texel per pixel",
                         "made smaller, fine patterns flicker and form false ones (aliasing)",
                         CHAPTER,
-                        new SampledFilter((sampler, s, t, lambda) -> sampler.nearest(s, t))),
+                        new SampledFilter(
+                                (sampler, s, t, lambda) -> sampler.nearest(s, t),
+                                (texture, s, t, lambda) -> texture.nearest(s, t))),
                 method(
                         "linear",
                         "four texels mixed by the distance of their centres",
@@ -32,7 +35,9 @@ final class FilterMethods {
                         "4 texels and 3 mixes per pixel",
                         "as nearest, once more than two texels fall on a pixel",
                         CHAPTER,
-                        new SampledFilter((sampler, s, t, lambda) -> sampler.linear(s, t))),
+                        new SampledFilter(
+                                (sampler, s, t, lambda) -> sampler.linear(s, t),
+                                (texture, s, t, lambda) -> texture.linear(s, t))),
                 method(
                         "mipmap-nearest",
                         "the nearest texel of level ⌊λ + ½⌋, λ = log₂ ρ",
@@ -40,7 +45,7 @@ final class FilterMethods {
                         "1 texel and 1 logarithm per pixel",
                         "steps between levels; squares where footprints are long or turned",
                         WILLIAMS,
-                        new SampledFilter(TextureSampler::nearestLevel)),
+                        new SampledFilter(TextureSampler::nearestLevel, TexelShares::nearestLevel)),
                 method(
                         "trilinear",
                         "linear in the two levels around λ, mixed by λ",
@@ -48,7 +53,7 @@ final class FilterMethods {
                         "8 texels, 7 mixes and 1 logarithm per pixel",
                         "blurs where the footprint is long and narrow",
                         WILLIAMS,
-                        new SampledFilter(TextureSampler::trilinear)),
+                        new SampledFilter(TextureSampler::trilinear, TexelShares::trilinear)),
                 method(
                         "summed-area",
                         "(S(r,u) − S(l,u) − S(r,d) + S(l,d))/area of a table of sums",

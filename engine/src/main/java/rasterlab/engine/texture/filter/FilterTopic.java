@@ -3,6 +3,7 @@ package rasterlab.engine.texture.filter;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.study.Deviation;
@@ -123,6 +124,14 @@ public final class FilterTopic implements Topic<TextureFilter, FilteredPixels, d
     @Override
     public boolean usable(Deviation deviation) {
         return deviation.worst() <= USABLE;
+    }
+
+    /** Texels looked up, and colours mixed two at a time: one less than texels of each pixel. */
+    @Override
+    public Map<String, Long> operations(TextureFilter method, FilteredPixels pixels) {
+        if (!(method instanceof SteppedFilter stepped)) return Map.of();
+        long texels = stepped.texels(pixels).stream().mapToLong(List::size).sum();
+        return Map.of("texels", texels, "mixes", texels - pixels.count());
     }
 
     @Override

@@ -1,5 +1,8 @@
 package rasterlab.engine.texture.filter;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /**
  * Pixels that show a picture.
  *
@@ -28,6 +31,27 @@ public record FilteredPixels(int width, int height, int[] argb, double[] footpri
         }
         argb = argb.clone();
         footprints = footprints.clone();
+    }
+
+    /** What is made of one pixel. */
+    @FunctionalInterface
+    interface OfPixel<T> {
+        T of(double s, double t, double dsdx, double dtdx, double dsdy, double dtdy);
+    }
+
+    /** What is made of each, in their order. */
+    <T> List<T> each(OfPixel<T> make) {
+        var made = new ArrayList<T>();
+        for (int at = 0; at < footprints.length; at += NUMBERS)
+            made.add(
+                    make.of(
+                            footprints[at],
+                            footprints[at + 1],
+                            footprints[at + 2],
+                            footprints[at + 3],
+                            footprints[at + 4],
+                            footprints[at + 5]));
+        return made;
     }
 
     public int count() {

@@ -1,23 +1,33 @@
 package rasterlab.engine.texture.filter;
 
-import rasterlab.contract.TextureFilter;
+import java.util.List;
 import rasterlab.engine.texture.DetailLevel;
+import rasterlab.engine.texture.TexelShare;
+import rasterlab.engine.texture.TexelShares;
 import rasterlab.engine.texture.Texture;
 import rasterlab.engine.texture.TextureSampler;
 import rasterlab.engine.texture.Wrap;
 
 /** A texture looked up at the pixel's centre, by one of the filters that OpenGL names. */
-final class SampledFilter implements TextureFilter {
+final class SampledFilter implements SteppedFilter {
     /** What is done with the texture, the place and the level. */
     @FunctionalInterface
     interface Look {
         int color(TextureSampler sampler, double s, double t, double lambda);
     }
 
-    private final Look look;
+    /** Which texels that takes. */
+    @FunctionalInterface
+    interface Shares {
+        List<TexelShare> of(TexelShares texture, double s, double t, double lambda);
+    }
 
-    SampledFilter(Look look) {
+    private final Look look;
+    private final Shares shares;
+
+    SampledFilter(Look look, Shares shares) {
         this.look = look;
+        this.shares = shares;
     }
 
     @Override
@@ -25,11 +35,18 @@ final class SampledFilter implements TextureFilter {
         var sampler =
                 new TextureSampler(Texture.of(width, height, 4, argb), Wrap.REPEAT, Wrap.REPEAT);
         return (s, t, dsdx, dtdx, dsdy, dtdy) ->
-                look.color(
-                        sampler,
-                        s,
-                        t,
-                        DetailLevel.of(
-                                DetailLevel.squaredStep(dsdx, dtdx, dsdy, dtdy, width, height)));
+                look.color(sampler, s, t, lambda(dsdx, dtdx, dsdy, dtdy, width, height));
+    }
+
+    @Override
+    public Trace trace(int width, int height, int[] argb) {
+        var texture = new TexelShares(Texture.of(width, height, 4, argb));
+        return (s, t, dsdx, dtdx, dsdy, dtdy) ->
+                shares.of(texture, s, t, lambda(dsdx, dtdx, dsdy, dtdy, width, height));
+    }
+
+    private static double lambda(
+            double dsdx, double dtdx, double dsdy, double dtdy, int width, int height) {
+        return DetailLevel.of(DetailLevel.squaredStep(dsdx, dtdx, dsdy, dtdy, width, height));
     }
 }

@@ -20,14 +20,14 @@ final class MappingMethods {
                         "affine",
                         "s = (1 − f)·s₀ + f·s₁",
                         "equal steps of s and t",
-                        "2 multiplications per pixel, 1 division per row",
+                        "5 multiplications per pixel, 7 divisions per row",
                         "every face that is not parallel to the picture",
                         new AffineMapper(TexturedSpan.MOST_PIXELS)),
                 method(
                         "affine-16",
                         "perspective at every 16th pixel, affine between",
                         "right at the ends of each piece",
-                        "2 multiplications per pixel, 1 division per 16",
+                        "5 multiplications per pixel, 7 divisions per 16",
                         "faces that reach close to the eye",
                         new AffineMapper(16)),
                 method(
@@ -41,7 +41,7 @@ final class MappingMethods {
                         "perspective",
                         "s = ((1 − f)·d₁·s₀ + f·d₀·s₁)/((1 − f)·d₁ + f·d₀)",
                         "s lies between s₀ and s₁, but for rounding",
-                        "8 multiplications, 3 divisions per pixel",
+                        "6 multiplications, 3 divisions per pixel",
                         "none known",
                         new PerspectiveMapper()));
     }

@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import rasterlab.contract.TextureMapper;
 import rasterlab.contract.TexturedSpan;
 import rasterlab.engine.study.Deviation;
@@ -104,6 +105,11 @@ public final class MappingTopic implements Topic<TextureMapper, TexturedSpan, Im
     @Override
     public boolean usable(Deviation deviation) {
         return deviation.worst() <= USABLE;
+    }
+
+    @Override
+    public Map<String, Long> operations(TextureMapper method, TexturedSpan span) {
+        return method instanceof CountedMapper counted ? counted.operations(span) : Map.of();
     }
 
     @Override

@@ -9,7 +9,10 @@ import rasterlab.contract.DepthRange;
  * What formats tell apart half way to the far plane, over far/near: measured by search, and
  * predicted by formula.
  *
- * <p>With near = 1, z = far/2 and N = z·(1/near − 1/far) a distance is the share of z
+ * <p>With near = 1 and D = 1 − 1/far a window depth w is that of z = 1/(1 − w·D). A format that
+ * stores w, or something linear in it, rounds all from w₀ to w₁ to one code: half a step to each
+ * side of it, but not beyond the planes. So it tells apart what is the difference of z(w₁) and
+ * z(w₀), and as long as a step is small, as a share of z = far/2 and with N = z·D,
  *
  * <ul>
  *   <li>N/2ⁿ where window depth has n bits, z·dw/dz being 1/N;
@@ -24,9 +27,6 @@ public final class DepthPrecision {
     /** The formats, each with its own size of steps, in teaching order. */
     public static final List<String> FORMATS =
             List.of("z16", "z24", "z32", "zfloat", "reversed-z", "linear-16");
-
-    /** The most that {@link #measured} can be, almost: the whole range, from near to far. */
-    public static final double WHOLE_RANGE = 2;
 
     private static final double LEAST_RATIO = 10;
     private static final double MOST_RATIO = 1e9;
@@ -66,20 +66,62 @@ public final class DepthPrecision {
         return DepthCell.of(codes, range, ratio / 2).width() / (ratio / 2);
     }
 
-    /** By the format's formula, which also goes beyond the whole range. */
+    /** By the formula: z(w₁) − z(w₀), as a share of z. */
     public static double predicted(String format, double ratio) {
-        double perWindow = ratio / 2 * (1 - 1 / ratio);
         double window = (1 - 2 / ratio) / (1 - 1 / ratio);
-        return switch (format) {
-            case "z16" -> perWindow * 0x1p-16;
-            case "z24" -> perWindow * 0x1p-24;
-            case "z32" -> perWindow * 0x1p-32;
-            case "zfloat" -> perWindow * Math.ulp(Math.min(Math.nextDown(1f), (float) window));
-            case "reversed-z" -> perWindow * Math.ulp((float) (1 - window));
-            case "linear-16" -> 2 * (1 - 1 / ratio) * 0x1p-16;
-            default ->
-                    throw new IllegalArgumentException(
-                            "format must be one of " + FORMATS + ", got '" + format + "'");
-        };
+        double reversed = (1 / ratio) / (1 - 1 / ratio);
+        double step =
+                switch (format) {
+                    case "z16" -> windowStep(Cell.ofBits(16, window), ratio);
+                    case "z24" -> windowStep(Cell.ofBits(24, window), ratio);
+                    case "z32" -> windowStep(Cell.ofBits(32, window), ratio);
+                    case "zfloat" -> windowStep(Cell.ofFloat(window), ratio);
+                    case "reversed-z" -> reversedStep(Cell.ofFloat(reversed), ratio);
+                    case "linear-16" -> {
+                        var cell = Cell.ofBits(16, (ratio / 2 - 1) / (ratio - 1));
+                        yield (cell.to - cell.from) * (ratio - 1);
+                    }
+                    default ->
+                            throw new IllegalArgumentException(
+                                    "format must be one of " + FORMATS + ", got '" + format + "'");
+                };
+        return step / (ratio / 2);
+    }
+
+    /** z₁ − z₀ = (1/z₀ − 1/z₁)·z₀·z₁, which keeps its digits where the two are close. */
+    private static double windowStep(Cell cell, double ratio) {
+        double deep = 1 - 1 / ratio;
+        double from = 1 / (1 - cell.from * deep);
+        double to = 1 / (1 - cell.to * deep);
+        return (cell.to - cell.from) * deep * from * to;
+    }
+
+    /** The same of 1 − w. */
+    private static double reversedStep(Cell cell, double ratio) {
+        double deep = 1 - 1 / ratio;
+        double from = 1 / (1 / ratio + cell.to * deep);
+        double to = 1 / (1 / ratio + cell.from * deep);
+        return (cell.to - cell.from) * deep * from * to;
+    }
+
+    /** What is rounded to one code: shares of the whole range from 0 to 1. */
+    private record Cell(double from, double to) {
+        private Cell {
+            from = Math.max(0, from);
+            to = Math.min(1, to);
+        }
+
+        static Cell ofBits(int bits, double share) {
+            double highest = Math.pow(2, bits) - 1;
+            double code = Math.floor(share * highest + 0.5);
+            return new Cell((code - 0.5) / highest, (code + 0.5) / highest);
+        }
+
+        static Cell ofFloat(double share) {
+            float stored = (float) share;
+            return new Cell(
+                    ((double) Math.nextDown(stored) + stored) / 2,
+                    ((double) stored + Math.nextUp(stored)) / 2);
+        }
     }
 }

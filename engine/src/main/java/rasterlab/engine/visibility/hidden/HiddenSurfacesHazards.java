@@ -81,7 +81,7 @@ final class HiddenSurfacesHazards {
                 hazard(
                         "coplanar",
                         "Two overlapping squares in one plane: z-fighting; the earlier is right.",
-                        "none back-face painter-textbook painter newell bsp",
+                        "none back-face painter-textbook painter",
                         "z24",
                         SurfaceView.of(
                                 new Quads().square(-10, -8, 500, 30).square(12, 9, 500, 33).mesh(),

@@ -2,6 +2,7 @@ package rasterlab.engine.visibility.order;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.List;
 
@@ -10,7 +11,8 @@ import java.util.List;
  * on its near and on its far side, cut where it was on both.
  *
  * <p>Nothing on the near side can be hidden by what is on the far side, nor by what is in the
- * plane. "Near" is the side of the eye, or any where the plane holds it.
+ * plane. "Near" is the side of the eye, or any where the plane holds it. Of polygons in one plane
+ * the earlier is painted last, and so is seen.
  *
  * <p>Source: H. Fuchs, Z. M. Kedem, B. F. Naylor, On visible surface generation by a priori tree
  * structures, SIGGRAPH 1980.
@@ -21,6 +23,9 @@ final class BspTree {
 
     /** The most pieces, against inputs whose cuts would fill the memory. */
     private static final int MOST_PIECES = 1_000_000;
+
+    private static final Comparator<Facet> LATEST_FIRST =
+            Comparator.comparingInt(Facet::polygon).reversed();
 
     private final Runnable pulse;
     private final Node root;
@@ -150,6 +155,7 @@ final class BspTree {
         Facet next() {
             if (ready.isEmpty()) {
                 Node node = undone.removeLast();
+                node.level.sort(LATEST_FIRST);
                 ready.addAll(node.level);
                 descend(node.nearTree);
             }

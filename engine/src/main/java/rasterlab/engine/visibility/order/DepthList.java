@@ -50,7 +50,7 @@ final class DepthList {
     Optional<Extent> firstHidden(Extent p, FiveTests tests) {
         for (int i = sorted.size() - 1; i >= 0; i--) {
             Extent q = sorted.get(i);
-            if (p.behind(q)) return Optional.empty();
+            if (p.clearlyBehind(q)) return Optional.empty();
             if (tests.mayHide(p, q)) return Optional.of(q);
         }
         return Optional.empty();

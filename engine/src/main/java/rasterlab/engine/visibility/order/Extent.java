@@ -6,6 +6,9 @@ package rasterlab.engine.visibility.order;
  * <p>All its corners are in front of the eye, z &gt; 0.
  */
 final class Extent {
+    /** Depths that differ by less than this factor may be equal but for rounding. */
+    private static final double LEVEL = 1 + 0x1p-44;
+
     private final Facet facet;
     private double leastX = Double.POSITIVE_INFINITY;
     private double mostX = Double.NEGATIVE_INFINITY;
@@ -55,6 +58,11 @@ final class Extent {
     /** Whether every point of the other is nearer than all of this, or level with its nearest. */
     boolean behind(Extent other) {
         return leastZ >= other.mostZ;
+    }
+
+    /** Whether every point of the other is nearer than all of this by more than rounding. */
+    boolean clearlyBehind(Extent other) {
+        return leastZ > other.mostZ * LEVEL;
     }
 
     boolean apartInX(Extent other) {

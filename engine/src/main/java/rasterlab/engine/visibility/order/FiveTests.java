@@ -14,6 +14,9 @@ import java.util.Map;
  *   <li>the outlines do not overlap: an edge of one has the other on its outer side.
  * </ol>
  *
+ * <p>Of polygons in one plane, for which both tests of planes say yes, the earlier is to be seen: P
+ * may hide Q if it is the earlier and their outlines overlap.
+ *
  * <p>Source: M. E. Newell, R. G. Newell, T. L. Sancha, A solution to the hidden surface problem,
  * Proceedings of the ACM annual conference, 1972.
  */
@@ -24,12 +27,15 @@ final class FiveTests {
     /** Whether P may hide something of Q, all tests having said no. */
     boolean mayHide(Extent p, Extent q) {
         comparisons++;
-        return !p.behind(q)
-                && !(yes(0, p.apartInX(q))
-                        || yes(1, p.apartInY(q))
-                        || farSide(p.facet(), q.facet())
-                        || nearSide(q.facet(), p.facet())
-                        || outlinesApart(p.facet(), q.facet()));
+        if (p.clearlyBehind(q) || yes(0, p.apartInX(q)) || yes(1, p.apartInY(q))) return false;
+        int sidesOfQ = sides(2, q.facet(), p.facet());
+        if (sidesOfQ == EyePlane.FAR) return false;
+        int sidesOfP = sides(3, p.facet(), q.facet());
+        if (sidesOfQ == 0 || sidesOfP == 0)
+            return p.facet().polygon() < q.facet().polygon() && !outlinesApart(p, q);
+        boolean clear =
+                p.behind(q) || (sidesOfQ & EyePlane.NEAR) == 0 || (sidesOfP & EyePlane.FAR) == 0;
+        return !clear && !outlinesApart(p, q);
     }
 
     private boolean yes(int test, boolean answer) {
@@ -37,19 +43,15 @@ final class FiveTests {
         return answer;
     }
 
-    private boolean farSide(Facet p, Facet q) {
-        asked[2]++;
-        return (q.plane().sides(p.seen()) & EyePlane.NEAR) == 0;
+    /** On which sides of one's plane the other has corners. */
+    private int sides(int test, Facet one, Facet other) {
+        asked[test]++;
+        return one.plane().sides(other.seen());
     }
 
-    private boolean nearSide(Facet q, Facet p) {
-        asked[3]++;
-        return (p.plane().sides(q.seen()) & EyePlane.FAR) == 0;
-    }
-
-    private boolean outlinesApart(Facet p, Facet q) {
+    private boolean outlinesApart(Extent p, Extent q) {
         asked[4]++;
-        return edgeParts(p, q) || edgeParts(q, p);
+        return edgeParts(p.facet(), q.facet()) || edgeParts(q.facet(), p.facet());
     }
 
     private static boolean edgeParts(Facet one, Facet other) {

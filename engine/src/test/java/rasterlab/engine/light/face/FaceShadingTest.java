@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -34,6 +35,33 @@ class FaceShadingTest {
                 TOPIC.compare(
                         points, TOPIC.exact(points, 99), TOPIC.record(method("phong"), points, 99));
         assertTrue(TOPIC.correct(deviation), deviation::toString);
+    }
+
+    @Test
+    void formulasAreCounted() {
+        double[] above = {1, 2, 5};
+        var points = FacePoints.grid(Faces.dome(0.4, above, above, SHINY), 4);
+        long count = points.weights().length / 3;
+        assertEquals(Map.of("formulas", 1L), TOPIC.operations(method("flat"), points));
+        assertEquals(Map.of("formulas", 3L), TOPIC.operations(method("gouraud"), points));
+        for (String name : List.of("phong", "phong-textbook"))
+            assertEquals(Map.of("formulas", count), TOPIC.operations(method(name), points));
+    }
+
+    @Test
+    void toldEvaluationsAreThoseOfTheFormula() {
+        double[] lamp = {1, 2, 5};
+        var points = FacePoints.grid(Faces.dome(0.4, lamp, lamp, SHINY), 3);
+        var told = new ArrayList<Double>();
+        double[] shades =
+                ((SteppedFace) method("phong"))
+                        .shade(
+                                points.face(),
+                                points.weights(),
+                                (place, normal, intensity) -> {
+                                    for (double share : intensity) told.add(share);
+                                });
+        assertArrayEquals(shades, told.stream().mapToDouble(share -> share).toArray());
     }
 
     @Test

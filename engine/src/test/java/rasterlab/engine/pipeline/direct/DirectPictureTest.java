@@ -7,6 +7,8 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiPredicate;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -22,15 +24,19 @@ import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.SceneLight;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.SphericalView;
+import rasterlab.engine.transform.ViewTransform;
+import rasterlab.engine.visibility.FlatPaint;
+import rasterlab.engine.visibility.PixelAnswers;
+import rasterlab.engine.visibility.ViewedMesh;
 
 /** The pipeline's pictures of scenes beside those of one ray for each pixel. */
 class DirectPictureTest {
     /** Levels that light in floats may be off by. */
     private static final int LEVELS = 2;
 
-    /** At 400×300; lines along which faces meet are twice as much of the picture as at 800×600. */
-    private static final double ALLOWED = 0.001;
+    private static final double ALLOWED = 5e-4;
 
     private static final List<String> LIT = List.of("flat", "gouraud", "phong");
     private static final List<String> ALL = List.of("tone", "flat", "gouraud", "phong");
@@ -41,7 +47,7 @@ class DirectPictureTest {
     @MethodSource("looks")
     void isTheRaysPicture(String scene, String shading, String projection) {
         var request = request(Scenes.named(scene), "pipeline", shading, projection);
-        double share = wrongShare(request.withVisibility("raycast"), request);
+        double share = wrongShare(request.withVisibility("raycast"), request, answers(request));
         assertTrue(share <= ALLOWED, () -> "share of wrong pixels: " + share);
     }
 
@@ -75,7 +81,7 @@ class DirectPictureTest {
         Scene panes = panes();
         for (String shading : List.of("flat", "phong")) {
             var request = request(panes, "pipeline", shading, "perspective");
-            double share = wrongShare(request.withVisibility("painter"), request);
+            double share = wrongShare(request.withVisibility("painter"), request, (x, y) -> false);
             assertTrue(share <= ALLOWED, () -> shading + ": share of wrong pixels: " + share);
         }
     }
@@ -125,12 +131,49 @@ class DirectPictureTest {
                 scene, visibility, shading, projection, scene.defaultCamera(), 400, 300);
     }
 
-    private double wrongShare(RenderRequest expected, RenderRequest actual) {
+    /**
+     * @param excused pixels at which another colour is right too
+     */
+    private double wrongShare(
+            RenderRequest expected, RenderRequest actual, BiPredicate<Integer, Integer> excused) {
         int[] exact = renderer.render(expected, () -> false).argb();
         Raster picture = renderer.render(actual, () -> false);
         int wrong = 0;
-        for (int i = 0; i < exact.length; i++) if (differ(exact[i], picture.argb()[i])) wrong++;
+        for (int i = 0; i < exact.length; i++)
+            if (differ(exact[i], picture.argb()[i])
+                    && !excused.test(i % picture.width(), i / picture.width())) wrong++;
         return (double) wrong / exact.length;
+    }
+
+    /** Pixels through which a ray sees one face and the pipeline another that is as near there. */
+    private static BiPredicate<Integer, Integer> answers(RenderRequest request) {
+        Scene scene = request.scene();
+        var view =
+                new ViewedMesh(
+                        scene.mesh(),
+                        new ViewTransform(request.camera(), request.projection()),
+                        PictureFit.of(request.width(), request.height(), scene.pictureScale()));
+        Raster exact = numbers("raycast", view);
+        Raster drawn = numbers("pipeline", view);
+        var answers = new PixelAnswers(view);
+        return (x, y) ->
+                exact.argb(x, y) != drawn.argb(x, y) && answers.right(drawn.argb(x, y) - 1, x, y);
+    }
+
+    private static Raster numbers(String method, ViewedMesh view) {
+        int[] fill = IntStream.rangeClosed(1, view.mesh().faceCount()).toArray();
+        var out = new Raster(view.fit().width(), view.fit().height());
+        Renderer.visibilityMethods().stream()
+                .filter(each -> each.name().equals(method))
+                .forEach(
+                        each ->
+                                each.implementation()
+                                        .draw(
+                                                view,
+                                                new FlatPaint(fill, new int[0]),
+                                                out,
+                                                () -> false));
+        return out;
     }
 
     private static boolean differ(int a, int b) {

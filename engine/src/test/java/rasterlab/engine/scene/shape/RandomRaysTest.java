@@ -62,8 +62,9 @@ class RandomRaysTest {
             shape.meet(ray);
             if (!ray.met() || grazes(ray)) continue;
             met++;
-            int before = ExactSide.of(shape, line, new BigDecimal(ray.t() - SURE));
-            int after = ExactSide.of(shape, line, new BigDecimal(ray.t() + SURE));
+            var sure = new BigDecimal(SURE / length(ray));
+            int before = ExactSide.of(shape, line, new BigDecimal(ray.t()).subtract(sure));
+            int after = ExactSide.of(shape, line, new BigDecimal(ray.t()).add(sure));
             int expected = ray.fromInside() ? 1 : -1;
             assertEquals(expected, after, "seed " + seed);
             assertEquals(-expected, before, "seed " + seed);
@@ -73,9 +74,13 @@ class RandomRaysTest {
 
     private static boolean grazes(Ray ray) {
         SurfacePoint p = ray.point();
-        double length = Math.sqrt(ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz);
         double slope = p.normalX * ray.dx + p.normalY * ray.dy + p.normalZ * ray.dz;
-        return Math.abs(slope) < 0.05 * length;
+        return Math.abs(slope) < 0.05 * length(ray);
+    }
+
+    /** World units for each t. */
+    private static double length(Ray ray) {
+        return Math.sqrt(ray.dx * ray.dx + ray.dy * ray.dy + ray.dz * ray.dz);
     }
 
     /** From anywhere around, inside too, towards somewhere about the shape; some along axes. */

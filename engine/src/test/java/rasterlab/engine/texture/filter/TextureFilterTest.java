@@ -5,11 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 import rasterlab.engine.study.Deviation;
+import rasterlab.engine.texture.TexelShare;
 
 class TextureFilterTest {
     private static final FilterTopic TOPIC = new FilterTopic();
@@ -36,6 +39,45 @@ class TextureFilterTest {
                         TOPIC.exact(pixels, 1),
                         TOPIC.record(TOPIC.method("summed-area").implementation(), pixels, 1));
         assertTrue(TOPIC.correct(deviation), deviation::toString);
+    }
+
+    /** Colours are mixed in 256ths, in up to three rounds that round by half a level each. */
+    @Property(tries = 500)
+    void texelsOfAColourMixToIt(@ForAll long seed) {
+        var random = new Random(seed);
+        int width = 1 + random.nextInt(40);
+        int height = 1 + random.nextInt(40);
+        double[] pixel = random.doubles(6, -1, 1).toArray();
+        int[] argb = random.ints((long) width * height).toArray();
+        var pixels = new FilteredPixels(width, height, argb, pixel);
+        for (String name : List.of("nearest", "linear", "mipmap-nearest", "trilinear")) {
+            var method = (SteppedFilter) TOPIC.method(name).implementation();
+            double[] levels = TOPIC.record(method, pixels, 1);
+            var mixed = new double[4];
+            double whole = 0;
+            for (TexelShare texel : method.texels(pixels).get(0)) {
+                whole += texel.share();
+                for (int c = 0; c < 4; c++)
+                    mixed[c] += texel.share() * (texel.argb() >>> 24 - 8 * c & 255);
+            }
+            assertEquals(1, whole, 1e-12, name);
+            assertArrayEquals(levels, mixed, 2, name + ", seed " + seed);
+        }
+    }
+
+    @Test
+    void trilinearLooksUpEightTexels() {
+        var pixels = new FilteredPixels(8, 8, new int[64], new double[] {0.3, 0.4, 0.2, 0, 0, 0.2});
+        assertEquals(Map.of("texels", 8L, "mixes", 7L), counts("trilinear", pixels));
+        assertEquals(Map.of("texels", 4L, "mixes", 3L), counts("linear", pixels));
+        assertEquals(Map.of("texels", 1L, "mixes", 0L), counts("mipmap-nearest", pixels));
+        var enlarged =
+                new FilteredPixels(8, 8, new int[64], new double[] {0.3, 0.4, 0.1, 0, 0, 0.1});
+        assertEquals(Map.of("texels", 4L, "mixes", 3L), counts("trilinear", enlarged));
+    }
+
+    private static Map<String, Long> counts(String method, FilteredPixels pixels) {
+        return TOPIC.operations(TOPIC.method(method).implementation(), pixels);
     }
 
     @Test

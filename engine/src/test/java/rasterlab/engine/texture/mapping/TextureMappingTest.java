@@ -42,6 +42,19 @@ class TextureMappingTest {
     }
 
     @Test
+    void piecesSaveDivisions() {
+        var row = new TexturedSpan(0, 0, 1, 1, 1, 3, 320);
+        assertEquals(7, divisions("affine", row));
+        assertEquals(20 * 7, divisions("affine-16", row));
+        assertEquals(2 * 320 + 9, divisions("stepped-float", row));
+        assertEquals(3 * 320, divisions("perspective", row));
+    }
+
+    private static long divisions(String method, TexturedSpan row) {
+        return TOPIC.operations(TOPIC.method(method).implementation(), row).get("divisions");
+    }
+
+    @Test
     void piecesAreRightWhereTheyMeet() {
         var span = new TexturedSpan(0, 0, 1, 1, 1, 50, 100);
         double[] right = TOPIC.method("perspective").implementation().coordinates(span);
