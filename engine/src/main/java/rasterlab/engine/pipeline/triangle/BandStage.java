@@ -1,10 +1,17 @@
 package rasterlab.engine.pipeline.triangle;
 
+import rasterlab.engine.lanes.Lanes;
+
 /** One band of rows after the other: cleared, then drawn in the mesh's order. One per thread. */
 final class BandStage {
     private final TriangleScan scan = new TriangleScan();
     private final TinyScan tiny = new TinyScan();
     private final PixelFill pixels = new PixelFill();
+    private final SmoothTriangles smooth;
+
+    BandStage(Lanes lanes) {
+        smooth = lanes.part(SmoothTriangles.class, PlainSmooth::new, "VectorSmooth");
+    }
 
     /**
      * @param chunks how many of {@code sorted} are the frame's
@@ -28,19 +35,23 @@ final class BandStage {
         int first = triangles[at];
         int second = triangles[at + 1];
         int third = triangles[at + 2];
+        if (frame.surface instanceof Surface.Smooth) {
+            smooth.draw(vertices, first, second, third, frame.out, top);
+            return;
+        }
         if (tiny.load(vertices, first, second, third, frame.out, top)) {
+            tiny.look(frame.out.width());
             if (tiny.count > 0) fillTiny(frame, vertices, third);
             return;
         }
         scan.load(vertices, first, second, third, frame.out, top);
-        if (frame.surface instanceof Surface.Smooth) SmoothFill.fill(frame.out, scan, vertices);
-        else if (frame.surface instanceof Surface.PerPixel) pixels.fill(scan, vertices, third);
+        scan.scan();
+        if (frame.surface instanceof Surface.PerPixel) pixels.fill(scan, vertices, third);
         else FlatFill.fill(frame.out, scan, vertices, FlatFill.argb(vertices.attributes, third));
     }
 
     private void fillTiny(Frame frame, ScreenVertices vertices, int third) {
-        if (frame.surface instanceof Surface.Smooth) TinyFill.smooth(frame.out, tiny, vertices);
-        else if (frame.surface instanceof Surface.PerPixel) pixels.fill(tiny, vertices, third);
+        if (frame.surface instanceof Surface.PerPixel) pixels.fill(tiny, vertices, third);
         else TinyFill.flat(frame.out, tiny, vertices, FlatFill.argb(vertices.attributes, third));
     }
 }

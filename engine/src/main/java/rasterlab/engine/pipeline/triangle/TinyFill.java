@@ -20,13 +20,13 @@ final class TinyFill {
         float qa = v.nearness[a];
         float qb = v.nearness[b];
         float qc = v.nearness[c];
-        float ra = v.attributes[0][a] + 0.5f;
+        float ra = v.attributes[0][a];
         float rb = v.attributes[0][b] - v.attributes[0][a];
         float rc = v.attributes[0][c] - v.attributes[0][a];
-        float ga = v.attributes[1][a] + 0.5f;
+        float ga = v.attributes[1][a];
         float gb = v.attributes[1][b] - v.attributes[1][a];
         float gc = v.attributes[1][c] - v.attributes[1][a];
-        float ba = v.attributes[2][a] + 0.5f;
+        float ba = v.attributes[2][a];
         float bb = v.attributes[2][b] - v.attributes[2][a];
         float bc = v.attributes[2][c] - v.attributes[2][a];
         for (int k = 0; k < scan.count; k++) {
@@ -39,10 +39,11 @@ final class TinyFill {
             float w = 1 / (qa + weightB * (qb - qa) + weightC * (qc - qa));
             float shareB = weightB * qb * w;
             float shareC = weightC * qc * w;
-            int red = (int) (ra + shareB * rb + shareC * rc);
-            int green = (int) (ga + shareB * gb + shareC * gc);
-            int blue = (int) (ba + shareB * bb + shareC * bc);
-            argb[cell] = 0xFF000000 | red << 16 | green << 8 | blue;
+            argb[cell] =
+                    SmoothFill.argb(
+                            ra + shareB * rb + shareC * rc,
+                            ga + shareB * gb + shareC * gc,
+                            ba + shareB * bb + shareC * bc);
         }
     }
 

@@ -16,6 +16,28 @@ final class TinyScan extends Scan {
 
     private static final int WIDEST = SIDE * Subpixels.ONE;
 
+    /** The box: the cell of its first pixel, its sides in pixels. */
+    int at;
+
+    int columns;
+    int rows;
+
+    /** eA, eB and eC at the box's first pixel; eA is 1 less where its edge owns no centre. */
+    int rowA;
+
+    int rowB;
+    int rowC;
+
+    /** What eA grows by to the right and down. */
+    int stepA;
+
+    int downA;
+
+    /** 0 where the edge owns the centres on it, else −1. */
+    int ownB;
+
+    int ownC;
+
     /** Pixels that are owned: their cells, eB and eC. */
     int count;
 
@@ -24,7 +46,7 @@ final class TinyScan extends Scan {
     final int[] edgeC = new int[MOST + 1];
 
     /**
-     * Returns false, and does nothing, where the triangle is too large.
+     * Finds the box. Returns false, and does nothing, where the triangle is too large.
      *
      * @param bandTop first row of the band
      */
@@ -41,77 +63,73 @@ final class TinyScan extends Scan {
         int maxY = Math.max(0, Math.max(by, cy));
         if (maxX - minX > WIDEST || maxY - minY > WIDEST) return false;
         int left = Math.max(0, Subpixels.firstPixel(ax + minX));
-        int columns = Math.min(out.width(), Subpixels.endPixel(ax + maxX)) - left;
+        columns = Math.min(out.width(), Subpixels.endPixel(ax + maxX)) - left;
         int highest = Subpixels.firstPixel(ay + minY);
         int lowest = Subpixels.endPixel(ay + maxY);
         if (columns * (lowest - highest) > MOST) return false;
         int top = Math.max(bandTop, highest);
-        int rows = Math.min(Math.min(bandTop + TriangleScan.ROWS, out.height()), lowest) - top;
+        rows = Math.min(Math.min(bandTop + TriangleScan.ROWS, out.height()), lowest) - top;
         int area = bx * cy - by * cx;
         fromBehind = area > 0;
         inverseArea = 1f / Math.abs(area);
         a = first;
         int px = (left << Subpixels.BITS) - ax;
         int py = (top << Subpixels.BITS) - ay;
-        int at = top * out.width() + left;
+        at = top * out.width() + left;
         if (area > 0) {
             b = second;
             c = third;
-            look(bx, by, cx, cy, px, py, at, out.width(), columns, rows);
+            edges(bx, by, cx, cy, px, py);
         } else {
             b = third;
             c = second;
-            look(cx, cy, bx, by, px, py, at, out.width(), columns, rows);
+            edges(cx, cy, bx, by, px, py);
         }
         return true;
     }
 
     /** b, c and the first centre p are seen from a. */
-    private void look(
-            int bx,
-            int by,
-            int cx,
-            int cy,
-            int px,
-            int py,
-            int at,
-            int width,
-            int columns,
-            int rows) {
-        int rightA = by - cy << Subpixels.BITS;
-        int rightB = cy << Subpixels.BITS;
-        int rightC = -by << Subpixels.BITS;
-        int belowA = cx - bx << Subpixels.BITS;
-        int belowB = -cx << Subpixels.BITS;
-        int belowC = bx << Subpixels.BITS;
-        stepB = rightB;
-        stepC = rightC;
-        downB = belowB;
-        downC = belowC;
-        int ownA = TriangleScan.owned(cx - bx, cy - by);
-        int ownB = TriangleScan.owned(-cx, -cy);
-        int ownC = TriangleScan.owned(bx, by);
-        int rowA = (cx - bx) * (py - by) - (cy - by) * (px - bx) + ownA;
-        int rowB = cy * (px - cx) - cx * (py - cy);
-        int rowC = bx * py - by * px;
+    private void edges(int bx, int by, int cx, int cy, int px, int py) {
+        stepA = by - cy << Subpixels.BITS;
+        stepB = cy << Subpixels.BITS;
+        stepC = -by << Subpixels.BITS;
+        downA = cx - bx << Subpixels.BITS;
+        downB = -cx << Subpixels.BITS;
+        downC = bx << Subpixels.BITS;
+        ownB = TriangleScan.owned(-cx, -cy);
+        ownC = TriangleScan.owned(bx, by);
+        rowA = (cx - bx) * (py - by) - (cy - by) * (px - bx) + TriangleScan.owned(cx - bx, cy - by);
+        rowB = cy * (px - cx) - cx * (py - cy);
+        rowC = bx * py - by * px;
+    }
+
+    /**
+     * Finds the pixels of the box that are owned.
+     *
+     * @param width of the picture
+     */
+    void look(int width) {
+        int[] cells = cell;
+        int[] edgesB = edgeB;
+        int[] edgesC = edgeC;
+        int rightA = stepA;
+        int rightB = (int) stepB;
+        int rightC = (int) stepC;
         int found = 0;
         for (int y = 0; y < rows; y++) {
-            int eA = rowA;
-            int eB = rowB;
-            int eC = rowC;
+            int first = at + y * width;
+            int eA = rowA + y * downA;
+            int eB = rowB + y * (int) downB;
+            int eC = rowC + y * (int) downC;
             for (int x = 0; x < columns; x++) {
-                cell[found] = at + x;
-                edgeB[found] = eB;
-                edgeC[found] = eC;
+                cells[found] = first + x;
+                edgesB[found] = eB;
+                edgesC[found] = eC;
                 found += ~(eA | eB + ownB | eC + ownC) >>> 31;
                 eA += rightA;
                 eB += rightB;
                 eC += rightC;
             }
-            at += width;
-            rowA += belowA;
-            rowB += belowB;
-            rowC += belowC;
         }
         count = found;
     }

@@ -3,6 +3,7 @@ package rasterlab.engine.pipeline.triangle;
 import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.scene.TriangleMesh;
 
 /**
@@ -36,10 +37,19 @@ public final class TrianglePipeline implements AutoCloseable {
      * @param threads 1 to 256, the caller's included
      */
     public TrianglePipeline(int threads) {
+        this(threads, Lanes.best());
+    }
+
+    /**
+     * @param threads 1 to 256, the caller's included
+     * @param lanes how many pixels are computed at a time
+     * @throws IllegalStateException where there are not so many lanes
+     */
+    public TrianglePipeline(int threads, Lanes lanes) {
         team = new WorkerTeam(threads);
         workers = new Worker[threads];
         for (int k = 0; k < threads; k++)
-            workers[k] = new Worker(new VertexStage(), new Binner(), new BandStage());
+            workers[k] = new Worker(new VertexStage(), new Binner(), new BandStage(lanes));
     }
 
     /** Number of threads, the caller's included. */

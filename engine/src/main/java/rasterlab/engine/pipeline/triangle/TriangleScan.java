@@ -27,19 +27,32 @@ final class TriangleScan extends Scan {
     final long[] edgeB = new long[ROWS];
     final long[] edgeC = new long[ROWS];
 
-    private int boxLeft;
-    private int boxRight;
-    private long stepA;
-    private long rowA;
-    private long rowB;
-    private long rowC;
+    /** The box: its first column and the column after its last. */
+    int boxLeft;
+
+    int boxRight;
+
+    /** What eA grows by to the right and down. */
+    long stepA;
+
+    long downA;
+
+    /** eA, eB and eC at the box's first pixel, each with what follows added. */
+    long rowA;
+
+    long rowB;
+    long rowC;
+
+    /** 0 where the edge owns the centres on it, else −1. */
     private int ownA;
-    private int ownB;
-    private int ownC;
+
+    int ownB;
+    int ownC;
 
     /**
+     * Finds the box; {@link #scan} has to find the pixels.
+     *
      * @param bandTop first row of the band
-     * @param bandBottom row after its last
      */
     void load(ScreenVertices v, int first, int second, int third, DepthRaster out, int bandTop) {
         int bandBottom = Math.min(bandTop + ROWS, out.height());
@@ -72,7 +85,7 @@ final class TriangleScan extends Scan {
         rowC = cross(bx - ax, by - ay, px - ax, py - ay) + ownC;
         downB = (long) (ax - cx) << Subpixels.BITS;
         downC = (long) (bx - ax) << Subpixels.BITS;
-        scan((long) (cx - bx) << Subpixels.BITS);
+        downA = (long) (cx - bx) << Subpixels.BITS;
     }
 
     private static long cross(int ax, int ay, int bx, int by) {
@@ -88,13 +101,13 @@ final class TriangleScan extends Scan {
     }
 
     /**
-     * A row has the pixels that no edge excludes. An edge's function is 0 at {@code k = −e/step}
-     * pixels from the box's left; half a unit is added to e, a whole number, so that k is never
-     * whole: it is at least 2⁻³⁴ from a whole number and, within a picture, right to 2⁻³⁹, so the
-     * quotient by way of a reciprocal is rounded to the right side. Where e grows to the right the
-     * pixels begin at k, where it falls they end there; a level edge has step 0 and k = ±∞.
+     * Finds each row's pixels: those that no edge excludes. An edge's function is 0 at {@code k =
+     * −e/step} pixels from the box's left; half a unit is added to e, a whole number, so that k is
+     * never whole: it is at least 2⁻³⁴ from a whole number and, within a picture, right to 2⁻³⁹, so
+     * the quotient by way of a reciprocal is rounded to the right side. Where e grows to the right
+     * the pixels begin at k, where it falls they end there; a level edge has step 0 and k = ±∞.
      */
-    private void scan(long downA) {
+    void scan() {
         double perA = -1.0 / stepA;
         double perB = -1.0 / stepB;
         double perC = -1.0 / stepC;

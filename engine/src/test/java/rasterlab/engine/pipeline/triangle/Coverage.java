@@ -39,6 +39,7 @@ final class Coverage {
         int top = band * TriangleScan.ROWS;
         var tiny = new TinyScan();
         if (tiny.load(vertices, first, second, third, frame.out, top)) {
+            tiny.look(frame.out.width());
             int[] counts = tiny.fromBehind ? clockwise : counterClockwise;
             for (int k = 0; k < tiny.count; k++) counts[tiny.cell[k]]++;
         } else addRows(frame, vertices, first, second, third, top);
@@ -48,6 +49,7 @@ final class Coverage {
             Frame frame, ScreenVertices vertices, int first, int second, int third, int top) {
         var scan = new TriangleScan();
         scan.load(vertices, first, second, third, frame.out, top);
+        scan.scan();
         int[] counts = scan.fromBehind ? clockwise : counterClockwise;
         for (int row = 0; row < scan.rows; row++)
             for (int k = 0; k < scan.count[row]; k++)

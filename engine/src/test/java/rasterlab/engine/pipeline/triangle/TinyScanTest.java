@@ -29,7 +29,9 @@ class TinyScanTest {
             if (area() == 0) continue;
             for (int top : new int[] {0, TriangleScan.ROWS}) {
                 if (!tiny.load(v, 0, 1, 2, out, top)) continue;
+                tiny.look(out.width());
                 rows.load(v, 0, 1, 2, out, top);
+                rows.scan();
                 compare("triangle %d of seed 1988, band %d".formatted(round, top));
                 found += tiny.count;
             }

@@ -1,0 +1,108 @@
+package rasterlab.engine.pipeline.triangle;
+
+/**
+ * Depth and colours of one triangle as functions that are linear on the picture.
+ *
+ * <p>On the picture 1/w and colour/w are linear, so a pixel's colour is their quotient. Where w
+ * hardly changes over a triangle the colour itself is as good as linear, and no pixel needs a
+ * division: with weights b and q = 1/w, {@code Σbqc/Σbq − Σbc} is the covariance of q and c divided
+ * by Σbq, at most {@code (max c − min c)·(max q − min q) / (4·min q)}. The functions fit where this
+ * is at most {@link #TOLERANCE} levels.
+ *
+ * <p>Source of the bound: G. Grüss, Mathematische Zeitschrift 39, 1935.
+ */
+final class LinearColors {
+    /** Levels. */
+    static final float TOLERANCE = 0.25f;
+
+    /** Colours are whole numbers of 1/65536 level. */
+    private static final float ONE = 65536;
+
+    /** Rounds to the nearest level. */
+    private static final int HALF = 32768;
+
+    /** At corner a, and what the weights of b and c add. */
+    private float za;
+
+    private float zb;
+    private float zc;
+    private float ra;
+    private float rb;
+    private float rc;
+    private float ga;
+    private float gb;
+    private float gc;
+    private float ba;
+    private float bb;
+    private float bc;
+
+    /** What each grows by from a pixel to the next on its right. */
+    float stepZ;
+
+    int stepRed;
+    int stepGreen;
+    int stepBlue;
+
+    /** At the pixel that {@link #at} was asked for. */
+    float z;
+
+    int red;
+    int green;
+    int blue;
+
+    boolean fits(TriangleScan scan, ScreenVertices v) {
+        float qa = v.nearness[scan.a];
+        float qb = v.nearness[scan.b];
+        float qc = v.nearness[scan.c];
+        float least = Math.min(qa, Math.min(qb, qc));
+        float spread = (Math.max(qa, Math.max(qb, qc)) - least) / (4 * least);
+        if (255 * spread <= TOLERANCE) return true;
+        float range =
+                Math.max(
+                        range(v.attributes[0], scan),
+                        Math.max(range(v.attributes[1], scan), range(v.attributes[2], scan)));
+        return range * spread <= TOLERANCE;
+    }
+
+    private static float range(float[] channel, TriangleScan scan) {
+        float a = channel[scan.a];
+        float b = channel[scan.b];
+        float c = channel[scan.c];
+        return Math.max(a, Math.max(b, c)) - Math.min(a, Math.min(b, c));
+    }
+
+    void load(TriangleScan scan, ScreenVertices v) {
+        int a = scan.a;
+        int b = scan.b;
+        int c = scan.c;
+        float[] reds = v.attributes[0];
+        float[] greens = v.attributes[1];
+        float[] blues = v.attributes[2];
+        za = v.depth[a];
+        zb = v.depth[b] - za;
+        zc = v.depth[c] - za;
+        ra = reds[a] * ONE + HALF;
+        rb = (reds[b] - reds[a]) * ONE;
+        rc = (reds[c] - reds[a]) * ONE;
+        ga = greens[a] * ONE + HALF;
+        gb = (greens[b] - greens[a]) * ONE;
+        gc = (greens[c] - greens[a]) * ONE;
+        ba = blues[a] * ONE + HALF;
+        bb = (blues[b] - blues[a]) * ONE;
+        bc = (blues[c] - blues[a]) * ONE;
+        float toB = scan.stepB * scan.inverseArea;
+        float toC = scan.stepC * scan.inverseArea;
+        stepZ = toB * zb + toC * zc;
+        stepRed = (int) (toB * rb + toC * rc);
+        stepGreen = (int) (toB * gb + toC * gc);
+        stepBlue = (int) (toB * bb + toC * bc);
+    }
+
+    /** Finds depth and colours at the pixel with these weights of corners b and c. */
+    void at(float weightB, float weightC) {
+        z = za + weightB * zb + weightC * zc;
+        red = (int) (ra + weightB * rb + weightC * rc);
+        green = (int) (ga + weightB * gb + weightC * gc);
+        blue = (int) (ba + weightB * bb + weightC * bc);
+    }
+}
