@@ -17,27 +17,42 @@ final class Html {
                 .replace("\"", "&quot;");
     }
 
-    /** A table in a frame that scrolls on narrow screens; columns of numbers stand to the right. */
+    /**
+     * A table in a frame that scrolls on narrow screens; columns of numbers stand to the right. The
+     * last cell of a row that is too short, such as a sentence, reaches to the table's end.
+     */
     static String table(List<String> heads, List<List<String>> rows) {
         var html = new StringBuilder("<div class=\"scroll\"><table>\n<thead><tr>");
         for (int column = 0; column < heads.size(); column++)
-            html.append(cell("th", heads.get(column), numeric(rows, column)));
+            html.append(cell("th", heads.get(column), attribute(rows, column)));
         html.append("</tr></thead>\n<tbody>\n");
         for (List<String> row : rows) {
             html.append("<tr>");
-            for (int column = 0; column < row.size(); column++)
-                html.append(cell("td", row.get(column), numeric(rows, column)));
+            int last = row.size() - 1;
+            for (int column = 0; column < last; column++)
+                html.append(cell("td", row.get(column), attribute(rows, column)));
+            int columns = heads.size() - last;
+            html.append(
+                    cell(
+                            "td",
+                            row.get(last),
+                            columns > 1 ? " colspan=\"" + columns + "\"" : attribute(rows, last)));
             html.append("</tr>\n");
         }
         return html.append("</tbody></table></div>\n").toString();
     }
 
-    private static boolean numeric(List<List<String>> rows, int column) {
-        return rows.stream().allMatch(row -> NUMBERS.matcher(row.get(column)).matches());
+    /** Of the cells of a column of numbers; sentences that reach over several do not count. */
+    private static String attribute(List<List<String>> rows, int column) {
+        int columns = rows.stream().mapToInt(List::size).max().orElse(0);
+        boolean numbers =
+                rows.stream()
+                        .filter(row -> row.size() == columns || column < row.size() - 1)
+                        .allMatch(row -> NUMBERS.matcher(row.get(column)).matches());
+        return numbers ? " class=\"number\"" : "";
     }
 
-    private static String cell(String tag, String text, boolean number) {
-        String start = number ? "<" + tag + " class=\"number\">" : "<" + tag + ">";
-        return start + escaped(text) + "</" + tag + ">";
+    private static String cell(String tag, String text, String attribute) {
+        return "<" + tag + attribute + ">" + escaped(text) + "</" + tag + ">";
     }
 }

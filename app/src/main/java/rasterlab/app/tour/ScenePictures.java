@@ -63,7 +63,7 @@ final class ScenePictures implements TourPart {
             try {
                 rows.add(byMethod(page, renderer, scene, visibility, exact, figures));
             } catch (IllegalArgumentException refusal) {
-                rows.add(List.of(visibility, refusal.getMessage(), "–", "–", "–"));
+                rows.add(List.of(visibility, refusal.getMessage()));
             }
         }
         page.table(page.texts().text("scenes.heads"), rows);

@@ -4,7 +4,7 @@ import rasterlab.engine.transform.Projection;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
- * The depths that are drawn, in view z: world units from the eye in perspective.
+ * The depths that are drawn, in eye z: world units from the eye in perspective.
  *
  * @param near the smallest one
  * @param far the largest one, above {@code near}; infinity cuts nothing off

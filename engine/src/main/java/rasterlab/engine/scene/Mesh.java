@@ -10,6 +10,9 @@ import java.util.Arrays;
  * counted through all faces, those of face f from {@link #firstCorner} on.
  */
 public final class Mesh {
+    /** How far a corner may lie off its face's plane or turn inwards, as a share of its size. */
+    public static final double TOLERANCE = 1e-9;
+
     private static final double[] NONE = {};
 
     private final double[] xyz;

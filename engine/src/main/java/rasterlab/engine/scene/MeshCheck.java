@@ -5,8 +5,7 @@ import java.util.stream.IntStream;
 
 /** The rules a {@link Mesh} keeps, with messages that name the place that breaks one. */
 final class MeshCheck {
-    /** How far a corner may lie off its face's plane or turn inwards, as a share of its size. */
-    private static final double TOLERANCE = 1e-9;
+    private static final double TOLERANCE = Mesh.TOLERANCE;
 
     private final double[] xyz;
 

@@ -50,8 +50,16 @@ public final class Vase {
         return new int[] {50, 75, 90, 94, 88, 74, 54, 42, 40, 46};
     }
 
+    /** Heights of the parallels from the bottom up, in world units. */
+    public static double[] heights() {
+        var z = new double[PARALLELS];
+        for (int b = 0; b < PARALLELS; b++) z[b] = HEIGHT / PARALLELS * b - HEIGHT / 2;
+        return z;
+    }
+
     private static double[] vertices() {
         int[] radii = radii();
+        double[] heights = heights();
         double[] xyz = new double[3 * (CENTRE + 1)];
         for (int b = 0; b < PARALLELS; b++)
             for (int l = 0; l < MERIDIANS; l++) {
@@ -59,7 +67,7 @@ public final class Vase {
                 int at = 3 * (b * MERIDIANS + l);
                 xyz[at] = radii[b] * Math.sin(longitude);
                 xyz[at + 1] = radii[b] * Math.cos(longitude);
-                xyz[at + 2] = HEIGHT / PARALLELS * b - HEIGHT / 2;
+                xyz[at + 2] = heights[b];
             }
         xyz[3 * CENTRE + 2] = -HEIGHT / 2;
         return xyz;

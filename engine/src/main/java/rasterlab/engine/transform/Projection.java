@@ -7,7 +7,7 @@ import org.joml.Matrix4d;
 import rasterlab.engine.naming.Named;
 
 /**
- * From view space to the picture plane, and for the named parallel ones from where.
+ * From eye space to the picture plane, and for the named parallel ones from where.
  *
  * <p>The named ones have directions of their own and take no more than ρ from the camera. Their
  * matrices are the course's, whose y points up; the world's z becomes it, its y goes away from the
@@ -74,7 +74,7 @@ public enum Projection {
         return this == CAVALIER || this == CABINET;
     }
 
-    /** World → view space (x right, y up, z forward, the world's origin at z = ρ). */
+    /** World → eye space (x right, y up, z forward, the world's origin at z = ρ). */
     Matrix4d worldToView(SphericalView camera) {
         if (turnsWithCamera()) return camera.matrix();
         var zUpToYUp = new Matrix4d(1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1);

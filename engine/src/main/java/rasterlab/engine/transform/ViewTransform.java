@@ -3,17 +3,17 @@ package rasterlab.engine.transform;
 import org.joml.Matrix4d;
 
 /**
- * World → view space: x right, y up, z forward. The eye is at its origin in perspective; in
- * parallel projection all lines of sight run along its z.
+ * World → eye space: x right, y up, z forward. The eye is at its origin in perspective; in parallel
+ * projection all lines of sight run along its z.
  *
- * <p>An oblique projection slants view space itself, so lengths and angles are the world's only
+ * <p>An oblique projection slants eye space itself, so lengths and angles are the world's only
  * where {@link Projection} is not oblique: light is computed in the world.
  */
 public final class ViewTransform {
     private final Projection projection;
     private final double distance;
-    private final double[] toView;
-    private final double[] normalToView;
+    private final double[] toEye;
+    private final double[] normalToEye;
     private final double[] toWorld;
 
     /**
@@ -35,9 +35,9 @@ public final class ViewTransform {
                 new Matrix4d()
                         .translation(-toTheRight, 0, 0)
                         .mul(projection.worldToView(camera.upright()));
-        toView = matrix.get(new double[16]);
-        normalToView =
-                projection.oblique() ? matrix.normal(new Matrix4d()).get(new double[16]) : toView;
+        toEye = matrix.get(new double[16]);
+        normalToEye =
+                projection.oblique() ? matrix.normal(new Matrix4d()).get(new double[16]) : toEye;
         toWorld = matrix.invertAffine(new Matrix4d()).get(new double[16]);
     }
 
@@ -55,17 +55,17 @@ public final class ViewTransform {
         return distance;
     }
 
-    /** One coordinate of a world point in view space: axis 0 is x, 1 is y, 2 is z. */
-    public double toView(int axis, double x, double y, double z) {
-        return toView[axis] * x + toView[4 + axis] * y + toView[8 + axis] * z + toView[12 + axis];
+    /** One coordinate of a world point in eye space: axis 0 is x, 1 is y, 2 is z. */
+    public double toEye(int axis, double x, double y, double z) {
+        return toEye[axis] * x + toEye[4 + axis] * y + toEye[8 + axis] * z + toEye[12 + axis];
     }
 
-    /** One coordinate of a plane's normal in view space, not of length 1 in an oblique one. */
-    public double normalToView(int axis, double x, double y, double z) {
-        return normalToView[axis] * x + normalToView[4 + axis] * y + normalToView[8 + axis] * z;
+    /** One coordinate of a plane's normal in eye space, not of length 1 in an oblique one. */
+    public double normalToEye(int axis, double x, double y, double z) {
+        return normalToEye[axis] * x + normalToEye[4 + axis] * y + normalToEye[8 + axis] * z;
     }
 
-    /** One coordinate of a view point in the world. */
+    /** One coordinate of an eye-space point in the world. */
     public double toWorld(int axis, double x, double y, double z) {
         return toWorld[axis] * x
                 + toWorld[4 + axis] * y

@@ -11,14 +11,14 @@ import rasterlab.engine.transform.PictureFit;
 final class NearestSeen {
     private final ViewedMesh view;
     private final double[][] sides;
-    private ViewPolygon from;
-    private ViewPolygon to;
+    private EyePolygon from;
+    private EyePolygon to;
 
     private NearestSeen(ViewedMesh view) {
         this.view = view;
         int mostCorners = view.mesh().mostCorners() + 6;
-        from = new ViewPolygon(mostCorners);
-        to = new ViewPolygon(mostCorners);
+        from = new EyePolygon(mostCorners);
+        to = new EyePolygon(mostCorners);
         PictureFit fit = view.fit();
         double distance = view.transform().distance();
         double left = fit.toPlaneX(-1);
@@ -54,7 +54,7 @@ final class NearestSeen {
         to.cut(view.far(), -1, from);
         for (double[] side : sides) {
             from.cut(side, to);
-            ViewPolygon cut = to;
+            EyePolygon cut = to;
             to = from;
             from = cut;
         }

@@ -2,6 +2,7 @@ package rasterlab.engine.visibility;
 
 import java.util.stream.IntStream;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.FaceMiddle;
 
 /**
  * The painter's algorithm: faces from the farthest to the nearest, each over the ones before.
@@ -51,14 +52,7 @@ final class Painter implements SteppedVisibility {
     /** The mean z of each face's corners. */
     static double[] meanZ(ViewedMesh view) {
         return IntStream.range(0, view.mesh().faceCount())
-                .mapToDouble(face -> meanZ(view, face))
+                .mapToDouble(face -> FaceMiddle.of(view.mesh(), face, view::eyeZ))
                 .toArray();
-    }
-
-    private static double meanZ(ViewedMesh view, int face) {
-        int corners = view.mesh().cornerCount(face);
-        double sum = 0;
-        for (int k = 0; k < corners; k++) sum += view.eyeZ[view.mesh().corner(face, k)];
-        return sum / corners;
     }
 }

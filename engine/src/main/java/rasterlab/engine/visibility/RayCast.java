@@ -66,7 +66,7 @@ final class RayCast implements Visibility {
             brush.span(nearestFirst[i], row, from, to);
     }
 
-    /** The rays of a view; t is depth z in view space. */
+    /** The rays of a view; t is depth z in eye space. */
     private static final class Rays {
         private final double[][] axes = new double[3][3];
         private final double[] eye = new double[3];

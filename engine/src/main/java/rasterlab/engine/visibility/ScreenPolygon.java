@@ -11,9 +11,9 @@ import rasterlab.engine.transform.PictureFit;
 final class ScreenPolygon {
     private static final double SUBPIXELS = 1 << 24;
 
-    private final ViewPolygon whole;
-    private final ViewPolygon nearCut;
-    private final ViewPolygon cut;
+    private final EyePolygon whole;
+    private final EyePolygon nearCut;
+    private final EyePolygon cut;
     private final double[] x;
     private final double[] y;
     private final RowSpan span = new RowSpan();
@@ -23,9 +23,9 @@ final class ScreenPolygon {
      * @param mostCorners the most corners of a face; the near and the far plane may add one each
      */
     ScreenPolygon(int mostCorners) {
-        whole = new ViewPolygon(mostCorners);
-        nearCut = new ViewPolygon(mostCorners + 1);
-        cut = new ViewPolygon(mostCorners + 2);
+        whole = new EyePolygon(mostCorners);
+        nearCut = new EyePolygon(mostCorners + 1);
+        cut = new EyePolygon(mostCorners + 2);
         x = new double[mostCorners + 2];
         y = new double[mostCorners + 2];
     }
@@ -107,7 +107,7 @@ final class ScreenPolygon {
     }
 
     /** What is left of the polygon between the near and the far plane: x, y, z of each corner. */
-    double[] viewCorners() {
+    double[] eyeCorners() {
         var corners = new double[3 * cut.size];
         for (int k = 0; k < cut.size; k++) {
             corners[3 * k] = cut.x[k];

@@ -7,7 +7,7 @@ import rasterlab.engine.visibility.order.Cut;
 import rasterlab.engine.visibility.order.Sight;
 
 /**
- * View space changed so that an eye at the origin sees in it what the view sees, with everything in
+ * Eye space changed so that an eye at the origin sees in it what the view sees, with everything in
  * a narrow cone round z.
  *
  * <p>In perspective x and y shrink: (σx, σy, z). In parallel projection the eye is at infinity, and
@@ -41,7 +41,7 @@ final class SightSpace {
             polygon.fill(view.fit().width(), view.fit().height(), (y, from, to) -> owned[0] = true);
             if (!owned[0]) continue;
             faces[cut.size()] = f;
-            cut.add(polygon.viewCorners());
+            cut.add(polygon.eyeCorners());
         }
         span(cut);
         polygons = cut.stream().map(this::toSight).toArray(double[][]::new);

@@ -27,7 +27,7 @@ public final class ViewedMesh {
     private final double[] eyeNormals;
 
     /**
-     * @param near the smallest view z that is drawn, above 0 in perspective
+     * @param near the smallest eye z that is drawn, above 0 in perspective
      * @param far the largest one, above {@code near}; infinity in perspective, and infinities in
      *     parallel projection, cut nothing off
      */
@@ -47,9 +47,9 @@ public final class ViewedMesh {
         eyeZ = new double[n];
         eyeNormals = new double[3 * mesh.faceCount()];
         for (int v = 0; v < n; v++) {
-            eyeX[v] = transform.toView(0, mesh.x(v), mesh.y(v), mesh.z(v));
-            eyeY[v] = transform.toView(1, mesh.x(v), mesh.y(v), mesh.z(v));
-            eyeZ[v] = transform.toView(2, mesh.x(v), mesh.y(v), mesh.z(v));
+            eyeX[v] = transform.toEye(0, mesh.x(v), mesh.y(v), mesh.z(v));
+            eyeY[v] = transform.toEye(1, mesh.x(v), mesh.y(v), mesh.z(v));
+            eyeZ[v] = transform.toEye(2, mesh.x(v), mesh.y(v), mesh.z(v));
         }
         for (int f = 0; f < mesh.faceCount(); f++) turnNormal(f);
     }
@@ -68,7 +68,7 @@ public final class ViewedMesh {
         double length = 0;
         for (int axis = 0; axis < 3; axis++) {
             double turned =
-                    transform.normalToView(
+                    transform.normalToEye(
                             axis, mesh.normalX(face), mesh.normalY(face), mesh.normalZ(face));
             eyeNormals[3 * face + axis] = turned;
             length += turned * turned;

@@ -95,7 +95,7 @@ public final class PixelAnswers {
             x = IntStream.range(0, polygon.size()).mapToDouble(polygon::x).toArray();
             y = IntStream.range(0, polygon.size()).mapToDouble(polygon::y).toArray();
             edgeOn = !plane.load(view, face);
-            double[] corners = polygon.viewCorners();
+            double[] corners = polygon.eyeCorners();
             double most = 0;
             for (int i = 2; i < corners.length; i += 3) {
                 boolean central = view.transform().central();

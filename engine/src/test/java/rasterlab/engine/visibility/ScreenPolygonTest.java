@@ -37,6 +37,13 @@ class ScreenPolygonTest {
                         "....... .###... .###... ....... .......",
                         new double[] {-2, -1, 1, -1, 1, 1, -2, 1}),
                 argumentSet(
+                        "rounding moves edges off pixel centres",
+                        "....... .###... .###... ....... .......",
+                        new double[] {
+                            -2 + 1e-9, -1 + 1e-9, 1 + 1e-9, -1 + 1e-9, 1 + 1e-9, 1 - 1e-9,
+                            -2 + 1e-9, 1 - 1e-9
+                        }),
+                argumentSet(
                         "pixels are tested at their corners",
                         "....... ..##... ..##... ....... .......",
                         new double[] {-1.4, -0.4, 0.6, -0.4, 0.6, 1.4, -1.4, 1.4}),

@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 import rasterlab.engine.pipeline.paint.FaceLights;
+import rasterlab.engine.scene.FaceMiddle;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
@@ -36,16 +37,9 @@ final class Batches {
         return IntStream.range(0, opaque.length)
                 .filter(f -> !opaque[f])
                 .boxed()
-                .sorted(Comparator.comparingDouble(f -> -meanZ(view, f)))
+                .sorted(Comparator.comparingDouble(f -> -FaceMiddle.of(view.mesh(), f, view::eyeZ)))
                 .mapToInt(Integer::intValue)
                 .toArray();
-    }
-
-    private static double meanZ(ViewedMesh view, int face) {
-        int corners = view.mesh().cornerCount(face);
-        double sum = 0;
-        for (int k = 0; k < corners; k++) sum += view.eyeZ(view.mesh().corner(face, k));
-        return sum / corners;
     }
 
     private static void addRuns(FaceLights lights, int[] ordered, List<Batch> batches) {

@@ -13,7 +13,7 @@ import rasterlab.engine.visibility.ViewedMesh;
  *
  * <p>With s pixels per unit, the picture's middle at pixel (c₁, c₂) and d = ρ in perspective, 1
  * otherwise: {@code x/w = 2·s·d·X/(width·w) + (2·c₁ + 1)/width − 1}, y alike with its sign turned,
- * w = z of view space or 1. Depth runs from the nearest to the farthest vertex that is drawn, so
+ * w = z of eye space or 1. Depth runs from the nearest to the farthest vertex that is drawn, so
  * that its bits are spent where there is something.
  */
 final class ClipSpace {
@@ -49,18 +49,18 @@ final class ClipSpace {
     }
 
     private Matrix4d worldToClip() {
-        double[] w = transform.central() ? viewRow(2) : new double[] {0, 0, 0, 1};
+        double[] w = transform.central() ? eyeRow(2) : new double[] {0, 0, 0, 1};
         double distance = transform.central() ? transform.distance() : 1;
         double[] x =
                 sum(
                         2 * fit.pixelsPerUnit() * distance / fit.width(),
-                        viewRow(0),
+                        eyeRow(0),
                         (2 * fit.toPixelX(0) + 1) / fit.width() - 1,
                         w);
         double[] y =
                 sum(
                         2 * fit.pixelsPerUnit() * distance / fit.height(),
-                        viewRow(1),
+                        eyeRow(1),
                         1 - (2 * fit.toPixelY(0) + 1) / fit.height(),
                         w);
         double[] z = depthRow();
@@ -76,17 +76,17 @@ final class ClipSpace {
         double[] one = {0, 0, 0, 1};
         double deep = far - near;
         return transform.central()
-                ? sum((far + near) / deep, viewRow(2), -2 * far * near / deep, one)
-                : sum(2 / deep, viewRow(2), -(far + near) / deep, one);
+                ? sum((far + near) / deep, eyeRow(2), -2 * far * near / deep, one)
+                : sum(2 / deep, eyeRow(2), -(far + near) / deep, one);
     }
 
     /** What one view coordinate is of x, y, z and 1. */
-    private double[] viewRow(int axis) {
-        double origin = transform.toView(axis, 0, 0, 0);
+    private double[] eyeRow(int axis) {
+        double origin = transform.toEye(axis, 0, 0, 0);
         return new double[] {
-            transform.toView(axis, 1, 0, 0) - origin,
-            transform.toView(axis, 0, 1, 0) - origin,
-            transform.toView(axis, 0, 0, 1) - origin,
+            transform.toEye(axis, 1, 0, 0) - origin,
+            transform.toEye(axis, 0, 1, 0) - origin,
+            transform.toEye(axis, 0, 0, 1) - origin,
             origin
         };
     }

@@ -8,7 +8,7 @@ import rasterlab.engine.visibility.ViewedMesh;
  * How much each corner of a triangle counts at a pixel, with perspective.
  *
  * <p>Faces are taken as fans of triangles about their first corners. With P0, P1, P2 a triangle's
- * corners in view space and (X, Y) a place on the picture plane, row i of the inverse of the matrix
+ * corners in eye space and (X, Y) a place on the picture plane, row i of the inverse of the matrix
  * with columns P0 P1 P2, times (X/ρ, Y/ρ, 1), is λ'ᵢ: linear in the pixel, and λ'₀ + λ'₁ + λ'₂ =
  * 1/z. The weights are λᵢ = z·λ'ᵢ. In parallel projection the corners are (x, y, 1), the place is
  * (X, Y, 1) and λ'ᵢ = λᵢ.

@@ -6,6 +6,7 @@ import rasterlab.engine.light.LightModel;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Material;
 import rasterlab.engine.light.PointLighting;
+import rasterlab.engine.scene.FaceMiddle;
 import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;

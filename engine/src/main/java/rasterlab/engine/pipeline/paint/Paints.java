@@ -3,6 +3,7 @@ package rasterlab.engine.pipeline.paint;
 import java.util.Optional;
 import rasterlab.engine.color.Levels;
 import rasterlab.engine.light.ToneShading;
+import rasterlab.engine.scene.FaceMiddle;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.visibility.FacePaint;
 import rasterlab.engine.visibility.FlatPaint;

@@ -12,8 +12,8 @@ final class FaceCutter {
     /** Cutting takes time of up to the square of the corners. */
     static final int MOST_CORNERS = 1000;
 
-    /** As {@link Mesh} has it: twice the area over the squared size. */
-    private static final double TOLERANCE = 1e-9;
+    /** Twice the area over the squared size. */
+    private static final double TOLERANCE = Mesh.TOLERANCE;
 
     private final TextLines lines;
     private final Notes notes;

@@ -1,5 +1,6 @@
 package rasterlab.engine.scene.obj;
 
+import java.util.Arrays;
 import rasterlab.engine.scene.TriangleMesh;
 
 /** The triangles of one material: faces as fans over vertices that equal corners share. */
@@ -49,7 +50,7 @@ final class PartBuilder {
 
     private TriangleMesh colored(TriangleMesh mesh, double[] colors) {
         float[] opaque = new float[corners.size()];
-        java.util.Arrays.fill(opaque, 1);
+        Arrays.fill(opaque, 1);
         return mesh.withColors(
                 column(colors, 3, 0, POSITION),
                 column(colors, 3, 1, POSITION),

@@ -1,5 +1,7 @@
 package rasterlab.engine.scene.obj;
 
+import java.util.Arrays;
+
 /** The words of one line, divided by blanks, with readers for numbers. */
 final class Words {
     /** Magnitudes beyond this leave no room for squares in computing with floats. */
@@ -30,8 +32,8 @@ final class Words {
 
     private void add(int from, int to) {
         if (count == begin.length) {
-            begin = java.util.Arrays.copyOf(begin, 2 * count);
-            end = java.util.Arrays.copyOf(end, 2 * count);
+            begin = Arrays.copyOf(begin, 2 * count);
+            end = Arrays.copyOf(end, 2 * count);
         }
         begin[count] = from;
         end[count++] = to;

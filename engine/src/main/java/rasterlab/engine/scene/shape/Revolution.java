@@ -52,9 +52,7 @@ public final class Revolution implements Shape, Patch {
     /** The vase of {@link Vase}, closed below, with a natural spline through its radii. */
     public static Revolution vase() {
         double[] radii = Arrays.stream(Vase.radii()).asDoubleStream().toArray();
-        double[] z = new double[radii.length];
-        for (int b = 0; b < z.length; b++) z[b] = 25 * b - 125;
-        return new Revolution(z, radii, SplineEnds.natural(), true, false);
+        return new Revolution(Vase.heights(), radii, SplineEnds.natural(), true, false);
     }
 
     Profile profile() {

@@ -6,7 +6,7 @@ package rasterlab.engine.visibility;
  * <p>A new corner is computed from the kept end of its edge to the lost one, so two polygons that
  * share an edge get bit-equal ones.
  */
-final class ViewPolygon {
+final class EyePolygon {
     final double[] x;
     final double[] y;
     final double[] z;
@@ -15,7 +15,7 @@ final class ViewPolygon {
     /**
      * @param mostCorners the most corners there will be; each cut may add one
      */
-    ViewPolygon(int mostCorners) {
+    EyePolygon(int mostCorners) {
         x = new double[mostCorners];
         y = new double[mostCorners];
         z = new double[mostCorners];
@@ -34,7 +34,7 @@ final class ViewPolygon {
      * @param side 1 keeps what is farther than the plane, −1 what is nearer
      * @param kept receives it
      */
-    void cut(double plane, int side, ViewPolygon kept) {
+    void cut(double plane, int side, EyePolygon kept) {
         kept.size = 0;
         for (int a = size - 1, b = 0; b < size; a = b++) {
             boolean aIn = side * z[a] >= side * plane;
@@ -50,7 +50,7 @@ final class ViewPolygon {
      * @param normal x, y, z of n
      * @param kept receives it
      */
-    void cut(double[] normal, ViewPolygon kept) {
+    void cut(double[] normal, EyePolygon kept) {
         kept.size = 0;
         for (int a = size - 1, b = 0; b < size; a = b++) {
             double atA = normal[0] * x[a] + normal[1] * y[a] + normal[2] * z[a];
@@ -67,7 +67,7 @@ final class ViewPolygon {
         return values[a] + t * (values[b] - values[a]);
     }
 
-    private void addCrossing(ViewPolygon of, int in, int out, double plane) {
+    private void addCrossing(EyePolygon of, int in, int out, double plane) {
         double t = (of.z[in] - plane) / (of.z[in] - of.z[out]);
         add(of.x[in] + t * (of.x[out] - of.x[in]), of.y[in] + t * (of.y[out] - of.y[in]), plane);
     }
