@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.pipeline.direct.DirectLook;
@@ -14,6 +15,7 @@ import rasterlab.engine.pipeline.paint.FaceLights;
 import rasterlab.engine.pipeline.paint.Paints;
 import rasterlab.engine.pipeline.paint.SurfacePicture;
 import rasterlab.engine.pipeline.paint.Veil;
+import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 import rasterlab.engine.pipeline.wire.WirePicture;
 import rasterlab.engine.pipeline.wire.WireStyle;
 import rasterlab.engine.raster.Raster;
@@ -51,7 +53,19 @@ public final class Renderer implements AutoCloseable {
     private static final List<Method<Visibility>> KNOWN = methods();
 
     private final List<Method<Visibility>> visibilities = methods();
+    private final Supplier<TrianglePipeline> pipelines;
     private Optional<DirectPicture> direct = Optional.empty();
+
+    public Renderer() {
+        this(TrianglePipeline::new);
+    }
+
+    /**
+     * @param pipelines makes what draws by the method {@link #PIPELINE}
+     */
+    Renderer(Supplier<TrianglePipeline> pipelines) {
+        this.pipelines = pipelines;
+    }
 
     private static List<Method<Visibility>> methods() {
         List<Method<Visibility>> methods = new ArrayList<>(new Visibilities().methods());
@@ -221,7 +235,7 @@ public final class Renderer implements AutoCloseable {
     }
 
     private synchronized DirectPicture direct() {
-        if (direct.isEmpty()) direct = Optional.of(new DirectPicture());
+        if (direct.isEmpty()) direct = Optional.of(new DirectPicture(pipelines.get()));
         return direct.get();
     }
 

@@ -25,8 +25,15 @@ import rasterlab.engine.texture.TextureSampler;
 
 /** One picture after the other by one pipeline; keeps its working memory. One thread at a time. */
 public final class DirectPicture implements AutoCloseable {
-    private final TrianglePipeline pipeline = new TrianglePipeline();
+    private final TrianglePipeline pipeline;
     private DepthRaster picture = new DepthRaster(1, 1);
+
+    /**
+     * @param pipeline draws for this alone, and ends with it
+     */
+    public DirectPicture(TrianglePipeline pipeline) {
+        this.pipeline = pipeline;
+    }
 
     /**
      * Draws over the picture's background.

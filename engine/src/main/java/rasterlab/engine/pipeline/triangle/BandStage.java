@@ -6,11 +6,13 @@ import rasterlab.engine.lanes.Lanes;
 final class BandStage {
     private final TriangleScan scan = new TriangleScan();
     private final TinyScan tiny = new TinyScan();
-    private final PixelFill pixels = new PixelFill();
-    private final SmoothTriangles smooth;
+    private final LinearColors linear = new LinearColors();
+    private final RowLoops loops;
+    private final PixelFill pixels;
 
     BandStage(Lanes lanes) {
-        smooth = lanes.part(SmoothTriangles.class, PlainSmooth::new, "VectorSmooth");
+        loops = RowLoops.of(lanes);
+        pixels = new PixelFill(loops);
     }
 
     /**
@@ -35,23 +37,28 @@ final class BandStage {
         int first = triangles[at];
         int second = triangles[at + 1];
         int third = triangles[at + 2];
-        if (frame.surface instanceof Surface.Smooth) {
-            smooth.draw(vertices, first, second, third, frame.out, top);
-            return;
-        }
         if (tiny.load(vertices, first, second, third, frame.out, top)) {
             tiny.look(frame.out.width());
             if (tiny.count > 0) fillTiny(frame, vertices, third);
             return;
         }
         scan.load(vertices, first, second, third, frame.out, top);
-        scan.scan();
-        if (frame.surface instanceof Surface.PerPixel) pixels.fill(scan, vertices, third);
+        loops.scan(scan);
+        if (frame.surface instanceof Surface.Smooth) fillSmooth(frame.out, vertices);
+        else if (frame.surface instanceof Surface.PerPixel) pixels.fill(scan, vertices, third);
         else FlatFill.fill(frame.out, scan, vertices, FlatFill.argb(vertices.attributes, third));
     }
 
+    private void fillSmooth(DepthRaster out, ScreenVertices vertices) {
+        if (linear.fits(scan, vertices)) {
+            linear.load(scan, vertices);
+            loops.linear(out, scan, linear);
+        } else SmoothFill.perspective(out, scan, vertices);
+    }
+
     private void fillTiny(Frame frame, ScreenVertices vertices, int third) {
-        if (frame.surface instanceof Surface.PerPixel) pixels.fill(tiny, vertices, third);
+        if (frame.surface instanceof Surface.Smooth) TinyFill.smooth(frame.out, tiny, vertices);
+        else if (frame.surface instanceof Surface.PerPixel) pixels.fill(tiny, vertices, third);
         else TinyFill.flat(frame.out, tiny, vertices, FlatFill.argb(vertices.attributes, third));
     }
 }

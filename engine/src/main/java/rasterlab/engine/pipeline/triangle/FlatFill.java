@@ -20,9 +20,9 @@ final class FlatFill {
         float perC = (v.depth[scan.c] - base) * scan.inverseArea;
         float step = scan.stepB * perB + scan.stepC * perC;
         for (int row = 0; row < scan.rows; row++) {
-            int from = (scan.top + row) * out.width() + scan.left[row];
+            int from = scan.cell(row);
             int to = from + scan.count[row];
-            float z = base + scan.edgeB[row] * perB + scan.edgeC[row] * perC;
+            float z = base + (float) scan.edgeB[row] * perB + (float) scan.edgeC[row] * perC;
             float k = 0;
             for (int i = from; i < to; i++) {
                 float here = z + k * step;

@@ -98,11 +98,18 @@ final class LinearColors {
         stepBlue = (int) (toB * bb + toC * bc);
     }
 
-    /** Finds depth and colours at the pixel with these weights of corners b and c. */
-    void at(float weightB, float weightC) {
+    /** Finds depth and colours at the first pixel of a row. */
+    void at(TriangleScan scan, int row) {
+        float weightB = (float) scan.edgeB[row] * scan.inverseArea;
+        float weightC = (float) scan.edgeC[row] * scan.inverseArea;
         z = za + weightB * zb + weightC * zc;
         red = (int) (ra + weightB * rb + weightC * rc);
         green = (int) (ga + weightB * gb + weightC * gc);
         blue = (int) (ba + weightB * bb + weightC * bc);
+    }
+
+    /** 0xFFRRGGBB of whole numbers of 1/65536 level. */
+    static int argb(int red, int green, int blue) {
+        return 0xFF000000 | red & 0xFF0000 | green >>> 8 & 0xFF00 | blue >>> 16;
     }
 }

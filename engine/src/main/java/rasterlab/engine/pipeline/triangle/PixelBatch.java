@@ -20,17 +20,25 @@ public final class PixelBatch {
     private final Set<VertexQuantity> wanted = EnumSet.noneOf(VertexQuantity.class);
     private final Set<VertexQuantity> sloping = EnumSet.noneOf(VertexQuantity.class);
 
+    /** Loops that write eight numbers at a time may write so many beyond the last. */
+    static final int ROOM = SIZE + 8;
+
     /** The cell of the picture. */
-    final int[] cell = new int[SIZE];
+    final int[] cell = new int[ROOM];
+
+    /** The weights of the triangle's corners b and c. */
+    final float[] weightB = new float[ROOM];
+
+    final float[] weightC = new float[ROOM];
 
     /** Depth, 0 to 1. */
-    final float[] depth = new float[SIZE];
+    final float[] depth = new float[ROOM];
 
     /** 1/w, linear on the picture, and what it grows by to the right and down. */
-    final float[] nearness = new float[SIZE];
+    final float[] nearness = new float[ROOM];
 
-    final float[] nearnessRight = new float[SIZE];
-    final float[] nearnessDown = new float[SIZE];
+    final float[] nearnessRight = new float[ROOM];
+    final float[] nearnessDown = new float[ROOM];
 
     /** Pixels in use. */
     public int count;
@@ -54,7 +62,7 @@ public final class PixelBatch {
         for (VertexQuantity quantity : Frame.QUANTITIES)
             if (next.contains(quantity)) {
                 now.add(quantity);
-                if (!room.containsKey(quantity)) room.put(quantity, new float[SIZE]);
+                if (!room.containsKey(quantity)) room.put(quantity, new float[ROOM]);
             } else now.remove(quantity);
     }
 

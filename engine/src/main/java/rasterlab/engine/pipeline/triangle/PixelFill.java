@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.triangle;
 
+import java.util.Arrays;
 import rasterlab.engine.scene.VertexQuantity;
 
 /**
@@ -11,13 +12,9 @@ import rasterlab.engine.scene.VertexQuantity;
  */
 final class PixelFill {
     private final PixelBatch batch = new PixelBatch();
-    private final PixelSlopes slopes = new PixelSlopes(batch);
-
-    /** The weights of a triangle's corners b and c at its pixels. */
-    private final float[] weightB = new float[PixelBatch.SIZE];
-
-    private final float[] weightC = new float[PixelBatch.SIZE];
-
+    private final RowWeights weights = new RowWeights();
+    private final RowLoops loops;
+    private final PixelSlopes slopes;
     private final float[][] values = new float[Frame.QUANTITIES.length][];
     private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
     private DepthRaster out;
@@ -25,6 +22,14 @@ final class PixelFill {
     private Blending blending;
     private int count;
     private int firstFlat;
+
+    /** Whether the batch may still know of pixels from behind. */
+    private boolean fromBehind;
+
+    PixelFill(RowLoops loops) {
+        this.loops = loops;
+        slopes = new PixelSlopes(batch, loops);
+    }
 
     /** Forgets what a frame left behind that failed. */
     void begin(Frame frame) {
@@ -49,7 +54,11 @@ final class PixelFill {
      */
     void fill(TriangleScan scan, ScreenVertices v, int third) {
         int first = batch.count;
-        for (int row = 0; row < scan.rows; row++)
+        float[] depth = out.depth();
+        weights.load(scan, v);
+        for (int row = 0; row < scan.rows; row++) {
+            if (scan.count[row] == 0) continue;
+            weights.at(scan, row);
             for (int done = 0; done < scan.count[row]; ) {
                 if (batch.count == PixelBatch.SIZE) {
                     interpolate(scan, v, third, first);
@@ -57,9 +66,11 @@ final class PixelFill {
                     first = 0;
                 }
                 int n = Math.min(scan.count[row] - done, PixelBatch.SIZE - batch.count);
-                collect(scan, v, row, done, n);
+                int cell = scan.cell(row) + done;
+                loops.collect(depth, scan, weights, cell, done, n, blending.early(), batch);
                 done += n;
             }
+        }
         interpolate(scan, v, third, first);
     }
 
@@ -89,37 +100,8 @@ final class PixelFill {
             if (early) depth[cell] = here;
             else batch.depth[kept] = here;
             batch.cell[kept] = cell;
-            weightB[kept] = atB;
-            weightC[kept++] = atC;
-        }
-        batch.count = kept;
-    }
-
-    /** What is nearest of the n pixels of a row from its pixel {@code first} on. */
-    private void collect(TriangleScan scan, ScreenVertices v, int row, int first, int n) {
-        boolean early = blending.early();
-        float[] depth = out.depth();
-        float za = v.depth[scan.a];
-        float zb = v.depth[scan.b] - za;
-        float zc = v.depth[scan.c] - za;
-        float toB = scan.stepB * scan.inverseArea;
-        float toC = scan.stepC * scan.inverseArea;
-        float rowB = scan.edgeB[row] * scan.inverseArea;
-        float rowC = scan.edgeC[row] * scan.inverseArea;
-        float z = za + rowB * zb + rowC * zc;
-        float step = toB * zb + toC * zc;
-        int from = (scan.top + row) * out.width() + scan.left[row] + first;
-        int kept = batch.count;
-        float k = first - 1;
-        for (int cell = from; cell < from + n; cell++) {
-            k += 1;
-            float here = z + k * step;
-            if (!(here < depth[cell])) continue;
-            if (early) depth[cell] = here;
-            else batch.depth[kept] = here;
-            batch.cell[kept] = cell;
-            weightB[kept] = rowB + k * toB;
-            weightC[kept++] = rowC + k * toC;
+            batch.weightB[kept] = atB;
+            batch.weightC[kept++] = atC;
         }
         batch.count = kept;
     }
@@ -130,23 +112,22 @@ final class PixelFill {
         float qa = v.nearness[scan.a];
         float qb = v.nearness[scan.b];
         float qc = v.nearness[scan.c];
-        between(batch.nearness, first, qa, qb - qa, qc - qa);
-        for (int i = first; i < batch.count; i++) batch.fromBehind[i] = scan.fromBehind;
+        loops.between(batch, batch.nearness, first, qa, qb - qa, qc - qa);
+        if (fromBehind || scan.fromBehind) {
+            fromBehind = true;
+            Arrays.fill(batch.fromBehind, first, batch.count, scan.fromBehind);
+        }
         for (int k = 0; k < firstFlat; k++) {
             float a = v.attributes[k][scan.a] * (affine[k] ? 1 : qa);
             float b = v.attributes[k][scan.b] * (affine[k] ? 1 : qb) - a;
             float c = v.attributes[k][scan.c] * (affine[k] ? 1 : qc) - a;
-            between(values[k], first, a, b, c);
+            loops.between(batch, values[k], first, a, b, c);
         }
         for (int k = firstFlat; k < count; k++) {
             float value = v.attributes[k][third];
-            for (int i = first; i < batch.count; i++) values[k][i] = value;
+            loops.fill(batch, values[k], first, value);
         }
         slopes.interpolate(scan, v, first);
-    }
-
-    private void between(float[] to, int first, float a, float b, float c) {
-        for (int i = first; i < batch.count; i++) to[i] = a + weightB[i] * b + weightC[i] * c;
     }
 
     /** Divides, colours and writes what waits. */

@@ -10,14 +10,16 @@ import rasterlab.engine.scene.VertexQuantity;
  */
 final class PixelSlopes {
     private final PixelBatch batch;
+    private final RowLoops loops;
     private final int[] attribute = new int[Frame.QUANTITIES.length];
     private final float[][] right = new float[Frame.QUANTITIES.length][];
     private final float[][] down = new float[Frame.QUANTITIES.length][];
     private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
     private int count;
 
-    PixelSlopes(PixelBatch batch) {
+    PixelSlopes(PixelBatch batch, RowLoops loops) {
         this.batch = batch;
+        this.loops = loops;
     }
 
     void begin(Frame frame, PixelColors colors) {
@@ -42,20 +44,16 @@ final class PixelSlopes {
         float qa = v.nearness[scan.a];
         float qb = v.nearness[scan.b];
         float qc = v.nearness[scan.c];
-        fill(batch.nearnessRight, first, rightB * (qb - qa) + rightC * (qc - qa));
-        fill(batch.nearnessDown, first, downB * (qb - qa) + downC * (qc - qa));
+        loops.fill(batch, batch.nearnessRight, first, rightB * (qb - qa) + rightC * (qc - qa));
+        loops.fill(batch, batch.nearnessDown, first, downB * (qb - qa) + downC * (qc - qa));
         for (int k = 0; k < count; k++) {
             float[] values = v.attributes[attribute[k]];
             float a = values[scan.a] * (affine[k] ? 1 : qa);
             float b = values[scan.b] * (affine[k] ? 1 : qb) - a;
             float c = values[scan.c] * (affine[k] ? 1 : qc) - a;
-            fill(right[k], first, rightB * b + rightC * c);
-            fill(down[k], first, downB * b + downC * c);
+            loops.fill(batch, right[k], first, rightB * b + rightC * c);
+            loops.fill(batch, down[k], first, downB * b + downC * c);
         }
-    }
-
-    private void fill(float[] out, int first, float value) {
-        for (int i = first; i < batch.count; i++) out[i] = value;
     }
 
     /**

@@ -1,56 +1,15 @@
 package rasterlab.engine.pipeline.triangle;
 
-/** Colours of the vertices, perspective-correct between them, on triangles of any size. */
+/** Colours of the vertices, perspective-correct between them, with a division for each pixel. */
 final class SmoothFill {
     /** Added to a level it leaves the nearest whole number in the sum's lowest bits, 0x4B above. */
     static final float ROUND = 0x1p23f;
 
     private SmoothFill() {}
 
-    static void linear(DepthRaster out, TriangleScan scan, LinearColors colors) {
-        for (int row = 0; row < scan.rows; row++) {
-            int n = scan.count[row];
-            if (n == 0) continue;
-            colors.at(scan.edgeB[row] * scan.inverseArea, scan.edgeC[row] * scan.inverseArea);
-            linear(out, (scan.top + row) * out.width() + scan.left[row], n, colors);
-        }
-    }
-
-    /**
-     * One row, from a cell on at which the colours are.
-     *
-     * @param n number of pixels
-     */
-    static void linear(DepthRaster out, int from, int n, LinearColors colors) {
-        int[] argb = out.raster().argb();
-        float[] depth = out.depth();
-        float z = colors.z;
-        float stepZ = colors.stepZ;
-        int red = colors.red;
-        int green = colors.green;
-        int blue = colors.blue;
-        float k = 0;
-        for (int i = from; i < from + n; i++) {
-            float here = z + k * stepZ;
-            if (here < depth[i]) {
-                depth[i] = here;
-                argb[i] = argb(red, green, blue);
-            }
-            k += 1;
-            red += colors.stepRed;
-            green += colors.stepGreen;
-            blue += colors.stepBlue;
-        }
-    }
-
-    private static int argb(int red, int green, int blue) {
-        return 0xFF000000 | red & 0xFF0000 | green >>> 8 & 0xFF00 | blue >>> 16;
-    }
-
     static void perspective(DepthRaster out, TriangleScan scan, ScreenVertices v) {
         int[] argb = out.raster().argb();
         float[] depth = out.depth();
-        int width = out.width();
         int a = scan.a;
         int b = scan.b;
         int c = scan.c;
@@ -75,10 +34,10 @@ final class SmoothFill {
         qc -= qa;
         float stepZ = toB * zb + toC * zc;
         for (int row = 0; row < scan.rows; row++) {
-            float rowB = scan.edgeB[row] * scan.inverseArea;
-            float rowC = scan.edgeC[row] * scan.inverseArea;
+            float rowB = (float) scan.edgeB[row] * scan.inverseArea;
+            float rowC = (float) scan.edgeC[row] * scan.inverseArea;
             float z = za + rowB * zb + rowC * zc;
-            int from = (scan.top + row) * width + scan.left[row];
+            int from = scan.cell(row);
             for (int k = 0; k < scan.count[row]; k++) {
                 float here = z + k * stepZ;
                 if (!(here < depth[from + k])) continue;

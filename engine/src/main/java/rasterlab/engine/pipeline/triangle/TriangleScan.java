@@ -24,8 +24,13 @@ final class TriangleScan extends Scan {
     final int[] left = new int[ROWS];
 
     final int[] count = new int[ROWS];
-    final long[] edgeB = new long[ROWS];
-    final long[] edgeC = new long[ROWS];
+    final double[] edgeB = new double[ROWS];
+    final double[] edgeC = new double[ROWS];
+
+    /** The cell after the band's last. */
+    int end;
+
+    private int pictureWidth;
 
     /** The box: its first column and the column after its last. */
     int boxLeft;
@@ -56,6 +61,8 @@ final class TriangleScan extends Scan {
      */
     void load(ScreenVertices v, int first, int second, int third, DepthRaster out, int bandTop) {
         int bandBottom = Math.min(bandTop + ROWS, out.height());
+        pictureWidth = out.width();
+        end = bandBottom * pictureWidth;
         int ax = v.x[first];
         int ay = v.y[first];
         long area = cross(v.x[second] - ax, v.y[second] - ay, v.x[third] - ax, v.y[third] - ay);
@@ -69,7 +76,7 @@ final class TriangleScan extends Scan {
         int cx = v.x[c];
         int cy = v.y[c];
         boxLeft = Math.max(0, Subpixels.firstPixel(Math.min(ax, Math.min(bx, cx))));
-        boxRight = Math.min(out.width(), Subpixels.endPixel(Math.max(ax, Math.max(bx, cx))));
+        boxRight = Math.min(pictureWidth, Subpixels.endPixel(Math.max(ax, Math.max(bx, cx))));
         top = Math.max(bandTop, Subpixels.firstPixel(Math.min(ay, Math.min(by, cy))));
         rows = Math.min(bandBottom, Subpixels.endPixel(Math.max(ay, Math.max(by, cy)))) - top;
         stepA = (long) (by - cy) << Subpixels.BITS;
@@ -86,6 +93,11 @@ final class TriangleScan extends Scan {
         downB = (long) (ax - cx) << Subpixels.BITS;
         downC = (long) (bx - ax) << Subpixels.BITS;
         downA = (long) (cx - bx) << Subpixels.BITS;
+    }
+
+    /** The cell of a row's first pixel. */
+    int cell(int row) {
+        return (top + row) * pictureWidth + left[row];
     }
 
     private static long cross(int ax, int ay, int bx, int by) {

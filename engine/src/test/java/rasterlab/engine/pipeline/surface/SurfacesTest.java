@@ -7,8 +7,11 @@ import java.util.List;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.color.Levels;
+import rasterlab.engine.lanes.Lanes;
+import rasterlab.engine.pipeline.EightLanes;
 import rasterlab.engine.pipeline.FrameBytes;
 import rasterlab.engine.pipeline.triangle.Culling;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
@@ -49,14 +52,32 @@ class SurfacesTest {
         }
     }
 
+    @ParameterizedTest(name = "with {0} threads a bit of the picture of eight lanes is another")
+    @ValueSource(ints = {1, 2, 3})
+    void isTheSameInAnyNumberOfLanes(int threads) {
+        EightLanes.assumeThere();
+        for (Surface surface : LitSurfaces.all()) {
+            var one = new DepthRaster(160, 100);
+            var eight = new DepthRaster(160, 100);
+            try (var plain = new TrianglePipeline(1, Lanes.ONE);
+                    var vectors = new TrianglePipeline(threads, Lanes.EIGHT)) {
+                plain.drawOn(7, TORUS, VIEW, surface, one, () -> false);
+                vectors.drawOn(7, TORUS, VIEW, surface, eight, () -> false);
+            }
+            EightLanes.assertSame(one, eight, surface.toString());
+        }
+    }
+
     /** All into one picture, as a scene of several bodies is drawn. */
-    @ParameterizedTest(name = "{0} threads allocate in a later frame")
-    @ValueSource(ints = {1, 2})
-    void allocatesNothingAfterTheFirstFrame(int threads) {
+    @ParameterizedTest(name = "{0} threads, {1}: a later frame allocates")
+    @CsvSource({"1, ONE", "2, ONE", "1, EIGHT", "2, EIGHT"})
+    void allocatesNothingAfterTheFirstFrame(int threads, Lanes lanes) {
+        if (lanes == Lanes.EIGHT) EightLanes.assumeThere();
         var out = new DepthRaster(160, 100);
         var surfaces = LitSurfaces.all();
-        try (var pipeline = new TrianglePipeline(threads)) {
+        try (var pipeline = new TrianglePipeline(threads, lanes)) {
             FrameBytes.assertNoneInLaterFrames(
+                    lanes,
                     () -> {
                         for (int k = 0; k < surfaces.size(); k++)
                             pipeline.drawOn(7, TORUS, VIEW, surfaces.get(k), out, () -> false);

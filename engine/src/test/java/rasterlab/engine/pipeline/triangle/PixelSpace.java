@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.triangle;
 
+import java.util.Arrays;
 import java.util.List;
 import org.joml.Matrix4d;
 import rasterlab.engine.scene.TriangleMesh;
@@ -33,15 +34,19 @@ final class PixelSpace {
 
     /** Triangles of x, y pairs, all at depth 0.5. */
     static TriangleMesh mesh(float[] xy, int... triangles) {
-        int count = xy.length / 2;
-        float[] x = new float[count];
-        float[] y = new float[count];
-        float[] z = new float[count];
-        for (int i = 0; i < count; i++) {
+        float[] depth = new float[xy.length / 2];
+        Arrays.fill(depth, 0.5f);
+        return mesh(xy, depth, triangles);
+    }
+
+    /** Triangles of x, y pairs, each pair with its depth. */
+    static TriangleMesh mesh(float[] xy, float[] depth, int... triangles) {
+        float[] x = new float[depth.length];
+        float[] y = new float[depth.length];
+        for (int i = 0; i < depth.length; i++) {
             x[i] = xy[2 * i];
             y[i] = xy[2 * i + 1];
-            z[i] = 0.5f;
         }
-        return TriangleMesh.of(x, y, z, triangles);
+        return TriangleMesh.of(x, y, depth, triangles);
     }
 }

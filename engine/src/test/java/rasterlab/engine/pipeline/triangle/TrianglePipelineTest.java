@@ -12,7 +12,10 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.lanes.Lanes;
+import rasterlab.engine.pipeline.EightLanes;
 import rasterlab.engine.pipeline.FrameBytes;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
@@ -83,15 +86,16 @@ class TrianglePipelineTest {
         }
     }
 
-    @ParameterizedTest(name = "{0} threads allocate in a later frame")
-    @ValueSource(ints = {1, 2})
-    void allocatesNothingAfterTheFirstFrame(int threads) {
+    @ParameterizedTest(name = "{0} threads, {1}: a later frame allocates")
+    @CsvSource({"1, ONE", "2, ONE", "1, EIGHT", "2, EIGHT"})
+    void allocatesNothingAfterTheFirstFrame(int threads, Lanes lanes) {
+        if (lanes == Lanes.EIGHT) EightLanes.assumeThere();
         var out = new DepthRaster(WIDTH, HEIGHT);
         var surfaces = List.of(new Surface.Smooth(LIT), new Surface.PerPixel(NORMALS));
         for (Surface surface : surfaces)
-            try (var pipeline = new TrianglePipeline(threads)) {
+            try (var pipeline = new TrianglePipeline(threads, lanes)) {
                 FrameBytes.assertNoneInLaterFrames(
-                        () -> pipeline.drawOn(7, TORUS, VIEW, surface, out, () -> false));
+                        lanes, () -> pipeline.drawOn(7, TORUS, VIEW, surface, out, () -> false));
             }
     }
 

@@ -21,14 +21,9 @@ final class VectorRows {
     private static final double NO_END = 0x1p20;
 
     /** For each row: the first pixel counted from the box's left, the number of pixels. */
-    final double[] from = new double[TriangleScan.ROWS];
+    private final double[] from = new double[TriangleScan.ROWS];
 
-    final double[] count = new double[TriangleScan.ROWS];
-
-    /** eB and eC at the first pixel. */
-    final double[] edgeB = new double[TriangleScan.ROWS];
-
-    final double[] edgeC = new double[TriangleScan.ROWS];
+    private final double[] count = new double[TriangleScan.ROWS];
 
     void scan(TriangleScan s) {
         double perA = -1.0 / s.stepA;
@@ -55,11 +50,15 @@ final class VectorRows {
             DoubleVector last = kA.add(endA).min(kB.add(endB)).min(kC.add(endC)).min(width);
             first.intoArray(from, row);
             last.sub(first).max(0).intoArray(count, row);
-            first.mul(stepB).add(eB.sub(s.ownB + 0.5)).intoArray(edgeB, row);
-            first.mul(stepC).add(eC.sub(s.ownC + 0.5)).intoArray(edgeC, row);
+            first.mul(stepB).add(eB.sub(s.ownB + 0.5)).intoArray(s.edgeB, row);
+            first.mul(stepC).add(eC.sub(s.ownC + 0.5)).intoArray(s.edgeC, row);
             eA = eA.add(4.0 * s.downA);
             eB = eB.add(4.0 * s.downB);
             eC = eC.add(4.0 * s.downC);
+        }
+        for (int row = 0; row < s.rows; row++) {
+            s.left[row] = s.boxLeft + (int) from[row];
+            s.count[row] = (int) count[row];
         }
     }
 

@@ -1,11 +1,14 @@
 package rasterlab.tests.bench.pipeline;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import org.joml.Matrix4d;
 import org.lwjgl.opengl.GL11C;
+import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.Surface;
-import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 import rasterlab.engine.pipeline.triangle.TriangleView;
 import rasterlab.engine.pipeline.triangle.VertexColors;
 import rasterlab.engine.scene.TriangleMesh;
@@ -25,34 +28,49 @@ final class FillBench {
         rounds = quick ? 10 : 40;
     }
 
-    Row run(int side, double goal, TrianglePipeline pipeline) {
+    /**
+     * One row for each way.
+     *
+     * @param goals with the Vector API and without
+     */
+    List<Row> run(int side, Map<Lanes, Double> goals, List<Way> ways) {
         var mesh = mesh(side, AREA / (side * side));
         var toEye = new Matrix4d();
         var toClip = new Matrix4d();
         var view = new TriangleView(toEye, toClip);
         var surface = new Surface.Smooth(VertexColors.own());
-        var out = new DepthRaster(WIDTH, HEIGHT);
+        var pictures = new ArrayList<DepthRaster>();
+        var runs = new ArrayList<Runnable>();
+        for (Way way : ways) {
+            var out = new DepthRaster(WIDTH, HEIGHT);
+            pictures.add(out);
+            runs.add(() -> way.pipeline().drawOn(0, mesh, view, surface, out, () -> false));
+        }
         try (var target = new GlTarget(WIDTH, HEIGHT);
                 var program = GlProgram.colored();
                 var glMesh = new GlMesh(mesh, VertexQuantity.RED)) {
             GL11C.glEnable(GL11C.GL_CULL_FACE);
             program.use(toEye, toClip);
-            var turns =
-                    new Turns(
-                            rounds,
-                            () -> pipeline.drawOn(0, mesh, view, surface, out, () -> false),
-                            () -> {
-                                target.clear(0xFF000000);
-                                glMesh.draw();
-                                GL11C.glFinish();
-                            });
-            return new Row(
-                    "%,d triangles of %d px with depth".formatted(mesh.triangleCount(), side),
-                    turns.text(0),
-                    "OpenGL " + turns.text(1),
-                    turns.ratio(1, 0),
-                    goal,
-                    Difference.of(out.raster().argb(), target.read()).text());
+            runs.add(
+                    () -> {
+                        target.clear(0xFF000000);
+                        glMesh.draw();
+                        GL11C.glFinish();
+                    });
+            var turns = new Turns(rounds, runs.toArray(Runnable[]::new));
+            int[] peer = target.read();
+            var rows = new ArrayList<Row>();
+            for (int k = 0; k < ways.size(); k++)
+                rows.add(
+                        new Row(
+                                "%,d triangles of %d px with depth, %s"
+                                        .formatted(mesh.triangleCount(), side, ways.get(k).name()),
+                                turns.text(k),
+                                "OpenGL " + turns.text(ways.size()),
+                                turns.ratio(ways.size(), k),
+                                goals.get(ways.get(k).lanes()),
+                                Difference.of(pictures.get(k).raster().argb(), peer).text()));
+            return rows;
         }
     }
 

@@ -2,8 +2,10 @@ package rasterlab.tests.bench.pipeline;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.Surface;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
@@ -41,11 +43,12 @@ final class HeapBench {
     /** Whether the process did its work; what it says is shown. */
     private static boolean ended() {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        String[] command = {
-            java, HEAP, "-cp", System.getProperty("java.class.path"), HeapBench.class.getName()
-        };
+        var command = new ArrayList<>(List.of(java, HEAP));
+        if (Lanes.best() == Lanes.EIGHT) command.add("--add-modules=jdk.incubator.vector");
+        command.addAll(
+                List.of("-cp", System.getProperty("java.class.path"), HeapBench.class.getName()));
         try {
-            Process process = new ProcessBuilder(List.of(command)).inheritIO().start();
+            Process process = new ProcessBuilder(command).inheritIO().start();
             if (process.waitFor(5, TimeUnit.MINUTES)) return process.exitValue() == 0;
             process.destroyForcibly();
             return false;

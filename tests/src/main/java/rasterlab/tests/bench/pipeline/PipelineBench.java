@@ -3,11 +3,15 @@ package rasterlab.tests.bench.pipeline;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Supplier;
+import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 
 /**
  * The pipeline's goals: one line each, printed as soon as it is measured.
+ *
+ * <p>Where the Vector API is there, each is measured with it and without.
  *
  * <p>On one core (LP_NUM_THREADS=0 taskset -c 1 ./lab bench pipeline) the goals are those of one
  * core, and the figures the steadiest.
@@ -29,24 +33,27 @@ public final class PipelineBench {
         this.out = out;
     }
 
-    private record Job(String work, Supplier<Row> row) {}
+    private record Job(String work, Supplier<List<Row>> rows) {}
 
     /** Prints the table, without OpenGL's lines where there is no OpenGL. */
     public void run() {
         int cores = Runtime.getRuntime().availableProcessors();
-        try (var pipeline = new TrianglePipeline()) {
+        List<Way> ways = Way.all();
+        try {
+            out.println("our pipeline runs " + Way.names());
             String missing = "";
             try (var gl = GlContext.open()) {
                 out.println(machine(cores) + "; OpenGL: " + gl.renderer());
-                print(openGlJobs(pipeline, cores));
+                print(openGlJobs(ways, cores));
             } catch (NoOpenGl e) {
                 missing = "no OpenGL here: " + e.getMessage();
                 out.println(machine(cores) + "; " + missing);
                 out.println(Row.HEAD);
-                for (Job job : openGlJobs(pipeline, cores))
-                    out.println(Row.without(job.work, missing));
+                for (Job job : openGlJobs(ways, cores)) out.println(Row.without(job.work, missing));
             }
-            printRows(ownJobs(pipeline));
+            printRows(ownJobs(ways.get(0).pipeline()));
+        } finally {
+            ways.forEach(Way::close);
         }
     }
 
@@ -59,7 +66,7 @@ public final class PipelineBench {
                         Runtime.version());
     }
 
-    private List<Job> openGlJobs(TrianglePipeline pipeline, int cores) {
+    private List<Job> openGlJobs(List<Way> ways, int cores) {
         var torus = new TorusBench(quick);
         var fill = new FillBench(quick);
         var jobs = new ArrayList<Job>();
@@ -71,14 +78,16 @@ public final class PipelineBench {
                     jobs.add(
                             new Job(
                                     scene + ", " + look.text(),
-                                    () -> torus.run(scene, look, goal, pipeline)));
+                                    () -> torus.run(scene, look, goal, ways)));
                 }
-        double[][] fills = {{10, 2}, {50, 1.5}, {200, 1.5}};
-        for (double[] each : fills)
+        double[][] fills = {{10, 2.3, 2}, {50, 2.5, 1.5}, {200, 3.5, 1.5}};
+        for (double[] each : fills) {
+            var goals = Map.of(Lanes.EIGHT, each[1], Lanes.ONE, each[2]);
             jobs.add(
                     new Job(
                             "triangles of " + (int) each[0] + " px with depth",
-                            () -> fill.run((int) each[0], each[1], pipeline)));
+                            () -> fill.run((int) each[0], goals, ways)));
+        }
         return wanted(jobs);
     }
 
@@ -86,12 +95,12 @@ public final class PipelineBench {
         var own = new OwnBench(quick);
         return wanted(
                 List.of(
-                        new Job("threads", () -> own.threads(pipeline)),
-                        new Job("clear", () -> own.clear(pipeline)),
-                        new Job("present a frame", () -> own.present()),
-                        new Job("memory limit", () -> own.memory(pipeline)),
-                        new Job("heap", HeapBench::run),
-                        new Job("Java2D", () -> own.java2d(pipeline))));
+                        new Job("threads", () -> List.of(own.threads(pipeline))),
+                        new Job("clear", () -> List.of(own.clear(pipeline))),
+                        new Job("present a frame", () -> List.of(own.present())),
+                        new Job("memory limit", () -> List.of(own.memory(pipeline))),
+                        new Job("heap", () -> List.of(HeapBench.run())),
+                        new Job("Java2D", () -> List.of(own.java2d(pipeline)))));
     }
 
     private List<Job> wanted(List<Job> jobs) {
@@ -104,6 +113,6 @@ public final class PipelineBench {
     }
 
     private void printRows(List<Job> jobs) {
-        for (Job job : jobs) out.println(job.row.get());
+        for (Job job : jobs) job.rows.get().forEach(out::println);
     }
 }

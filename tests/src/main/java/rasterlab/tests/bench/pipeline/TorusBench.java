@@ -1,8 +1,9 @@
 package rasterlab.tests.bench.pipeline;
 
+import java.util.ArrayList;
+import java.util.List;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.Surface;
-import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 
 /** A torus by the pipeline and by OpenGL: clear, light, texture, draw, finish. */
 final class TorusBench {
@@ -14,25 +15,34 @@ final class TorusBench {
         rounds = quick ? ROUNDS / 4 : ROUNDS;
     }
 
-    Row run(TorusScene scene, TorusLook look, double goal, TrianglePipeline pipeline) {
+    /** One row for each way, the goal in the first one's. */
+    List<Row> run(TorusScene scene, TorusLook look, double goal, List<Way> ways) {
         var mesh = scene.mesh();
         var view = scene.view();
-        var out = new DepthRaster(scene.width(), scene.height());
         Surface surface = look.surface(scene);
         int back = TorusScene.BACKGROUND;
+        var pictures = new ArrayList<DepthRaster>();
+        var runs = new ArrayList<Runnable>();
+        for (Way way : ways) {
+            var out = new DepthRaster(scene.width(), scene.height());
+            pictures.add(out);
+            runs.add(() -> way.pipeline().drawOn(back, mesh, view, surface, out, () -> false));
+        }
         try (var torus = new GlTorus(scene, look, mesh)) {
-            var turns =
-                    new Turns(
-                            rounds,
-                            () -> pipeline.drawOn(back, mesh, view, surface, out, () -> false),
-                            torus::draw);
-            return new Row(
-                    scene + ", " + look.text(),
-                    turns.text(0),
-                    "OpenGL " + turns.text(1),
-                    turns.ratio(1, 0),
-                    goal,
-                    Difference.of(out.raster().argb(), torus.read()).text());
+            runs.add(torus::draw);
+            var turns = new Turns(rounds, runs.toArray(Runnable[]::new));
+            int[] peer = torus.read();
+            var rows = new ArrayList<Row>();
+            for (int k = 0; k < ways.size(); k++)
+                rows.add(
+                        new Row(
+                                "%s, %s, %s".formatted(scene, look.text(), ways.get(k).name()),
+                                turns.text(k),
+                                "OpenGL " + turns.text(ways.size()),
+                                turns.ratio(ways.size(), k),
+                                k == 0 ? goal : 0,
+                                Difference.of(pictures.get(k).raster().argb(), peer).text()));
+            return rows;
         }
     }
 }

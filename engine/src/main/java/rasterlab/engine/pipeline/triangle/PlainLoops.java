@@ -1,0 +1,96 @@
+package rasterlab.engine.pipeline.triangle;
+
+import java.util.Arrays;
+
+/** One pixel after the other. */
+final class PlainLoops implements RowLoops {
+    @Override
+    public void scan(TriangleScan scan) {
+        scan.scan();
+    }
+
+    @Override
+    public void linear(DepthRaster out, TriangleScan scan, LinearColors colors) {
+        linear(out, scan, colors, 0, scan.rows);
+    }
+
+    /** The rows from {@code first} to the one before {@code end}. */
+    static void linear(
+            DepthRaster out, TriangleScan scan, LinearColors colors, int first, int end) {
+        int[] argb = out.raster().argb();
+        float[] depth = out.depth();
+        float stepZ = colors.stepZ;
+        int stepRed = colors.stepRed;
+        int stepGreen = colors.stepGreen;
+        int stepBlue = colors.stepBlue;
+        for (int row = first; row < end; row++) {
+            int n = scan.count[row];
+            if (n == 0) continue;
+            colors.at(scan, row);
+            float z = colors.z;
+            int red = colors.red;
+            int green = colors.green;
+            int blue = colors.blue;
+            int from = scan.cell(row);
+            float k = 0;
+            for (int i = from; i < from + n; i++) {
+                float here = z + k * stepZ;
+                if (here < depth[i]) {
+                    depth[i] = here;
+                    argb[i] = LinearColors.argb(red, green, blue);
+                }
+                k += 1;
+                red += stepRed;
+                green += stepGreen;
+                blue += stepBlue;
+            }
+        }
+    }
+
+    @Override
+    public void collect(
+            float[] depth,
+            TriangleScan scan,
+            RowWeights weights,
+            int cell,
+            int first,
+            int n,
+            boolean early,
+            PixelBatch batch) {
+        collect(depth, weights, cell, first, n, early, batch);
+    }
+
+    static void collect(
+            float[] depth,
+            RowWeights weights,
+            int from,
+            int first,
+            int n,
+            boolean early,
+            PixelBatch batch) {
+        int kept = batch.count;
+        float k = first - 1;
+        for (int cell = from; cell < from + n; cell++) {
+            k += 1;
+            float here = weights.z + k * weights.stepZ;
+            if (!(here < depth[cell])) continue;
+            if (early) depth[cell] = here;
+            else batch.depth[kept] = here;
+            batch.cell[kept] = cell;
+            batch.weightB[kept] = weights.rowB + k * weights.toB;
+            batch.weightC[kept++] = weights.rowC + k * weights.toC;
+        }
+        batch.count = kept;
+    }
+
+    @Override
+    public void between(PixelBatch batch, float[] to, int first, float a, float b, float c) {
+        for (int i = first; i < batch.count; i++)
+            to[i] = a + batch.weightB[i] * b + batch.weightC[i] * c;
+    }
+
+    @Override
+    public void fill(PixelBatch batch, float[] to, int first, float value) {
+        Arrays.fill(to, first, batch.count, value);
+    }
+}

@@ -1,0 +1,43 @@
+package rasterlab.engine.pipeline.triangle;
+
+import rasterlab.engine.lanes.Lanes;
+
+/**
+ * The loops over rows and pixels that there are for one lane and for eight. One per thread.
+ *
+ * <p>All write the same bit for bit, but cells of a batch beyond its pixels.
+ */
+interface RowLoops {
+    static RowLoops of(Lanes lanes) {
+        return lanes.part(RowLoops.class, PlainLoops::new, "VectorLoops");
+    }
+
+    /** Finds each row's pixels, as {@link TriangleScan#scan} does. */
+    void scan(TriangleScan scan);
+
+    /** Draws a triangle whose depth and colours are linear. */
+    void linear(DepthRaster out, TriangleScan scan, LinearColors colors);
+
+    /**
+     * Adds those of n pixels of a row to a batch that are nearer than what is there.
+     *
+     * @param cell of the first of them
+     * @param first its place in the row
+     * @param early whether their depth is written at once
+     */
+    void collect(
+            float[] depth,
+            TriangleScan scan,
+            RowWeights weights,
+            int cell,
+            int first,
+            int n,
+            boolean early,
+            PixelBatch batch);
+
+    /** Writes {@code a + weightB·b + weightC·c} for the batch's pixels from {@code first} on. */
+    void between(PixelBatch batch, float[] to, int first, float a, float b, float c);
+
+    /** Writes a number for the batch's pixels from {@code first} on. */
+    void fill(PixelBatch batch, float[] to, int first, float value);
+}

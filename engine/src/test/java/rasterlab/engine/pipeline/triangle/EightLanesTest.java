@@ -1,0 +1,92 @@
+package rasterlab.engine.pipeline.triangle;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.lanes.Lanes;
+import rasterlab.engine.pipeline.EightLanes;
+import rasterlab.engine.pipeline.surface.ColoredPixels;
+import rasterlab.engine.scene.TriangleMesh;
+
+/** The picture of eight lanes beside that of one, bit for bit. */
+class EightLanesTest {
+    private static final int PICTURES = 60;
+    private static final int TRIANGLES = 60;
+
+    private static final List<Surface> SURFACES =
+            List.of(
+                    new Surface.Smooth(VertexColors.own()),
+                    new Surface.Flat(VertexColors.own()),
+                    new Surface.PerPixel(new ColoredPixels()),
+                    new Surface.PerPixel(new ColoredPixels()).with(Blending.GLASS),
+                    new Surface.PerPixel(new ColoredPixels())
+                            .over(new Surface.Flat(VertexColors.own()))
+                            .with(Blending.OVER.dropBelow(90)));
+
+    @BeforeAll
+    static void needEight() {
+        EightLanes.assumeThere();
+    }
+
+    /** Pictures as wide as one pixel to more than a batch, triangles from specks to slivers. */
+    @ParameterizedTest(name = "with {0} threads a bit of a picture is another")
+    @ValueSource(ints = {1, 2, 3})
+    void drawTheSamePicture(int threads) {
+        long seed = 2026 + threads;
+        var random = new Random(seed);
+        try (var one = new TrianglePipeline(1, Lanes.ONE);
+                var eight = new TrianglePipeline(threads, Lanes.EIGHT)) {
+            for (int k = 0; k < PICTURES; k++) {
+                int width = 1 + random.nextInt(k % 4 == 0 ? 1500 : 70);
+                int height = 1 + random.nextInt(100);
+                var view = PixelSpace.view(width, height, Culling.NONE);
+                var mesh = mesh(random, width, height);
+                for (Surface surface : SURFACES) {
+                    var expected = new DepthRaster(width, height);
+                    var actual = new DepthRaster(width, height);
+                    one.drawOn(7, mesh, view, surface, expected, () -> false);
+                    eight.drawOn(7, mesh, view, surface, actual, () -> false);
+                    EightLanes.assertSame(
+                            expected,
+                            actual,
+                            "seed %d, picture %d, %s".formatted(seed, k, surface));
+                }
+            }
+        }
+    }
+
+    /** Some corners on whole pixels, some triangles far beyond the picture. */
+    private static TriangleMesh mesh(Random random, int width, int height) {
+        float[] corners = new float[6 * TRIANGLES];
+        float[] depth = new float[3 * TRIANGLES];
+        float[][] color = new float[4][3 * TRIANGLES];
+        int[] triangles = new int[3 * TRIANGLES];
+        for (int t = 0; t < TRIANGLES; t++) {
+            float reach = (float) Math.exp(random.nextDouble() * Math.log(3 * width + 50));
+            float x = random.nextFloat() * (width + reach) - reach;
+            float y = random.nextFloat() * (height + reach) - reach;
+            boolean whole = random.nextInt(4) == 0;
+            for (int v = 3 * t; v < 3 * t + 3; v++) {
+                float right = x + random.nextFloat() * reach;
+                float down = y + random.nextFloat() * reach;
+                corners[2 * v] = whole ? Math.round(right) : right;
+                corners[2 * v + 1] = whole ? Math.round(down) : down;
+                depth[v] = 0.05f + random.nextFloat() * 0.9f;
+                triangles[v] = v;
+                for (float[] channel : color) channel[v] = random.nextFloat();
+            }
+        }
+        return PixelSpace.mesh(corners, depth, triangles)
+                .withColors(color[0], color[1], color[2], color[3]);
+    }
+
+    @Test
+    void chooseEightWhereTheyAre() {
+        assertTrue(Lanes.best() == Lanes.EIGHT, "one lane was chosen");
+    }
+}

@@ -1,0 +1,125 @@
+package rasterlab.engine.pipeline.triangle;
+
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * Eight pixels at a time, each computed as {@link PlainLoops} computes it.
+ *
+ * <p>All eight pixels are read and written back, those that the triangle does not own as they were:
+ * a band belongs to one thread. Where the eight would leave the band they are drawn one by one. No
+ * vector goes from one turn of a loop to the next: those that began as constants would be made
+ * objects.
+ */
+final class VectorLoops implements RowLoops {
+    private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
+    private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
+    private static final int LANES = FLOATS.length();
+    private static final FloatVector NUMBERS =
+            FloatVector.fromArray(FLOATS, new float[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
+    private static final IntVector WHOLE_NUMBERS =
+            IntVector.fromArray(INTS, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
+
+    private final VectorRows rows = new VectorRows();
+
+    @Override
+    public void scan(TriangleScan scan) {
+        rows.scan(scan);
+    }
+
+    @Override
+    public void linear(DepthRaster out, TriangleScan scan, LinearColors colors) {
+        IntVector reds = WHOLE_NUMBERS.mul(colors.stepRed);
+        IntVector greens = WHOLE_NUMBERS.mul(colors.stepGreen);
+        IntVector blues = WHOLE_NUMBERS.mul(colors.stepBlue);
+        int[] argb = out.raster().argb();
+        float[] depth = out.depth();
+        for (int row = 0; row < scan.rows; row++) {
+            int n = scan.count[row];
+            if (n == 0) continue;
+            int from = scan.cell(row);
+            if (from + n + LANES > scan.end) {
+                PlainLoops.linear(out, scan, colors, row, row + 1);
+                continue;
+            }
+            colors.at(scan, row);
+            for (int done = 0; done < n; done += LANES) {
+                FloatVector k = NUMBERS.add(done);
+                FloatVector here = k.mul(colors.stepZ).add(colors.z);
+                FloatVector there = FloatVector.fromArray(FLOATS, depth, from + done);
+                VectorMask<Float> nearer =
+                        here.compare(VectorOperators.LT, there)
+                                .and(k.compare(VectorOperators.LT, n));
+                there.blend(here, nearer).intoArray(depth, from + done);
+                IntVector red = reds.add(colors.red + done * colors.stepRed);
+                IntVector green = greens.add(colors.green + done * colors.stepGreen);
+                IntVector blue = blues.add(colors.blue + done * colors.stepBlue);
+                IntVector color =
+                        red.and(0xFF0000)
+                                .or(green.lanewise(VectorOperators.LSHR, 8).and(0xFF00))
+                                .or(blue.lanewise(VectorOperators.LSHR, 16))
+                                .or(0xFF000000);
+                IntVector.fromArray(INTS, argb, from + done)
+                        .blend(color, nearer.cast(INTS))
+                        .intoArray(argb, from + done);
+            }
+        }
+    }
+
+    @Override
+    public void collect(
+            float[] depth,
+            TriangleScan scan,
+            RowWeights weights,
+            int cell,
+            int first,
+            int n,
+            boolean early,
+            PixelBatch batch) {
+        if (cell + n + LANES > scan.end) {
+            PlainLoops.collect(depth, weights, cell, first, n, early, batch);
+            return;
+        }
+        for (int done = 0; done < n; done += LANES) {
+            int left = Math.min(LANES, n - done);
+            FloatVector k = NUMBERS.add(first + done);
+            FloatVector here = k.mul(weights.stepZ).add(weights.z);
+            FloatVector there = FloatVector.fromArray(FLOATS, depth, cell + done);
+            VectorMask<Float> nearer =
+                    here.compare(VectorOperators.LT, there)
+                            .and(NUMBERS.compare(VectorOperators.LT, left));
+            int count = nearer.trueCount();
+            if (count == 0) continue;
+            if (count < left) {
+                PlainLoops.collect(depth, weights, cell + done, first + done, left, early, batch);
+                continue;
+            }
+            int kept = batch.count;
+            if (early) there.blend(here, nearer).intoArray(depth, cell + done);
+            else here.intoArray(batch.depth, kept);
+            WHOLE_NUMBERS.add(cell + done).intoArray(batch.cell, kept);
+            k.mul(weights.toB).add(weights.rowB).intoArray(batch.weightB, kept);
+            k.mul(weights.toC).add(weights.rowC).intoArray(batch.weightC, kept);
+            batch.count = kept + left;
+        }
+    }
+
+    @Override
+    public void between(PixelBatch batch, float[] to, int first, float a, float b, float c) {
+        for (int i = first; i < batch.count; i += LANES)
+            FloatVector.fromArray(FLOATS, batch.weightB, i)
+                    .mul(b)
+                    .add(a)
+                    .add(FloatVector.fromArray(FLOATS, batch.weightC, i).mul(c))
+                    .intoArray(to, i);
+    }
+
+    @Override
+    public void fill(PixelBatch batch, float[] to, int first, float value) {
+        FloatVector values = FloatVector.broadcast(FLOATS, value);
+        for (int i = first; i < batch.count; i += LANES) values.intoArray(to, i);
+    }
+}
