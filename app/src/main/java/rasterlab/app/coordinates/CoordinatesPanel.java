@@ -8,6 +8,8 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.coordinates.list.ListPanel;
+import rasterlab.app.coordinates.stack.StackPanel;
+import rasterlab.app.coordinates.turn.TurnPanel;
 import rasterlab.app.coordinates.view.ViewPanel;
 import rasterlab.app.language.Language;
 
@@ -42,7 +44,11 @@ public final class CoordinatesPanel extends LabPanel {
                     case TRANSFORMATIONS ->
                             new ListPanel(
                                     model.transformations(), language, this::choose, onFailure);
-                    default -> new ViewPanel(model.views(), language, this::choose, onFailure);
+                    case ROTATION ->
+                            new TurnPanel(model.rotation(), language, this::choose, onFailure);
+                    case STACK ->
+                            new StackPanel(model.stack(), language, this::choose, onFailure);
+                    case VIEWS -> new ViewPanel(model.views(), language, this::choose, onFailure);
                 };
         add(card, mode.code());
         return card;

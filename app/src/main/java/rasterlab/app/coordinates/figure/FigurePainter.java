@@ -44,6 +44,7 @@ final class FigurePainter {
         else if (mark instanceof Mark.Dot dot) dot(dot);
         else if (mark instanceof Mark.Cross cross) cross(cross);
         else if (mark instanceof Mark.Words words) words(words);
+        else if (mark instanceof Mark.Beside beside) beside(beside);
     }
 
     private Color colour(Ink ink) {
@@ -54,7 +55,7 @@ final class FigurePainter {
             case AXIS_Y -> MethodColours.GREEN;
             case AXIS_Z, PLANE -> MethodColours.SKY_BLUE;
             case EYE -> MethodColours.PURPLE;
-            case WRONG -> MethodColours.VERMILLION;
+            case WRONG, PRINTED -> MethodColours.VERMILLION;
             case LEFT_EYE -> RED;
             case RIGHT_EYE -> CYAN;
             case METHOD -> MethodColours.of(ink.method());
@@ -65,7 +66,7 @@ final class FigurePainter {
         return switch (role) {
             case GHOST -> dashed(1.4f, 2f, 4f);
             case HELP -> dashed(1f, 5f, 5f);
-            case WRONG -> dashed(2.2f, 8f, 4f);
+            case WRONG, PRINTED -> dashed(2.2f, 8f, 4f);
             case PLANE -> new BasicStroke(1.2f);
             default ->
                     new BasicStroke(2.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
@@ -152,6 +153,11 @@ final class FigurePainter {
 
     private void words(Mark.Words words) {
         if (words.at().isFinite()) label(words.label(), x(words.at()), y(words.at()));
+    }
+
+    private void beside(Mark.Beside beside) {
+        double half = g.getFontMetrics().stringWidth(beside.label()) / 2.0;
+        if (beside.at().isFinite()) label(beside.label(), x(beside.at()) + 6 + half, y(beside.at()));
     }
 
     /** To the right of a place, and a little above it. */

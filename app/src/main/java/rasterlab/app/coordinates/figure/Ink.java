@@ -17,6 +17,7 @@ public record Ink(Role role, String method) {
         PLANE,
         EYE,
         WRONG,
+        PRINTED,
         LEFT_EYE,
         RIGHT_EYE,
         METHOD
@@ -36,6 +37,9 @@ public record Ink(Role role, String method) {
 
     /** What must not be drawn so. */
     public static final Ink WRONG = new Ink(Role.WRONG, "");
+
+    /** What a faulty method made instead of the right thing. */
+    public static final Ink PRINTED = new Ink(Role.PRINTED, "");
 
     public static final Ink LEFT_EYE = new Ink(Role.LEFT_EYE, "");
     public static final Ink RIGHT_EYE = new Ink(Role.RIGHT_EYE, "");

@@ -36,4 +36,7 @@ public sealed interface Mark {
 
     /** Words whose middle is there. */
     record Words(Spot at, Ink ink, String label) implements Mark {}
+
+    /** Words that begin there. */
+    record Beside(Spot at, Ink ink, String label) implements Mark {}
 }

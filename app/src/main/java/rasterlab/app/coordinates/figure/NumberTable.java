@@ -32,12 +32,12 @@ public final class NumberTable extends JEditorPane {
     public void show(List<String> headings, List<List<String>> rows, int marked) {
         var html = new StringBuilder("<html><body><table cellspacing=0 cellpadding=1><tr>");
         for (String heading : headings)
-            html.append("<td align=right><b>&nbsp;&nbsp;").append(heading).append("</b></td>");
+            html.append("<td align=right nowrap><b>&nbsp;&nbsp;").append(heading).append("</b></td>");
         html.append("</tr>");
         for (int i = 0; i < rows.size(); i++) {
             html.append("<tr>");
             for (String cell : rows.get(i))
-                html.append("<td align=right>&nbsp;&nbsp;")
+                html.append("<td align=right nowrap>&nbsp;&nbsp;")
                         .append(i == marked ? "<b>" + cell + "</b>" : cell)
                         .append("</td>");
             html.append("</tr>");

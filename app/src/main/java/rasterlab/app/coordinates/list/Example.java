@@ -2,6 +2,7 @@ package rasterlab.app.coordinates.list;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Stream;
 import rasterlab.engine.naming.Named;
 
@@ -70,6 +71,14 @@ public enum Example {
                 .filter(each -> each.subject.wire().dimension() == dimension)
                 .findFirst()
                 .orElseThrow();
+    }
+
+    /** The example that a choice shows, if it shows one. */
+    static Optional<Example> shown(ListChoice choice) {
+        return Stream.of(values())
+                .filter(each -> each.items.equals(choice.items()))
+                .filter(each -> each.subject == choice.subject())
+                .findFirst();
     }
 
     ListChoice in(ListChoice choice) {

@@ -13,6 +13,9 @@ import rasterlab.engine.transform.matrix.MatrixCall;
 
 /** What the stage shows of a list after some of its steps. */
 final class ListFigure {
+    /** An axis is so many times as long as the subject reaches. */
+    private static final double LONGER = 1.3;
+
     private static final String[] AXES = {"x", "y", "z"};
     private static final String[] MOVED = {"x′", "y′", "z′"};
 
@@ -41,12 +44,11 @@ final class ListFigure {
         for (int earlier = 0; earlier < step; earlier++)
             wire(scene.images(earlier, false), Ink.GHOST);
         if (scene.wrong()) wire(scene.images(step, true), Ink.OBJECT);
-        if (scene.choice().reading() == Reading.FRAME) frame(step);
-        double[] h = scene.h(step);
         wire(
                 scene.images(step, false),
-                scene.wrong() ? Ink.method(scene.choice().method()) : Ink.OBJECT,
-                h);
+                scene.wrong() ? Ink.PRINTED : Ink.OBJECT,
+                scene.h(step));
+        if (scene.choice().reading() == Reading.FRAME) frame(step);
     }
 
     private List<Spot> places(double[] points) {
@@ -107,7 +109,7 @@ final class ListFigure {
 
     /** The axes that the steps have moved. */
     private void frame(int step) {
-        List<Spot> ends = finite(scene.frame(step));
+        List<Spot> ends = finite(scene.frame(step, LONGER * reach()));
         for (int axis = 0; axis < dimension; axis++)
             marks.add(
                     new Mark.Arrow(

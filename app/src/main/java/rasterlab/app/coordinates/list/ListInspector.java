@@ -26,6 +26,7 @@ final class ListInspector {
     private final Texts texts;
     private final Texts translations;
     private final Inspector column;
+    private NameChooser example;
     private final NameChooser subject;
     private final NameChooser reading;
     private final MethodChooser method;
@@ -99,16 +100,16 @@ final class ListInspector {
         column.wide(about);
     }
 
-    /** A list that is only asked: choosing the shown example again brings it back. */
+    /** Shows no name once the list is no example any more. */
     private void addExamples() {
-        var examples =
+        example =
                 new NameChooser(
                         "example",
                         Stream.of(Example.values()).map(Example::code).toList(),
                         code -> texts.text("example." + code),
                         code -> model.show(Example.named(code)));
-        examples.setMaximumRowCount(Example.values().length);
-        column.row("example", examples);
+        example.setMaximumRowCount(Example.values().length);
+        column.row("example", example);
     }
 
     private void addList() {
@@ -130,6 +131,7 @@ final class ListInspector {
     /** Shows the model's present state. */
     void refresh() {
         ListChoice choice = model.choice();
+        example.show(Example.shown(choice).map(Example::code).orElse(null));
         subject.show(choice.subject().code());
         reading.show(choice.reading().code());
         method.show(choice.method());

@@ -89,12 +89,12 @@ record ListScene(
         return Chains.images(choice.dimension(), applied(step, false), choice.wire().numbers()).h();
     }
 
-    /** The origin and a unit along each axis of the frame that the steps have moved. */
-    double[] frame(int step) {
+    /** The origin and a point of each axis of the frame that the steps have moved. */
+    double[] frame(int step, double length) {
         int dimension = choice.dimension();
         var points = new double[(dimension + 1) * dimension];
         for (int axis = 0; axis < dimension; axis++)
-            points[(axis + 1) * dimension + axis] = 1;
+            points[(axis + 1) * dimension + axis] = length;
         return images(points, step, false);
     }
 

@@ -48,8 +48,11 @@ final class ViewFigure {
     /** Where the chosen vertex is on the stage; empty where it has no image. */
     static Optional<Spot> vertex(ViewScene scene, int stage) {
         var figure = new ViewFigure(scene, stage);
+        int vertex = scene.choice().vertex() - 1;
+        if (!scene.eyes().isEmpty() && !scene.stages().get(stage).space().deep())
+            return Optional.of(figure.eye(0).get(vertex)).filter(Spot::isFinite);
         return scene.image(stage)
-                .map(image -> figure.places(image).get(scene.choice().vertex() - 1))
+                .map(image -> figure.places(image).get(vertex))
                 .filter(Spot::isFinite);
     }
 
@@ -143,17 +146,25 @@ final class ViewFigure {
 
     /** Left and right one over the other, or in the halves of a picture twice as wide. */
     private void twoEyes() {
-        int at = scene.stages().get(stage).space() == ViewStage.Space.SCREEN ? 1 : 0;
+        for (int eye = 0; eye < 2; eye++)
+            wire(image(eye), eye(eye), eye == 0 ? Ink.LEFT_EYE : Ink.RIGHT_EYE, "");
+    }
+
+    /**
+     * @param eye 0 for the left one, 1 for the right one
+     */
+    private ViewScene.Image image(int eye) {
+        boolean screen = scene.stages().get(stage).space() == ViewStage.Space.SCREEN;
+        return scene.eyes().get(2 * eye + (screen ? 1 : 0));
+    }
+
+    private List<Spot> eye(int eye) {
+        ViewScene.Image image = image(eye);
         boolean apart = choice.stereo() == Stereoscopy.SIDE_BY_SIDE;
-        for (int eye = 0; eye < 2; eye++) {
-            ViewScene.Image image = scene.eyes().get(2 * eye + at);
-            double way = apart ? (eye == 0 ? -1 : 1) * apart(image) : 0;
-            var shift = List.of(Chains.cells(MatrixCall.of("TRANSL3D", way, 0, 0)));
-            List<Spot> places =
-                    Viewpoint.spots(
-                            Chains.images(3, shift, image.numbers()).images().coordinates(), 3);
-            wire(image, places, eye == 0 ? Ink.LEFT_EYE : Ink.RIGHT_EYE, "");
-        }
+        double way = apart ? (eye == 0 ? -1 : 1) * apart(image) : 0;
+        var shift = List.of(Chains.cells(MatrixCall.of("TRANSL3D", way, 0, 0)));
+        return Viewpoint.spots(
+                Chains.images(3, shift, image.numbers()).images().coordinates(), 3);
     }
 
     /** Half of the way between two pictures that do not touch. */

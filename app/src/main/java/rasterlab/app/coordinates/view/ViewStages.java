@@ -20,7 +20,10 @@ import rasterlab.engine.transform.matrix.MatrixCall;
  */
 final class ViewStages {
     /** Pixels per unit of the picture plane in a window of 800×600. */
-    static final double NATURAL_SCALE = 2.4;
+    private static final double NATURAL_SCALE = 2.4;
+
+    /** The same for the course's own scene, which lies below the middle of its picture plane. */
+    private static final double NATURAL_SCALE_OF_THE_COURSE = 1.5;
 
     static final double NEAR = 50;
     static final double FAR = 2000;
@@ -143,6 +146,6 @@ final class ViewStages {
         return PictureFit.of(
                 (int) Math.round(choice.number(WIDTH)),
                 (int) Math.round(choice.number(HEIGHT)),
-                NATURAL_SCALE);
+                choice.kind() == ViewKind.HOUSE ? NATURAL_SCALE_OF_THE_COURSE : NATURAL_SCALE);
     }
 }
