@@ -46,8 +46,7 @@ public final class CoordinatesPanel extends LabPanel {
                                     model.transformations(), language, this::choose, onFailure);
                     case ROTATION ->
                             new TurnPanel(model.rotation(), language, this::choose, onFailure);
-                    case STACK ->
-                            new StackPanel(model.stack(), language, this::choose, onFailure);
+                    case STACK -> new StackPanel(model.stack(), language, this::choose, onFailure);
                     case VIEWS -> new ViewPanel(model.views(), language, this::choose, onFailure);
                 };
         add(card, mode.code());

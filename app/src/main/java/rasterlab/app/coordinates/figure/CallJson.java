@@ -43,9 +43,7 @@ public final class CallJson {
     }
 
     private static String list(List<Double> numbers) {
-        return numbers.stream()
-                .map(CallJson::number)
-                .collect(Collectors.joining(", ", "[", "]"));
+        return numbers.stream().map(CallJson::number).collect(Collectors.joining(", ", "[", "]"));
     }
 
     /** All digits that the number has, a whole one without ".0". */

@@ -68,8 +68,7 @@ final class FigurePainter {
             case HELP -> dashed(1f, 5f, 5f);
             case WRONG, PRINTED -> dashed(2.2f, 8f, 4f);
             case PLANE -> new BasicStroke(1.2f);
-            default ->
-                    new BasicStroke(2.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+            default -> new BasicStroke(2.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
         };
     }
 
@@ -157,7 +156,8 @@ final class FigurePainter {
 
     private void beside(Mark.Beside beside) {
         double half = g.getFontMetrics().stringWidth(beside.label()) / 2.0;
-        if (beside.at().isFinite()) label(beside.label(), x(beside.at()) + 6 + half, y(beside.at()));
+        if (beside.at().isFinite())
+            label(beside.label(), x(beside.at()) + 6 + half, y(beside.at()));
     }
 
     /** To the right of a place, and a little above it. */

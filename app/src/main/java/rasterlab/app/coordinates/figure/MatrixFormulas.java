@@ -1,5 +1,6 @@
 package rasterlab.app.coordinates.figure;
 
+import java.text.DecimalFormatSymbols;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -39,13 +40,17 @@ public final class MatrixFormulas {
                 DoubleStream.of(numbers).mapToObj(each -> Shown.number(each, 3, locale)));
     }
 
+    /** What stands between numbers: a semicolon where they have a decimal comma. */
+    public static String apart(Locale locale) {
+        return DecimalFormatSymbols.getInstance(locale).getDecimalSeparator() == ',' ? "; " : ", ";
+    }
+
     /** Name and numbers as the course writes them: {@code ROT3DX(−90°)}. */
     public static String said(MatrixCall call, Locale locale) {
         NamedMatrix matrix = NamedMatrices.named(call.name());
         if (matrix.parameters().isEmpty()) return call.name();
-        String apart = Shown.point(0, 0, locale).contains(";") ? "; " : ", ";
         return call.numbers().stream()
                 .map(number -> Shown.number(number, 5, locale))
-                .collect(Collectors.joining(apart, call.name() + "(", ")"));
+                .collect(Collectors.joining(apart(locale), call.name() + "(", ")"));
     }
 }

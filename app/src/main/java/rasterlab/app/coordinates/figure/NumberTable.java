@@ -32,7 +32,9 @@ public final class NumberTable extends JEditorPane {
     public void show(List<String> headings, List<List<String>> rows, int marked) {
         var html = new StringBuilder("<html><body><table cellspacing=0 cellpadding=1><tr>");
         for (String heading : headings)
-            html.append("<td align=right nowrap><b>&nbsp;&nbsp;").append(heading).append("</b></td>");
+            html.append("<td align=right nowrap><b>&nbsp;&nbsp;")
+                    .append(heading)
+                    .append("</b></td>");
         html.append("</tr>");
         for (int i = 0; i < rows.size(); i++) {
             html.append("<tr>");

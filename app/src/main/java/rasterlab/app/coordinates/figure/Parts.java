@@ -29,8 +29,7 @@ public final class Parts {
 
     /** A number, explained by {@code KEY.hint}. */
     public SliderField number(String key, SliderField.Range range, DoubleConsumer changed) {
-        var field =
-                new SliderField(key, texts.text(key + ".hint"), range, texts.locale(), changed);
+        var field = new SliderField(key, texts.text(key + ".hint"), range, texts.locale(), changed);
         column.row(key, field);
         return field;
     }

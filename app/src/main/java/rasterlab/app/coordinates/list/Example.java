@@ -29,8 +29,7 @@ public enum Example {
     /** The course's triangle, turned by 90°. */
     QUARTER_TURN(Subject.TRIANGLE, ListItem.of("ROT2D", 90)),
     /** Two reflections are a turn. */
-    TWO_REFLECTIONS(
-            Subject.SQUARE, ListItem.of("REFL2DX"), ListItem.of("REFL2DY")),
+    TWO_REFLECTIONS(Subject.SQUARE, ListItem.of("REFL2DX"), ListItem.of("REFL2DY")),
     SHEAR(Subject.SQUARE, ListItem.of("SHEAR2D", 0, 0.8)),
     /** p ≠ 0: the square's parallel sides meet. */
     PROJECTIVE(Subject.SQUARE, ListItem.of(ListItem.FREE, 2, 0, 0.4, 0, 2, 0, 0, 0, 1)),

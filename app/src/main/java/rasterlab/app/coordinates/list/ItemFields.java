@@ -67,7 +67,8 @@ final class ItemFields extends JPanel {
         for (int i = 0; i < names.size(); i++) {
             NumberField field = field(i, names.get(i));
             fields.add(field);
-            if (free) add(field, "w 0, grow, push" + (i % size == size - 1 ? ", wrap" : ""));
+            if (free)
+                add(field, "w 0, wmin 0, grow, push" + (i % size == size - 1 ? ", wrap" : ""));
             else addNamed(field, names.get(i), i);
         }
         revalidate();
@@ -79,7 +80,7 @@ final class ItemFields extends JPanel {
         label.setName("number." + index + ".label");
         label.setLabelFor(field);
         add(label);
-        add(field, "w 0, grow, push" + (index % 2 == 1 ? ", wrap" : ""));
+        add(field, "w 0, wmin 0, grow, push" + (index % 2 == 1 ? ", wrap" : ""));
     }
 
     private NumberField field(int index, String name) {

@@ -44,10 +44,7 @@ final class ListFigure {
         for (int earlier = 0; earlier < step; earlier++)
             wire(scene.images(earlier, false), Ink.GHOST);
         if (scene.wrong()) wire(scene.images(step, true), Ink.OBJECT);
-        wire(
-                scene.images(step, false),
-                scene.wrong() ? Ink.PRINTED : Ink.OBJECT,
-                scene.h(step));
+        wire(scene.images(step, false), scene.wrong() ? Ink.PRINTED : Ink.OBJECT, scene.h(step));
         if (scene.choice().reading() == Reading.FRAME) frame(step);
     }
 
@@ -111,8 +108,6 @@ final class ListFigure {
     private void frame(int step) {
         List<Spot> ends = finite(scene.frame(step, LONGER * reach()));
         for (int axis = 0; axis < dimension; axis++)
-            marks.add(
-                    new Mark.Arrow(
-                            ends.get(0), ends.get(axis + 1), Ink.axis(axis), MOVED[axis]));
+            marks.add(new Mark.Arrow(ends.get(0), ends.get(axis + 1), Ink.axis(axis), MOVED[axis]));
     }
 }

@@ -80,7 +80,8 @@ final class ListInspector {
         remove = parts.button("remove", model::remove);
         earlier = parts.button("earlier", () -> model.move(-1));
         later = parts.button("later", () -> model.move(1));
-        var buttons = new JPanel(new MigLayout("insets 0, gap 6", "[grow,fill][grow,fill][grow,fill]"));
+        var buttons =
+                new JPanel(new MigLayout("insets 0, gap 6", "[grow,fill][grow,fill][grow,fill]"));
         for (JButton button : List.of(remove, earlier, later)) buttons.add(button, "wmin 0");
         column.wide(buttons);
         meaning = new WrappedText("meaning");

@@ -17,8 +17,8 @@ import rasterlab.engine.transform.matrix.NamedMatrices;
 import rasterlab.engine.transform.matrix.NamedMatrix;
 
 /**
- * The lab of lists without its window: which matrices, read how, and how many of them are done.
- * The steps are the matrices.
+ * The lab of lists without its window: which matrices, read how, and how many of them are done. The
+ * steps are the matrices.
  */
 public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps {
     private static final double TURN = 180;
@@ -74,8 +74,7 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
         ListChoice next = choice();
         if (item.dimension() != next.dimension())
             next = next.with(item.dimension() == 2 ? Subject.SQUARE : Subject.CUBE);
-        boolean printedRight =
-                hazard.recorded().get(PRINTED) == Verdict.Kind.EXACT;
+        boolean printedRight = hazard.recorded().get(PRINTED) == Verdict.Kind.EXACT;
         rearrange(
                 next.withItems(List.of(item), 0)
                         .withMethod(printedRight ? next.method() : PRINTED));
@@ -170,8 +169,7 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
                 topic.compare(
                         item.call(),
                         topic.exact(item.call(), Integer.MAX_VALUE),
-                        topic.record(
-                                method().implementation(), item.call(), Integer.MAX_VALUE)));
+                        topic.record(method().implementation(), item.call(), Integer.MAX_VALUE)));
     }
 
     /** Whether an error of that size is rounding. */

@@ -45,11 +45,7 @@ public final class ListPanel extends LabCard {
                         model,
                         texts,
                         column ->
-                                modeRow(
-                                        column,
-                                        CoordinatesMode.TRANSFORMATIONS,
-                                        language,
-                                        onMode));
+                                modeRow(column, CoordinatesMode.TRANSFORMATIONS, language, onMode));
         player =
                 new StepPlayer(
                         canvas, model, () -> texts.text("count", model.step(), model.last()));

@@ -124,9 +124,7 @@ final class ListReadings {
                 .map(
                         rows ->
                                 MatrixFormulas.named(
-                                        "M" + low(index + 1) + "⁻¹ =",
-                                        Chains.flat(rows),
-                                        locale));
+                                        "M" + low(index + 1) + "⁻¹ =", Chains.flat(rows), locale));
     }
 
     /** {@code p · M3 · M2 · M1} for what is done. */
@@ -142,7 +140,8 @@ final class ListReadings {
 
     private static String low(int number) {
         var low = new StringBuilder();
-        for (char digit : String.valueOf(number).toCharArray()) low.append((char) ('₀' + digit - '0'));
+        for (char digit : String.valueOf(number).toCharArray())
+            low.append((char) ('₀' + digit - '0'));
         return low.toString();
     }
 
@@ -164,8 +163,7 @@ final class ListReadings {
         int dimension = model.choice().dimension();
         double[] given = model.choice().wire().numbers();
         TransformTopic.Output output =
-                Chains.images(
-                        dimension, scene.applied(model.step(), false), given);
+                Chains.images(dimension, scene.applied(model.step(), false), given);
         for (int i = 0; i < given.length / dimension; i++) {
             var row = new ArrayList<String>();
             row.add(String.valueOf(i + 1));

@@ -31,12 +31,29 @@ record ListScene(
             try {
                 cells.add(choice.items().get(i).cells(method));
                 right.add(choice.items().get(i).cells(formula));
-                Chains.images(choice.dimension(), right, choice.wire().numbers());
-                Chains.images(choice.dimension(), reversed(right), choice.wire().numbers());
             } catch (IllegalArgumentException refusal) {
-                return new ListScene(choice, List.of(), List.of(), i, refusal.getMessage());
+                return refused(choice, i, refusal);
+            }
+        for (int done = 1; done <= cells.size(); done++)
+            try {
+                for (List<double[]> all : List.of(cells, right)) {
+                    requireImages(choice, all.subList(0, done));
+                    requireImages(choice, all.subList(all.size() - done, all.size()));
+                }
+            } catch (IllegalArgumentException refusal) {
+                return refused(choice, done - 1, refusal);
             }
         return new ListScene(choice, cells, right, -1, "");
+    }
+
+    private static ListScene refused(
+            ListChoice choice, int item, IllegalArgumentException refusal) {
+        return new ListScene(choice, List.of(), List.of(), item, refusal.getMessage());
+    }
+
+    /** Passes if the points can go through these matrices, the last one first. */
+    private static void requireImages(ListChoice choice, List<double[]> matrices) {
+        Chains.images(choice.dimension(), reversed(matrices), choice.wire().numbers());
     }
 
     boolean isRefused() {
@@ -48,8 +65,8 @@ record ListScene(
     }
 
     /**
-     * The matrices that the object has gone through after so many steps, in the order in which
-     * they are applied to it.
+     * The matrices that the object has gone through after so many steps, in the order in which they
+     * are applied to it.
      *
      * @param exact whether by the right formula
      */
@@ -93,8 +110,7 @@ record ListScene(
     double[] frame(int step, double length) {
         int dimension = choice.dimension();
         var points = new double[(dimension + 1) * dimension];
-        for (int axis = 0; axis < dimension; axis++)
-            points[(axis + 1) * dimension + axis] = length;
+        for (int axis = 0; axis < dimension; axis++) points[(axis + 1) * dimension + axis] = length;
         return images(points, step, false);
     }
 

@@ -75,10 +75,8 @@ final class ListStage extends JPanel implements AutoCloseable {
         for (int i = 0; i < Math.min(CORNERS, numbers.size() / 2); i++) {
             double x = numbers.get(2 * i);
             double y = numbers.get(2 * i + 1);
-            String said =
-                    texts.text("corner.said", i + 1, Shown.point(x, y, texts.locale()));
-            points.add(
-                    new PlanePoint("corner." + i, x, y, PlanePoint.Form.DIAMOND, "", said));
+            String said = texts.text("corner.said", i + 1, Shown.point(x, y, texts.locale()));
+            points.add(new PlanePoint("corner." + i, x, y, PlanePoint.Form.DIAMOND, "", said));
         }
         return points;
     }
@@ -86,8 +84,7 @@ final class ListStage extends JPanel implements AutoCloseable {
     /** The origin, by which space is turned. */
     private PlanePoint grip() {
         turned = new Spot(0, 0);
-        return new PlanePoint(
-                "turn", 0, 0, PlanePoint.Form.CIRCLE, "", texts.text("turn.said"));
+        return new PlanePoint("turn", 0, 0, PlanePoint.Form.CIRCLE, "", texts.text("turn.said"));
     }
 
     void focusPoint() {
@@ -114,8 +111,7 @@ final class ListStage extends JPanel implements AutoCloseable {
         @Override
         public void move(String point, double x, double y) {
             if (point.startsWith("corner.")) {
-                model.movePoint(
-                        Integer.parseInt(point.substring("corner.".length())), x, y);
+                model.movePoint(Integer.parseInt(point.substring("corner.".length())), x, y);
                 return;
             }
             double size = Math.max(everything.getWidth(), everything.getHeight());

@@ -9,7 +9,7 @@ import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.NumberField;
 import rasterlab.app.language.Texts;
 
-/** Fields for the numbers of the selected command, made anew for another command. */
+/** Fields for the numbers of the newest command, made anew for another command. */
 final class CommandFields extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -29,11 +29,7 @@ final class CommandFields extends JPanel {
     }
 
     void refresh() {
-        StackChoice choice = model.choice();
-        Optional<StackCommand> selected =
-                choice.selected() < 0
-                        ? Optional.empty()
-                        : Optional.of(choice.commands().get(choice.selected()));
+        Optional<StackCommand> selected = model.newest();
         Optional<StackOp> op = selected.map(StackCommand::op);
         if (!op.equals(shown)) show(op);
         for (int i = 0; i < fields.size(); i++)
@@ -60,7 +56,7 @@ final class CommandFields extends JPanel {
             fields.add(field);
             if (!cells) addLabel(names.get(i), i, field);
             int row = cells ? 4 : 2;
-            add(field, "w 0, grow, push" + (i % row == row - 1 ? ", wrap" : ""));
+            add(field, "w 0, wmin 0, grow, push" + (i % row == row - 1 ? ", wrap" : ""));
         }
         revalidate();
         repaint();

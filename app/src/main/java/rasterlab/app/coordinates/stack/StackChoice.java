@@ -7,9 +7,8 @@ import rasterlab.app.coordinates.figure.Viewpoint;
  * What the user chose, and what undo brings back.
  *
  * @param commands the program
- * @param selected number of a command, from 0; −1 where there is none
  */
-public record StackChoice(List<StackCommand> commands, int selected, Viewpoint viewpoint) {
+public record StackChoice(List<StackCommand> commands, Viewpoint viewpoint) {
     /** The most commands of a program: enough to fill the deepest stack and to empty it. */
     public static final int MOST = 100;
 
@@ -18,16 +17,14 @@ public record StackChoice(List<StackCommand> commands, int selected, Viewpoint v
     }
 
     static StackChoice first() {
-        return new StackChoice(StackProgram.ARM.commands(), 0, Viewpoint.FIRST);
+        return new StackChoice(StackProgram.ARM.commands(), Viewpoint.FIRST);
     }
 
-    StackChoice with(List<StackCommand> others, int chosen) {
-        int least = others.isEmpty() ? -1 : 0;
-        return new StackChoice(
-                others, Math.max(least, Math.min(others.size() - 1, chosen)), viewpoint);
+    StackChoice with(List<StackCommand> others) {
+        return new StackChoice(others, viewpoint);
     }
 
     StackChoice with(Viewpoint other) {
-        return new StackChoice(commands, selected, other);
+        return new StackChoice(commands, other);
     }
 }

@@ -73,14 +73,11 @@ public record StackCommand(StackOp op, List<Double> numbers) {
     private void project(MatrixStack stack) {
         switch (op) {
             case ORTHO ->
-                    stack.ortho(
-                            number(0), number(1), number(2), number(3), number(4), number(5));
+                    stack.ortho(number(0), number(1), number(2), number(3), number(4), number(5));
             case ORTHO_2D -> stack.ortho2D(number(0), number(1), number(2), number(3));
             case FRUSTUM ->
-                    stack.frustum(
-                            number(0), number(1), number(2), number(3), number(4), number(5));
-            case PERSPECTIVE ->
-                    stack.perspective(number(0), number(1), number(2), number(3));
+                    stack.frustum(number(0), number(1), number(2), number(3), number(4), number(5));
+            case PERSPECTIVE -> stack.perspective(number(0), number(1), number(2), number(3));
             default -> throw new AssertionError(op);
         }
     }

@@ -35,8 +35,7 @@ final class StackFigure {
         for (int i = 1; i < below.size(); i++)
             figure.axes(below.get(i), CURRENT, new String[] {"", "", ""}, true);
         int newest = scene.cubes().size() - 1;
-        for (int i = 0; i <= newest; i++)
-            figure.cube(scene.cubes().get(i));
+        for (int i = 0; i <= newest; i++) figure.cube(scene.cubes().get(i));
         figure.axes(below.get(0), CURRENT, MOVED, false);
         return new Figure(figure.marks, false);
     }
@@ -51,9 +50,7 @@ final class StackFigure {
                     Double.isFinite(one[0]) && Double.isFinite(one[1]) && Double.isFinite(one[2]);
             spots.add(
                     image
-                            ? viewpoint
-                                    .places(List.of(MatrixCall.of("ROT3DX", -90)), one)
-                                    .get(0)
+                            ? viewpoint.places(List.of(MatrixCall.of("ROT3DX", -90)), one).get(0)
                             : new Spot(Double.NaN, Double.NaN));
         }
         return spots;
@@ -61,9 +58,7 @@ final class StackFigure {
 
     private void axes(Matrix4d frame, double length, String[] names, boolean help) {
         List<Spot> ends =
-                places(
-                        frame,
-                        new double[] {0, 0, 0, length, 0, 0, 0, length, 0, 0, 0, length});
+                places(frame, new double[] {0, 0, 0, length, 0, 0, 0, length, 0, 0, 0, length});
         for (int axis = 0; axis < 3; axis++)
             marks.add(
                     new Mark.Arrow(
@@ -76,7 +71,6 @@ final class StackFigure {
     private void cube(Matrix4d frame) {
         List<Spot> places = places(frame, CUBE.numbers());
         for (Wire.Edge edge : CUBE.edges())
-            marks.add(
-                    new Mark.Line(places.get(edge.from()), places.get(edge.to()), Ink.OBJECT));
+            marks.add(new Mark.Line(places.get(edge.from()), places.get(edge.to()), Ink.OBJECT));
     }
 }

@@ -108,7 +108,7 @@ final class StackInspector {
         program.addListSelectionListener(
                 e -> {
                     if (!refreshing && program.getSelectedIndex() >= 0)
-                        model.select(program.getSelectedIndex());
+                        model.goTo(program.getSelectedIndex() + 1);
                 });
         var scroll =
                 new JScrollPane(
@@ -127,7 +127,7 @@ final class StackInspector {
     void refresh() {
         var readings = new StackReadings(model, texts);
         showProgram(readings.lines());
-        remove.setEnabled(model.choice().selected() >= 0);
+        remove.setEnabled(model.step() > 0);
         fields.refresh();
         newest.setText(readings.newest());
         depths.forEach((mode, label) -> label.setText(readings.depth(mode)));
@@ -141,12 +141,9 @@ final class StackInspector {
             if (i >= shown.size()) shown.addElement(lines.get(i));
             else if (!shown.get(i).equals(lines.get(i))) shown.set(i, lines.get(i));
         while (shown.size() > lines.size()) shown.remove(shown.size() - 1);
-        int selected = model.choice().selected();
-        if (selected < 0) program.clearSelection();
-        else {
-            program.setSelectedIndex(selected);
-            program.ensureIndexIsVisible(Math.max(0, model.step() - 1));
-        }
+        if (model.step() == 0) program.clearSelection();
+        else program.setSelectedIndex(model.step() - 1);
+        program.ensureIndexIsVisible(Math.max(0, model.step() - 1));
         refreshing = false;
     }
 }

@@ -1,12 +1,14 @@
 package rasterlab.app.coordinates.stack;
 
 import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.coordinates.figure.ChoiceModel;
 
 /**
  * The lab of stacks without its window: which program, and how many of its commands are done. The
- * steps are the commands.
+ * steps are the commands; the one done last is the one that can be edited.
  */
 public final class StackLabModel extends ChoiceModel<StackChoice> implements Steps {
     private static final double TURN = 180;
@@ -24,51 +26,44 @@ public final class StackLabModel extends ChoiceModel<StackChoice> implements Ste
 
     /** Shows a program after its last command. */
     public void show(StackProgram program) {
-        rearrange(choice().with(program.commands(), program.commands().size() - 1));
+        rearrange(choice().with(program.commands()));
         goTo(last());
     }
 
     /** A program without commands. */
     public void clear() {
-        change(choice().with(new ArrayList<>(), -1));
+        change(choice().with(List.of()));
     }
 
-    /**
-     * Does a command now: behind those that are done. None beyond {@link StackChoice#MOST}.
-     */
+    /** The command that was done last; empty before the first one. */
+    Optional<StackCommand> newest() {
+        return step == 0 ? Optional.empty() : Optional.of(choice().commands().get(step - 1));
+    }
+
+    /** Does a command now: behind those that are done. None beyond {@link StackChoice#MOST}. */
     public void add(StackOp op) {
-        StackChoice now = choice();
-        if (now.commands().size() >= StackChoice.MOST) return;
-        var commands = new ArrayList<>(now.commands());
-        int at = step;
-        commands.add(at, StackCommand.first(op));
-        change(now.with(commands, at));
-        goTo(at + 1);
+        if (choice().commands().size() >= StackChoice.MOST) return;
+        var commands = new ArrayList<>(choice().commands());
+        commands.add(step, StackCommand.first(op));
+        change(choice().with(commands));
+        goTo(step + 1);
     }
 
-    /** Takes the selected command out of the program. */
+    /** Takes the command that was done last out of the program. */
     public void remove() {
-        StackChoice now = choice();
-        if (now.selected() < 0) return;
-        var commands = new ArrayList<>(now.commands());
-        commands.remove(now.selected());
-        boolean done = now.selected() < step;
-        change(now.with(commands, now.selected()));
-        if (done) goTo(step - (step > commands.size() ? 0 : 1));
+        if (step == 0) return;
+        var commands = new ArrayList<>(choice().commands());
+        commands.remove(step - 1);
+        step--;
+        change(choice().with(commands));
     }
 
-    /** Selects a command and goes to where it is just done. */
-    public void select(int index) {
-        pass(choice().with(choice().commands(), index));
-        goTo(index + 1);
-    }
-
-    /** Another number for the selected command; one that is not allowed is an error of it. */
+    /** Another number for the newest command; one that is not allowed is an error of it. */
     public void set(int number, double value) {
-        StackChoice now = choice();
-        var commands = new ArrayList<>(now.commands());
-        commands.set(now.selected(), commands.get(now.selected()).with(number, value));
-        change(now.with(commands, now.selected()));
+        if (step == 0) return;
+        var commands = new ArrayList<>(choice().commands());
+        commands.set(step - 1, commands.get(step - 1).with(number, value));
+        change(choice().with(commands));
     }
 
     /** Turns the viewpoint by shares of half a turn. */

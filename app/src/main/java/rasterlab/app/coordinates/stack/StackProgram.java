@@ -24,17 +24,13 @@ public enum StackProgram {
                     op(IDENTITY),
                     op(PUSH))),
     /** One Pop too many. */
-    UNDERFLOW(
-            List.of(op(PUSH), op(TRANSLATE, 2, 0, 0), op(CUBE), op(POP), op(CUBE), op(POP))),
+    UNDERFLOW(List.of(op(PUSH), op(TRANSLATE, 2, 0, 0), op(CUBE), op(POP), op(CUBE), op(POP))),
     /** No direction to turn about. */
     NO_AXIS(List.of(op(ROTATE, 30, 0, 0, 0), op(CUBE))),
     /** Opposite sides that are one. */
     NO_WIDTH(List.of(op(PROJECTION), op(FRUSTUM, 1, 1, -1, 1, 2, 50))),
     /** The same as it is read: far left, numbers column by column. */
-    LOADED(
-            List.of(
-                    op(LOAD, 0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 3, 0, 0, 1),
-                    op(CUBE)));
+    LOADED(List.of(op(LOAD, 0, 2, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 3, 0, 0, 1), op(CUBE)));
 
     private final transient List<StackCommand> commands;
 
@@ -51,7 +47,7 @@ public enum StackProgram {
         for (int link = 0; link < 3; link++) {
             if (link > 0) {
                 commands.add(op(TRANSLATE, 4, 0, 0));
-                commands.add(op(ROTATE, link == 1 ? 40 : -65, 0, -1, 0));
+                commands.add(op(ROTATE, link == 1 ? 40 : -50, 0, -1, 0));
             }
             if (kept) commands.add(op(PUSH));
             commands.add(op(SCALE, 4, 1, 1 - 0.25 * link));

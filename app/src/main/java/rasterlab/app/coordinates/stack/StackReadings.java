@@ -34,7 +34,7 @@ final class StackReadings {
                 .map(number -> Shown.number(number, 3, texts.locale()))
                 .collect(
                         Collectors.joining(
-                                texts.language() == Language.ENGLISH ? ", " : "; ",
+                                MatrixFormulas.apart(texts.locale()),
                                 command.op().call() + "(",
                                 ")"));
     }
@@ -44,7 +44,8 @@ final class StackReadings {
         var lines = new ArrayList<String>();
         List<StackCommand> commands = model.choice().commands();
         for (int i = 0; i < commands.size(); i++) {
-            String sign = model.scene().errors().containsKey(i) ? "✗ " : i < model.step() ? "✓ " : "· ";
+            String sign =
+                    model.scene().errors().containsKey(i) ? "✗ " : i < model.step() ? "✓ " : "· ";
             lines.add(sign + (i + 1) + ". " + command(commands.get(i)));
         }
         return lines;
@@ -64,8 +65,7 @@ final class StackReadings {
     }
 
     String newest() {
-        int step = model.step();
-        return step == 0 ? texts.text("done.none") : command(model.choice().commands().get(step - 1));
+        return model.newest().map(this::command).orElse(texts.text("done.none"));
     }
 
     String depth(MatrixMode mode) {
@@ -80,14 +80,10 @@ final class StackReadings {
         List<Matrix4d> matrices = model.scene().stacks().get(model.scene().mode());
         for (int i = 0; i < Math.min(WRITTEN, matrices.size()); i++) {
             String said = i == 0 ? texts.text("top") : texts.text("below", i);
-            lines.add(
-                    MatrixFormulas.named(
-                            said, Chains.cells(matrices.get(i)), texts.locale()));
+            lines.add(MatrixFormulas.named(said, Chains.cells(matrices.get(i)), texts.locale()));
         }
         if (matrices.size() > WRITTEN)
-            lines.add(
-                    Formula.of(
-                            new Formula.Words(texts.text("more", matrices.size() - WRITTEN))));
+            lines.add(Formula.of(new Formula.Words(texts.text("more", matrices.size() - WRITTEN))));
         return lines;
     }
 }

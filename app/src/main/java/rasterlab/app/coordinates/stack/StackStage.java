@@ -55,12 +55,7 @@ final class StackStage extends JPanel implements AutoCloseable {
                 figure,
                 List.of(
                         new PlanePoint(
-                                "turn",
-                                0,
-                                0,
-                                PlanePoint.Form.CIRCLE,
-                                "",
-                                texts.text("turn.said"))),
+                                "turn", 0, 0, PlanePoint.Form.CIRCLE, "", texts.text("turn.said"))),
                 note(),
                 everything,
                 model.arrangement());

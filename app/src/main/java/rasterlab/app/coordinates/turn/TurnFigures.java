@@ -59,7 +59,9 @@ final class TurnFigures {
             if (each.refused() || !own && !(each.error() > SEEN)) continue;
             Ink ink = Ink.method(each.method());
             marks.add(new Mark.Line(new Spot(0, 0), each.end(), ink));
-            marks.add(new Mark.Dot(each.end(), ink, own && each.error() <= SEEN ? "" : each.method()));
+            marks.add(
+                    new Mark.Dot(
+                            each.end(), ink, own && each.error() <= SEEN ? "" : each.method()));
         }
         marks.add(new Mark.Cross(scene.exact(), Ink.OBJECT, ""));
     }
@@ -72,8 +74,7 @@ final class TurnFigures {
             marks.add(new Mark.Words(new Spot(-0.5, decade), Ink.OBJECT, "10" + raised(decade)));
         }
         for (int decade = 0; decade <= right; decade++) {
-            marks.add(
-                    new Mark.Line(new Spot(decade, LOWEST), new Spot(decade, HIGHEST), Ink.HELP));
+            marks.add(new Mark.Line(new Spot(decade, LOWEST), new Spot(decade, HIGHEST), Ink.HELP));
             marks.add(
                     new Mark.Words(
                             new Spot(decade, LOWEST - 0.7), Ink.OBJECT, "10" + raised(decade)));
@@ -105,20 +106,14 @@ final class TurnFigures {
         ends.sort(Comparator.comparingDouble(end -> end.at().y()));
         for (Mark.Dot end : ends) {
             double y = Math.max(end.at().y(), next);
-            marks.add(
-                    new Mark.Line(
-                            end.at(),
-                            new Spot(end.at().x() + BESIDE, y),
-                            end.ink()));
+            marks.add(new Mark.Line(end.at(), new Spot(end.at().x() + BESIDE, y), end.ink()));
             marks.add(new Mark.Beside(new Spot(end.at().x() + BESIDE, y), end.ink(), end.label()));
             next = y + LABELS_APART;
         }
     }
 
     private static double decade(double error) {
-        return error > 0
-                ? Math.max(LOWEST, Math.min(HIGHEST, Math.log10(error)))
-                : LOWEST;
+        return error > 0 ? Math.max(LOWEST, Math.min(HIGHEST, Math.log10(error))) : LOWEST;
     }
 
     private static String raised(int number) {

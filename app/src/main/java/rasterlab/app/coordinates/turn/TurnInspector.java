@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import javax.swing.JLabel;
@@ -14,6 +15,7 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NumberField;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.coordinates.figure.MatrixFormulas;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.Parts;
 import rasterlab.app.coordinates.figure.SliderField;
@@ -141,9 +143,14 @@ final class TurnInspector {
 
     private String operations(Map<String, Long> counts) {
         if (counts.isEmpty()) return "—";
-        return counts.entrySet().stream()
-                .map(each -> texts.textOr("count." + each.getKey(), each.getKey()) + " " + each.getValue())
-                .collect(Collectors.joining(", "));
+        return new TreeMap<>(counts)
+                .entrySet().stream()
+                        .map(
+                                each ->
+                                        texts.textOr("count." + each.getKey(), each.getKey())
+                                                + " "
+                                                + each.getValue())
+                        .collect(Collectors.joining(", "));
     }
 
     private List<String> headings() {
@@ -161,13 +168,7 @@ final class TurnInspector {
     private List<List<String>> rows() {
         var rows = new ArrayList<List<String>>();
         for (TurnScene.Drift each : model.scene().drifts())
-            rows.add(
-                    List.of(
-                            each.method(),
-                            error(each),
-                            each.refused()
-                                    ? "—"
-                                    : place(each.end())));
+            rows.add(List.of(each.method(), error(each), each.refused() ? "—" : place(each.end())));
         return rows;
     }
 
@@ -176,7 +177,7 @@ final class TurnInspector {
         Locale locale = texts.locale();
         return "("
                 + Shown.number(at.x(), 2, locale)
-                + "; "
+                + MatrixFormulas.apart(locale)
                 + Shown.number(at.y(), 2, locale)
                 + ")";
     }

@@ -88,15 +88,10 @@ record TurnScene(
                 Images image = topic.record(method.implementation(), turns, 1);
                 samples.add(new Sample(times, deviation(topic, turns, image).worst()));
             }
-            return new Drift(
-                    method.name(), spot(end), off.worst(), topic.correct(off), samples);
+            return new Drift(method.name(), spot(end), off.worst(), topic.correct(off), samples);
         } catch (IllegalArgumentException refused) {
             return new Drift(
-                    method.name(),
-                    new Spot(Double.NaN, Double.NaN),
-                    Double.NaN,
-                    false,
-                    List.of());
+                    method.name(), new Spot(Double.NaN, Double.NaN), Double.NaN, false, List.of());
         }
     }
 
@@ -142,8 +137,7 @@ record TurnScene(
         PlaneRotation method = topic.method("total-angle").implementation();
         var circle = new ArrayList<Spot>();
         for (int i = 0; i <= CIRCLE; i++) {
-            var turns =
-                    new Turns(360.0 / CIRCLE, i, new double[] {choice.x(), choice.y()});
+            var turns = new Turns(360.0 / CIRCLE, i, new double[] {choice.x(), choice.y()});
             circle.add(spot(topic.record(method, turns, 1)));
         }
         return circle;

@@ -83,10 +83,11 @@ final class TurnStage extends JPanel implements AutoCloseable {
         Figure figure = TurnFigures.way(scene, model.step());
         Rectangle2D everything = Box.around(figure.marks());
         int begun = scene.exact() == null ? 0 : 1;
-        way.show(figure, List.of(point()), note(scene), everything, 2 * model.arrangement() + begun);
+        way.show(
+                figure, List.of(point()), note(scene), everything, 2 * model.arrangement() + begun);
         Figure drift =
                 TurnFigures.chart(scene, texts.text("chart.turns"), texts.text("chart.error"));
-        var box = new Rectangle2D.Double(-0.6, TurnFigures.LOWEST - 1.7, 8.8, 20.5);
+        var box = new Rectangle2D.Double(0, TurnFigures.LOWEST - 0.4, 8, 18.8);
         chart.show(drift, List.of(), model.busy() ? texts.text("busy") : "", box, 0);
     }
 
@@ -105,8 +106,7 @@ final class TurnStage extends JPanel implements AutoCloseable {
                 choice.y(),
                 PlanePoint.Form.CIRCLE,
                 "",
-                texts.text(
-                        "point.said", Shown.point(choice.x(), choice.y(), texts.locale())));
+                texts.text("point.said", Shown.point(choice.x(), choice.y(), texts.locale())));
     }
 
     /** Ends the threads that paint. */

@@ -48,15 +48,13 @@ public record ViewChoice(
     }
 
     ViewChoice with(ViewKind other) {
-        return new ViewChoice(
-                other, numbers, stable, stereo, vertex, vanishing, method, viewpoint);
+        return new ViewChoice(other, numbers, stable, stereo, vertex, vanishing, method, viewpoint);
     }
 
     ViewChoice with(ViewNumber which, double value) {
         var changed = new EnumMap<>(numbers);
         changed.put(which, value);
-        return new ViewChoice(
-                kind, changed, stable, stereo, vertex, vanishing, method, viewpoint);
+        return new ViewChoice(kind, changed, stable, stereo, vertex, vanishing, method, viewpoint);
     }
 
     ViewChoice withStable(boolean kept) {
@@ -76,8 +74,7 @@ public record ViewChoice(
     }
 
     ViewChoice withMethod(String other) {
-        return new ViewChoice(
-                kind, numbers, stable, stereo, vertex, vanishing, other, viewpoint);
+        return new ViewChoice(kind, numbers, stable, stereo, vertex, vanishing, other, viewpoint);
     }
 
     ViewChoice with(Viewpoint other) {

@@ -163,8 +163,7 @@ final class ViewFigure {
         boolean apart = choice.stereo() == Stereoscopy.SIDE_BY_SIDE;
         double way = apart ? (eye == 0 ? -1 : 1) * apart(image) : 0;
         var shift = List.of(Chains.cells(MatrixCall.of("TRANSL3D", way, 0, 0)));
-        return Viewpoint.spots(
-                Chains.images(3, shift, image.numbers()).images().coordinates(), 3);
+        return Viewpoint.spots(Chains.images(3, shift, image.numbers()).images().coordinates(), 3);
     }
 
     /** Half of the way between two pictures that do not touch. */
@@ -206,8 +205,7 @@ final class ViewFigure {
                 VanishingPoints.centre(projection, axis)
                         .ifPresent(at -> centres.add(back.transformPosition(at)));
             for (Vector3d centre : centres)
-                marks.add(
-                        new Mark.Cross(seen(centre.x, centre.y, centre.z).get(0), Ink.EYE, "E"));
+                marks.add(new Mark.Cross(seen(centre.x, centre.y, centre.z).get(0), Ink.EYE, "E"));
             if (centres.size() == 1) sight(image, centres.get(0));
         }
 
@@ -244,14 +242,23 @@ final class ViewFigure {
             }
             double free = 0.15 * Math.max(right - left, high - low);
             double[] edge = {
-                left - free, low - free, z, right + free, low - free, z, //
-                right + free, high + free, z, left - free, high + free, z
+                left - free,
+                low - free,
+                z,
+                right + free,
+                low - free,
+                z, //
+                right + free,
+                high + free,
+                z,
+                left - free,
+                high + free,
+                z
             };
             marks.add(new Mark.Area(inEyeSpace(edge), Ink.PLANE));
             List<Spot> places = inEyeSpace(points);
             for (Wire.Edge each : ViewScene.HOUSE.edges())
-                marks.add(
-                        new Mark.Line(places.get(each.from()), places.get(each.to()), Ink.PLANE));
+                marks.add(new Mark.Line(places.get(each.from()), places.get(each.to()), Ink.PLANE));
         }
 
         private List<Spot> inEyeSpace(double[] planePoints) {

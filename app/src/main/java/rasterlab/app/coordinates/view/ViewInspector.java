@@ -58,8 +58,7 @@ final class ViewInspector {
                         code -> model.choose(ViewKind.named(code)));
         for (ViewNumber each : ViewNumber.values())
             numbers.put(
-                    each,
-                    parts.number(each.code(), each.range(), value -> model.set(each, value)));
+                    each, parts.number(each.code(), each.range(), value -> model.set(each, value)));
         stable = parts.box("stable", kept -> model.change(model.choice().withStable(kept)));
         stereo =
                 parts.names(
@@ -68,8 +67,7 @@ final class ViewInspector {
                         code -> model.rearrange(model.choice().with(Stereoscopy.named(code))));
         vanishing =
                 parts.box(
-                        "vanishing",
-                        shown -> model.rearrange(model.choice().withVanishing(shown)));
+                        "vanishing", shown -> model.rearrange(model.choice().withVanishing(shown)));
         method =
                 new MethodChooser(
                         "method",
@@ -103,9 +101,7 @@ final class ViewInspector {
     private NameChooser vertexChooser() {
         return new NameChooser(
                 "vertex",
-                IntStream.rangeClosed(1, ViewScene.HOUSE.size())
-                        .mapToObj(String::valueOf)
-                        .toList(),
+                IntStream.rangeClosed(1, ViewScene.HOUSE.size()).mapToObj(String::valueOf).toList(),
                 name -> name,
                 name -> model.change(model.choice().withVertex(Integer.parseInt(name))));
     }

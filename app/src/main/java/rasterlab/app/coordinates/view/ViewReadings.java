@@ -61,8 +61,7 @@ final class ViewReadings {
 
     String fit() {
         PictureFit fit = ViewStages.fit(model.choice());
-        return texts.text(
-                "fit.value", number(fit.pixelsPerUnit()), fit.centreX(), fit.centreY());
+        return texts.text("fit.value", number(fit.pixelsPerUnit()), fit.centreX(), fit.centreY());
     }
 
     String error() {
@@ -109,10 +108,7 @@ final class ViewReadings {
         var output =
                 Chains.product(Chains.cells(model.stage().calls()))
                         .transform(new Vector4d(point[0], point[1], point[2], 1));
-        lines.add(
-                Formula.of(
-                        MatrixFormulas.row(locale, point),
-                        new Formula.Words("· M =")));
+        lines.add(Formula.of(MatrixFormulas.row(locale, point), new Formula.Words("· M =")));
         lines.add(
                 Formula.of(
                         new Formula.Words("="),

@@ -128,8 +128,7 @@ final class ViewStageView extends JPanel implements AutoCloseable {
             if (vertex.isEmpty()) return;
             double size = Math.max(everything.getWidth(), everything.getHeight());
             double upwards = pointsDown() ? -1 : 1;
-            model.turn(
-                    (x - vertex.get().x()) / size, upwards * (y - vertex.get().y()) / size);
+            model.turn((x - vertex.get().x()) / size, upwards * (y - vertex.get().y()) / size);
         }
 
         @Override

@@ -76,10 +76,7 @@ final class ViewStages {
     private List<MatrixCall> eye() {
         return switch (choice.kind()) {
             case HOUSE ->
-                    List.of(
-                            call("ROT3DX", ANGLE_X),
-                            call("ROT3DY", ANGLE_Y),
-                            call("ROT3DX", TILT));
+                    List.of(call("ROT3DX", ANGLE_X), call("ROT3DY", ANGLE_Y), call("ROT3DX", TILT));
             case SPHERICAL_LEFT -> List.of(call("VIEW_LEFT", THETA, PHI, RHO));
             case SPHERICAL_RIGHT -> List.of(call("VIEW_RIGHT", THETA, PHI, RHO));
             case LOOK_AT ->
@@ -108,8 +105,7 @@ final class ViewStages {
 
     private List<MatrixCall> projection() {
         return switch (choice.kind()) {
-            case HOUSE, ONE_POINT ->
-                    List.of(MatrixCall.of("PERSPECTIVE", 0, 0, choice.number(R)));
+            case HOUSE, ONE_POINT -> List.of(MatrixCall.of("PERSPECTIVE", 0, 0, choice.number(R)));
             case TWO_POINT ->
                     List.of(MatrixCall.of("PERSPECTIVE", choice.number(P), 0, choice.number(R)));
             case THREE_POINT -> List.of(call("PERSPECTIVE", P, Q, R));
