@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
@@ -58,7 +59,12 @@ abstract class WindowHarness {
                             models = LabModels.first(failures::add);
                             return new LabFrame(
                                     models,
-                                    LabSettings.first(Language.ENGLISH),
+                                    new LabSettings(
+                                            LabTheme.LIGHT,
+                                            Language.ENGLISH,
+                                            "line",
+                                            Optional.empty(),
+                                            false),
                                     new SettingsFile(settings(), problems::add),
                                     LabsFile.beside(settings(), problems::add),
                                     failures::add);

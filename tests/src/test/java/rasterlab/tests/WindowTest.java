@@ -116,6 +116,9 @@ class WindowTest extends WindowHarness {
         "1280, 720, line",
         "1280, 720, spline",
         "2560, 1440, spline",
+        "900, 600, coordinates",
+        "1280, 720, coordinates",
+        "2560, 1440, coordinates",
         "900, 600, clip",
         "1280, 720, clip",
         "2560, 1440, clip"
@@ -130,7 +133,7 @@ class WindowTest extends WindowHarness {
 
     @Test
     void everyControlCanBeNamedByAssistiveTechnology() {
-        for (String tab : List.of("line", "clip", "visibility", "spline")) {
+        for (String tab : List.of("coordinates", "line", "clip", "visibility", "spline")) {
             show(tab);
             List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
             assertEquals(List.of(), nameless, tab);

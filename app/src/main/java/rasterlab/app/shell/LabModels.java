@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipTopics;
+import rasterlab.app.coordinates.CoordinatesLabModel;
 import rasterlab.app.line.LineLabModel;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.visibility.VisibilityLabModel;
@@ -15,7 +16,11 @@ import rasterlab.engine.pipeline.Renderer;
 
 /** The labs' models, which outlive the panels that show them; used on the event thread. */
 public record LabModels(
-        LineLabModel line, ClipLabModel clip, VisibilityLabModel visibility, SplineLabModel spline)
+        CoordinatesLabModel coordinates,
+        LineLabModel line,
+        ClipLabModel clip,
+        VisibilityLabModel visibility,
+        SplineLabModel spline)
         implements AutoCloseable {
     /**
      * Every lab as it opens.
@@ -25,6 +30,7 @@ public record LabModels(
     public static LabModels first(Consumer<Throwable> onFailure) {
         var renderer = new Renderer();
         return new LabModels(
+                new CoordinatesLabModel(EventQueue::invokeLater, onFailure),
                 new LineLabModel(new LineTopic(), EventQueue::invokeLater, onFailure),
                 new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
@@ -46,6 +52,7 @@ public record LabModels(
     /** Ends background work. */
     @Override
     public void close() {
+        coordinates.close();
         line.close();
         clip.close();
         visibility.close();

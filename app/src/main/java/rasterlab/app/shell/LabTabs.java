@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.clip.ClipPanel;
+import rasterlab.app.coordinates.CoordinatesPanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LinePanel;
@@ -35,6 +36,9 @@ public final class LabTabs implements AutoCloseable {
         var tabs = new ArrayList<LabTab>();
         BiConsumer<String, Supplier<LabPanel>> add =
                 (name, made) -> tabs.add(new LabTab(name, texts.text("tab." + name), made));
+        add.accept(
+                "coordinates",
+                () -> new CoordinatesPanel(models.coordinates(), language, onFailure));
         add.accept("line", () -> new LinePanel(models.line(), language, onFailure));
         add.accept("clip", () -> new ClipPanel(models.clip(), language, onFailure));
         add.accept(

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
@@ -23,6 +24,10 @@ final class LabPictures implements TourPart {
 
     private static final List<Shot> SHOTS =
             List.of(
+                    new Shot("coordinates", "coordinates", models -> {}),
+                    coordinates("transformations", CoordinatesMode.TRANSFORMATIONS),
+                    coordinates("stack", CoordinatesMode.STACK),
+                    coordinates("rotation", CoordinatesMode.ROTATION),
                     new Shot("line", "line", LabPictures::showWhatFails),
                     new Shot("clip", "clip", models -> {}),
                     new Shot("visibility", "visibility", models -> {}),
@@ -31,6 +36,10 @@ final class LabPictures implements TourPart {
                             "function",
                             "spline",
                             models -> models.spline().show(SplineMode.FUNCTION)));
+
+    private static Shot coordinates(String name, CoordinatesMode mode) {
+        return new Shot(name, "coordinates", models -> models.coordinates().show(mode));
+    }
 
     @Override
     public String key() {

@@ -33,6 +33,11 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.transform.chain.TransformTopic;
+import rasterlab.engine.transform.matrix.MatrixTopic;
+import rasterlab.engine.transform.matrix.NamedMatrices;
+import rasterlab.engine.transform.matrix.NamedMatrix;
+import rasterlab.engine.transform.rotate.RotateTopic;
 
 /** The Russian of what the engine says in English about methods and hazards. */
 class TopicTextsTest {
@@ -40,14 +45,32 @@ class TopicTextsTest {
     private static final String ENGLISH = ".en";
 
     @ParameterizedTest(name = "the English was changed and its translation was not: {0}")
-    @ValueSource(strings = {"line", "visibility", "clip", "spline"})
+    @ValueSource(
+            strings = {
+                "line",
+                "visibility",
+                "clip",
+                "spline",
+                "coordinates/view",
+                "coordinates/list",
+                "coordinates/turn"
+            })
     void eachTranslationStandsBelowWhatTheEngineSays(String topic) throws IOException {
         Properties russian = russian(topic);
         english(topic).forEach((key, text) -> assertEquals(text, russian.get(key + ENGLISH), key));
     }
 
     @ParameterizedTest(name = "a text has no translation, or a translation no text: {0}")
-    @ValueSource(strings = {"line", "visibility", "clip", "spline"})
+    @ValueSource(
+            strings = {
+                "line",
+                "visibility",
+                "clip",
+                "spline",
+                "coordinates/view",
+                "coordinates/list",
+                "coordinates/turn"
+            })
     void translatesWhatThereIsAndNothingElse(String topic) throws IOException {
         var translated = new TreeSet<>(russian(topic).stringPropertyNames());
         translated.removeIf(key -> key.endsWith(ENGLISH));
@@ -80,9 +103,23 @@ class TopicTextsTest {
         }
     }
 
+    @Test
+    void everyHazardOfCoordinatesHasAShortNameInBothLanguages() {
+        for (Language language : Language.values())
+            for (String lab : List.of("list", "turn")) {
+                Texts labels = Texts.of("coordinates." + lab, language);
+                List<String> nameless =
+                        english("coordinates/" + lab).keySet().stream()
+                                .filter(key -> key.startsWith("hazard.") && !labels.has(key))
+                                .toList();
+                assertEquals(List.of(), nameless, lab + " " + language);
+            }
+    }
+
     private static Map<String, String> english(String topic) {
         var said = new TreeMap<String, String>();
         if (topic.equals("spline")) return spline(said);
+        if (topic.startsWith("coordinates/")) return coordinates(topic, said);
         if (topic.equals("clip")) {
             clip("segments", new SegmentClipTopic(), said);
             clip("polygon", new PolygonClipTopic(), said);
@@ -109,6 +146,23 @@ class TopicTextsTest {
             for (Hazard<?> hazard : topic.hazards())
                 said.put("hazard." + hazard.name(), hazard.description());
         }
+        return said;
+    }
+
+    private static Map<String, String> coordinates(String lab, Map<String, String> said) {
+        Topic<?, ?, ?> topic =
+                switch (lab) {
+                    case "coordinates/view" -> new TransformTopic();
+                    case "coordinates/list" -> new MatrixTopic();
+                    default -> new RotateTopic();
+                };
+        topic.methods().forEach(method -> about(method, said));
+        if (topic instanceof TransformTopic) return said;
+        for (Hazard<?> hazard : topic.hazards())
+            said.put("hazard." + hazard.name(), hazard.description());
+        if (topic instanceof MatrixTopic)
+            for (NamedMatrix matrix : NamedMatrices.all())
+                said.put("matrix." + matrix.name(), matrix.meaning());
         return said;
     }
 

@@ -19,6 +19,11 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipMode;
+import rasterlab.app.coordinates.CoordinatesLabModel;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.list.Example;
+import rasterlab.app.coordinates.stack.StackProgram;
+import rasterlab.app.coordinates.view.ViewKind;
 import rasterlab.app.language.Language;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.Sampling;
@@ -39,6 +44,22 @@ class ClippedTextTest {
                     model -> model.function().chooseEnds(SplineEnds.slopes(-1.25, 3)),
                     model -> model.function().chooseMethod("monotone"),
                     model -> model.function().show(model.function().hazards().get(0).input()));
+
+    /** What else the tab of coordinates shows, each with texts of its own. */
+    private static final List<Consumer<CoordinatesLabModel>> OTHER_COORDINATES =
+            List.of(
+                    model -> model.views().goTo(model.views().last()),
+                    model -> model.views().goTo(2),
+                    model -> model.views().choose(ViewKind.SPHERICAL_LEFT),
+                    model -> model.views().choose(ViewKind.LOOK_AT),
+                    model -> model.show(CoordinatesMode.TRANSFORMATIONS),
+                    model -> model.transformations().show(Example.AXIS),
+                    model -> model.transformations().show(Example.PROJECTIVE),
+                    model -> model.show(CoordinatesMode.STACK),
+                    model -> model.stack().show(StackProgram.LOADED),
+                    model -> model.stack().goTo(1),
+                    model -> model.show(CoordinatesMode.ROTATION),
+                    model -> model.rotation().chooseMethod("buneman-textbook"));
 
     static Stream<Arguments> sizes() {
         return Stream.of(Language.values())
@@ -74,6 +95,13 @@ class ClippedTextTest {
             OffscreenPainter.onEventThread(() -> other.accept(models.get().spline()));
             OffscreenPainter.paint(spline.panel(), width, height);
             assertEquals(List.of(), clipped(spline.panel()), "spline");
+        }
+        LabTab coordinates = tabs.get().named("coordinates");
+        for (Consumer<CoordinatesLabModel> other : OTHER_COORDINATES) {
+            OffscreenPainter.onEventThread(() -> other.accept(models.get().coordinates()));
+            for (int round = 0; round < 2; round++)
+                OffscreenPainter.paint(coordinates.panel(), width, height);
+            assertEquals(List.of(), clipped(coordinates.panel()), "coordinates");
         }
         JComponent clip = tabs.get().named("clip").panel();
         for (ClipMode mode : ClipMode.values()) {

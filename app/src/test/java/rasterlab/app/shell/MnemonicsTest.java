@@ -21,6 +21,8 @@ import javax.swing.KeyStroke;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.view.ViewKind;
 import rasterlab.app.language.Language;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.SplineMode;
@@ -97,6 +99,15 @@ class MnemonicsTest {
                             content.show(tab.name());
                             check.accept(tab.name(), shown(content));
                         }
+                        content.show("coordinates");
+                        for (CoordinatesMode mode : CoordinatesMode.values()) {
+                            models.coordinates().show(mode);
+                            check.accept(mode.code(), shown(content));
+                        }
+                        models.coordinates().views().choose(ViewKind.SPHERICAL_LEFT);
+                        models.coordinates().show(CoordinatesMode.VIEWS);
+                        check.accept("spherical view", shown(content));
+                        content.show("spline");
                         models.spline().curve().chooseForm(CurveForm.PIECES);
                         check.accept("pieces", shown(content));
                         models.spline().show(SplineMode.FUNCTION);

@@ -3,6 +3,7 @@ package rasterlab.engine.transform;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
@@ -43,6 +44,11 @@ public final class MatrixStack {
     /** A copy of the matrix on top of a stack. */
     public Matrix4d top(MatrixMode of) {
         return new Matrix4d(stacks.get(of).element());
+    }
+
+    /** Copies of all matrices of a stack, the one on top first. */
+    public List<Matrix4d> matrices(MatrixMode of) {
+        return stacks.get(of).stream().map(Matrix4d::new).toList();
     }
 
     /** How many matrices a stack holds, at least 1. */

@@ -49,6 +49,20 @@ class MatrixStackTest {
     }
 
     @Test
+    @DisplayName("matrices are listed from below, or shared with the stack")
+    void listsCopiesFromTheTopDown() {
+        stack.translate(1, 2, 3);
+        stack.push();
+        stack.scale(2, 2, 2);
+        List<Matrix4d> listed = stack.matrices(MatrixMode.MODELVIEW);
+        assertEquals(2, listed.size());
+        assertEquals(stack.top(MatrixMode.MODELVIEW), listed.get(0));
+        assertEquals(1, listed.get(1).m00());
+        listed.get(0).identity();
+        assertEquals(2, stack.top(MatrixMode.MODELVIEW).m00());
+    }
+
+    @Test
     @DisplayName("a pushed matrix is shared with the one below")
     void popBringsBackWhatWasPushed() {
         stack.translate(1, 2, 3);

@@ -1,0 +1,66 @@
+package rasterlab.app.coordinates;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.list.ListLabModel;
+import rasterlab.app.coordinates.stack.StackLabModel;
+import rasterlab.app.coordinates.turn.TurnLabModel;
+import rasterlab.app.coordinates.view.ViewLabModel;
+
+/** All labs of coordinates, and which of them is shown. */
+public final class CoordinatesLabModel implements AutoCloseable {
+    private final ViewLabModel views = new ViewLabModel();
+    private final ListLabModel transformations = new ListLabModel();
+    private final StackLabModel stack = new StackLabModel();
+    private final TurnLabModel rotation;
+    private final List<Consumer<CoordinatesMode>> listeners = new ArrayList<>();
+    private CoordinatesMode mode = CoordinatesMode.VIEWS;
+
+    /**
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what background work threw, on any thread
+     */
+    public CoordinatesLabModel(Executor events, Consumer<Throwable> onFailure) {
+        rotation = new TurnLabModel(events, onFailure);
+    }
+
+    public ViewLabModel views() {
+        return views;
+    }
+
+    public ListLabModel transformations() {
+        return transformations;
+    }
+
+    public StackLabModel stack() {
+        return stack;
+    }
+
+    public TurnLabModel rotation() {
+        return rotation;
+    }
+
+    public CoordinatesMode mode() {
+        return mode;
+    }
+
+    public void show(CoordinatesMode next) {
+        mode = next;
+        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+    }
+
+    /** Tells the listener each mode from now on; the answer ends that. */
+    public Runnable listen(Consumer<CoordinatesMode> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /** Ends the labs' threads. */
+    @Override
+    public void close() {
+        rotation.close();
+    }
+}

@@ -1,0 +1,95 @@
+package rasterlab.app.coordinates.figure;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.History;
+
+/**
+ * A choice that can be changed, undone and taken back to how it was first; listeners are told each
+ * new one.
+ *
+ * @param <C> an immutable choice with {@code equals}
+ */
+public abstract class ChoiceModel<C> {
+    private final C first;
+    private final History<C> history = new History<>();
+    private final List<Consumer<C>> listeners = new ArrayList<>();
+    private C choice;
+    private int arrangement;
+
+    protected ChoiceModel(C first) {
+        this.first = first;
+        choice = first;
+    }
+
+    public final C choice() {
+        return choice;
+    }
+
+    public final boolean undoable() {
+        return !history.isEmpty();
+    }
+
+    /** Another number than before when the stage should show everything again. */
+    public final int arrangement() {
+        return arrangement;
+    }
+
+    /** Tells the listener each new choice from now on; the answer ends that. */
+    public final Runnable listen(Consumer<C> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /** Between {@link #beginDrag} and {@link #endDrag} all changes are one for undo. */
+    public final void change(C next) {
+        if (next.equals(choice)) return;
+        history.remember(choice);
+        show(next);
+    }
+
+    /** The same for a choice that looks so different that all of it should come into sight. */
+    public final void rearrange(C next) {
+        arrangement++;
+        change(next);
+    }
+
+    /** Shows a choice that undo passes over, such as another step of the same scene. */
+    protected final void pass(C next) {
+        if (!next.equals(choice)) show(next);
+    }
+
+    public final void beginDrag() {
+        history.beginDrag(choice);
+    }
+
+    public final void endDrag() {
+        history.endDrag(choice);
+        tell();
+    }
+
+    public final void undo() {
+        arrangement++;
+        history.undo().ifPresent(this::show);
+    }
+
+    /** Back to how the lab opens; can be undone. */
+    public final void reset() {
+        rearrange(first);
+    }
+
+    private void show(C next) {
+        choice = next;
+        chosen(next);
+        tell();
+    }
+
+    /** Told each new choice before the listeners are. */
+    protected void chosen(C next) {}
+
+    /** Tells the listeners the present choice once more. */
+    protected final void tell() {
+        List.copyOf(listeners).forEach(listener -> listener.accept(choice));
+    }
+}

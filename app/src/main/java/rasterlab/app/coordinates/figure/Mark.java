@@ -1,0 +1,42 @@
+package rasterlab.app.coordinates.figure;
+
+import java.util.List;
+
+/** One thing drawn in the plane of the stage. */
+public sealed interface Mark {
+    Ink ink();
+
+    record Line(Spot from, Spot to, Ink ink) implements Mark {}
+
+    /** Lines through all places. */
+    record Path(List<Spot> places, Ink ink) implements Mark {
+        public Path {
+            places = List.copyOf(places);
+        }
+    }
+
+    record Area(List<Spot> corners, Ink ink) implements Mark {
+        public Area {
+            corners = List.copyOf(corners);
+        }
+    }
+
+    /**
+     * @param label at its tip, "" for none
+     */
+    record Arrow(Spot from, Spot to, Ink ink, String label) implements Mark {}
+
+    /**
+     * @param label beside it, "" for none
+     */
+    record Dot(Spot at, Ink ink, String label) implements Mark {}
+
+    /** A cross for a place that is computed, such as a vanishing point. */
+    record Cross(Spot at, Ink ink, String label) implements Mark {}
+
+    /** Words whose middle is there. */
+    record Words(Spot at, Ink ink, String label) implements Mark {}
+
+    /** Words that begin there. */
+    record Beside(Spot at, Ink ink, String label) implements Mark {}
+}

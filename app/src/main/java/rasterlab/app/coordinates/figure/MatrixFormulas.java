@@ -1,0 +1,56 @@
+package rasterlab.app.coordinates.figure;
+
+import java.text.DecimalFormatSymbols;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import rasterlab.app.canvas.Formula;
+import rasterlab.app.canvas.Shown;
+import rasterlab.engine.transform.matrix.MatrixCall;
+import rasterlab.engine.transform.matrix.NamedMatrices;
+import rasterlab.engine.transform.matrix.NamedMatrix;
+
+/** Matrices with live numbers in the textbook's layout. */
+public final class MatrixFormulas {
+    private static final int DECIMALS = 4;
+
+    private MatrixFormulas() {}
+
+    /** {@code said = [matrix]}. */
+    public static Formula named(String said, double[] cells, Locale locale) {
+        return Formula.of(new Formula.Words(said), matrix(cells, locale));
+    }
+
+    public static Formula.Matrix matrix(double[] cells, Locale locale) {
+        int size = cells.length == 9 ? 3 : 4;
+        var rows = new ArrayList<List<String>>();
+        for (int i = 0; i < cells.length; i += size) {
+            var row = new ArrayList<String>();
+            for (int j = i; j < i + size; j++) row.add(Shown.number(cells[j], DECIMALS, locale));
+            rows.add(row);
+        }
+        return new Formula.Matrix(rows);
+    }
+
+    /** {@code [x y z 1]} or any other row of numbers. */
+    public static Formula.Matrix row(Locale locale, double... numbers) {
+        return Formula.Matrix.row(
+                DoubleStream.of(numbers).mapToObj(each -> Shown.number(each, 3, locale)));
+    }
+
+    /** What stands between numbers: a semicolon where they have a decimal comma. */
+    public static String apart(Locale locale) {
+        return DecimalFormatSymbols.getInstance(locale).getDecimalSeparator() == ',' ? "; " : ", ";
+    }
+
+    /** Name and numbers as the course writes them: {@code ROT3DX(−90°)}. */
+    public static String said(MatrixCall call, Locale locale) {
+        NamedMatrix matrix = NamedMatrices.named(call.name());
+        if (matrix.parameters().isEmpty()) return call.name();
+        return call.numbers().stream()
+                .map(number -> Shown.number(number, 5, locale))
+                .collect(Collectors.joining(apart(locale), call.name() + "(", ")"));
+    }
+}

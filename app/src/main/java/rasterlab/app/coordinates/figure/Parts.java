@@ -1,0 +1,59 @@
+package rasterlab.app.coordinates.figure;
+
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
+import javax.swing.JButton;
+import javax.swing.JCheckBox;
+import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.language.Texts;
+
+/** Controls of an inspector, named and said by their key. */
+public final class Parts {
+    private final Inspector column;
+    private final Texts texts;
+
+    public Parts(Inspector column, Texts texts) {
+        this.column = column;
+        this.texts = texts;
+    }
+
+    /** A list of names, each said as {@code KEY.NAME}. */
+    public NameChooser names(String key, List<String> names, Consumer<String> chosen) {
+        var chooser = new NameChooser(key, names, name -> texts.text(key + "." + name), chosen);
+        chooser.setMaximumRowCount(24);
+        column.row(key, chooser);
+        return chooser;
+    }
+
+    /** A number, explained by {@code KEY.hint}. */
+    public SliderField number(String key, SliderField.Range range, DoubleConsumer changed) {
+        var field = new SliderField(key, texts.text(key + ".hint"), range, texts.locale(), changed);
+        column.row(key, field);
+        return field;
+    }
+
+    /** A check box across the column. */
+    public JCheckBox box(String key, Consumer<Boolean> chosen) {
+        var box = new JCheckBox(texts.label(key));
+        box.setName(key);
+        box.setMnemonic(texts.mnemonic(key));
+        box.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
+        box.setToolTipText(texts.text(key + ".hint"));
+        box.addActionListener(e -> chosen.accept(box.isSelected()));
+        column.wide(box);
+        return box;
+    }
+
+    /** A button that is not placed yet. */
+    public JButton button(String key, Runnable action) {
+        var button = new JButton(texts.label(key));
+        button.setName(key);
+        button.setMnemonic(texts.mnemonic(key));
+        button.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
+        button.setToolTipText(texts.text(key + ".hint"));
+        button.addActionListener(e -> action.run());
+        return button;
+    }
+}

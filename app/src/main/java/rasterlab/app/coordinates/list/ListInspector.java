@@ -1,0 +1,172 @@
+package rasterlab.app.coordinates.list;
+
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import javax.swing.DefaultListModel;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.ListSelectionModel;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.FormulaView;
+import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.MethodChooser;
+import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.coordinates.figure.NumberTable;
+import rasterlab.app.coordinates.figure.Parts;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Method;
+
+/** The list with its controls, the matrices and the coordinate table. */
+final class ListInspector {
+    private final ListLabModel model;
+    private final Texts texts;
+    private final Texts translations;
+    private final Inspector column;
+    private NameChooser example;
+    private final NameChooser subject;
+    private final NameChooser reading;
+    private final MethodChooser method;
+    private final JList<String> list = new JList<>(new DefaultListModel<>());
+    private final JButton remove;
+    private final JButton earlier;
+    private final JButton later;
+    private final ItemFields fields;
+    private final AddMatrix add;
+    private final JLabel done;
+    private final JLabel error;
+    private final WrappedText meaning;
+    private final FormulaView formulas = new FormulaView("formulas");
+    private final NumberTable table;
+    private final AboutText about;
+    private boolean refreshing;
+
+    /**
+     * @param mode adds the row that leads to the other labs
+     */
+    ListInspector(ListLabModel model, Texts texts, Consumer<Inspector> mode) {
+        this.model = model;
+        this.texts = texts;
+        translations = Texts.of("coordinates.list", "topic", texts.language());
+        column = new Inspector(texts);
+        var parts = new Parts(column, texts);
+        mode.accept(column);
+        addExamples();
+        subject =
+                parts.names(
+                        "subject",
+                        Stream.of(Subject.values()).map(Subject::code).toList(),
+                        code -> model.choose(Subject.named(code)));
+        reading =
+                parts.names(
+                        "reading",
+                        Stream.of(Reading.values()).map(Reading::code).toList(),
+                        code -> model.read(Reading.named(code)));
+        method =
+                new MethodChooser(
+                        "method",
+                        "",
+                        model.methods().stream().map(Method::name).toList(),
+                        model::chooseMethod);
+        column.row("method", method);
+
+        column.heading("heading.list");
+        addList();
+        add = new AddMatrix(model, texts);
+        column.wide(add);
+        remove = parts.button("remove", model::remove);
+        earlier = parts.button("earlier", () -> model.move(-1));
+        later = parts.button("later", () -> model.move(1));
+        var buttons =
+                new JPanel(new MigLayout("insets 0, gap 6", "[grow,fill][grow,fill][grow,fill]"));
+        for (JButton button : List.of(remove, earlier, later)) buttons.add(button, "wmin 0");
+        column.wide(buttons);
+        meaning = new WrappedText("meaning");
+        column.wide(meaning);
+        fields = new ItemFields(model, texts);
+        column.wide(fields);
+
+        column.heading("heading.step");
+        done = column.value("done");
+        error = column.value("error");
+        column.wide(formulas);
+        column.heading("heading.table");
+        table = new NumberTable("table", texts.text("heading.table"));
+        column.wide(table);
+        column.heading("heading.about");
+        about = new AboutText("about", texts.language());
+        column.wide(about);
+    }
+
+    /** Shows no name once the list is no example any more. */
+    private void addExamples() {
+        example =
+                new NameChooser(
+                        "example",
+                        Stream.of(Example.values()).map(Example::code).toList(),
+                        code -> texts.text("example." + code),
+                        code -> model.show(Example.named(code)));
+        example.setMaximumRowCount(Example.values().length);
+        column.row("example", example);
+    }
+
+    private void addList() {
+        list.setName("list");
+        list.getAccessibleContext().setAccessibleName(texts.text("heading.list"));
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        list.addListSelectionListener(
+                e -> {
+                    if (!refreshing && list.getSelectedIndex() >= 0)
+                        model.select(list.getSelectedIndex());
+                });
+        column.wide(list);
+    }
+
+    Inspector column() {
+        return column;
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        ListChoice choice = model.choice();
+        example.show(Example.shown(choice).map(Example::code).orElse(null));
+        subject.show(choice.subject().code());
+        reading.show(choice.reading().code());
+        method.show(choice.method());
+        showList(choice);
+        add.refresh();
+        remove.setEnabled(choice.selected() >= 0);
+        earlier.setEnabled(choice.selected() > 0);
+        later.setEnabled(choice.selected() >= 0 && choice.selected() < choice.items().size() - 1);
+        fields.refresh();
+        var readings = new ListReadings(model, texts);
+        meaning.show(readings.meaning(translations));
+        done.setText(readings.done());
+        error.setText(readings.error());
+        formulas.show(readings.formulas());
+        table.show(readings.headings(), readings.rows(), -1);
+        about.show(
+                translations,
+                model.method(),
+                "",
+                model.scene().isRefused() ? ListReadings.refusal(model.scene(), texts) : "");
+    }
+
+    private void showList(ListChoice choice) {
+        refreshing = true;
+        var shown = (DefaultListModel<String>) list.getModel();
+        for (int i = 0; i < choice.items().size(); i++) {
+            String said = ListReadings.item(choice.items().get(i), i + 1, texts);
+            if (i >= shown.size()) shown.addElement(said);
+            else if (!shown.get(i).equals(said)) shown.set(i, said);
+        }
+        while (shown.size() > choice.items().size()) shown.remove(shown.size() - 1);
+        if (choice.selected() < 0) list.clearSelection();
+        else list.setSelectedIndex(choice.selected());
+        list.setVisibleRowCount(Math.max(1, shown.size()));
+        refreshing = false;
+    }
+}

@@ -1,0 +1,152 @@
+package rasterlab.app.coordinates.turn;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.contract.PlaneRotation;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.transform.Images;
+import rasterlab.engine.transform.rotate.RotateTopic;
+import rasterlab.engine.transform.rotate.SteppedRotation;
+import rasterlab.engine.transform.rotate.TurnWalk;
+import rasterlab.engine.transform.rotate.Turns;
+
+/**
+ * The chosen method's way round, and where every method ends.
+ *
+ * @param steps the way, formula by formula or turn by turn
+ * @param exact where the point belongs in the end
+ * @param circle the way of the exact point
+ * @param drifts of all methods in teaching order
+ */
+record TurnScene(
+        TurnChoice choice, List<Step> steps, Spot exact, List<Spot> circle, List<Drift> drifts) {
+    /** The most turns whose way is kept. */
+    static final int MOST_TURNS = 360;
+
+    /** The chart's turns: powers of ten up to this one. */
+    static final int CHARTED = 1_000_000;
+
+    private static final int CIRCLE = 120;
+
+    /**
+     * A place on the way.
+     *
+     * @param turn from 1
+     * @param formula what was computed, "" for a whole turn
+     * @param value what that gave
+     */
+    record Step(int turn, String formula, double value, Spot at) {}
+
+    /**
+     * How one method does.
+     *
+     * @param end where the point is in the end; not finite where the method refuses
+     * @param error of the end
+     * @param samples the error after more and more turns; empty where the method refuses
+     */
+    record Drift(String method, Spot end, double error, boolean right, List<Sample> samples) {
+        boolean refused() {
+            return !end.isFinite();
+        }
+    }
+
+    /**
+     * @param error largest difference of a coordinate over the point's larger one
+     */
+    record Sample(int times, double error) {}
+
+    static TurnScene of(RotateTopic topic, TurnChoice choice, BooleanSupplier cancelled) {
+        var drifts = new ArrayList<Drift>();
+        for (Method<PlaneRotation> method : topic.methods()) {
+            if (cancelled.getAsBoolean()) throw new CancellationException();
+            drifts.add(drift(topic, method, choice, cancelled));
+        }
+        return new TurnScene(
+                choice,
+                steps(topic, choice),
+                spot(topic.exact(choice.turns(), 1)),
+                circle(topic, choice),
+                drifts);
+    }
+
+    private static Drift drift(
+            RotateTopic topic,
+            Method<PlaneRotation> method,
+            TurnChoice choice,
+            BooleanSupplier cancelled) {
+        try {
+            Images end = topic.record(method.implementation(), choice.turns(), 1);
+            Deviation off = deviation(topic, choice.turns(), end);
+            var samples = new ArrayList<Sample>();
+            for (int times = 1; times <= CHARTED; times *= 10) {
+                if (cancelled.getAsBoolean()) throw new CancellationException();
+                Turns turns = choice.turns(times);
+                Images image = topic.record(method.implementation(), turns, 1);
+                samples.add(new Sample(times, deviation(topic, turns, image).worst()));
+            }
+            return new Drift(method.name(), spot(end), off.worst(), topic.correct(off), samples);
+        } catch (IllegalArgumentException refused) {
+            return new Drift(
+                    method.name(), new Spot(Double.NaN, Double.NaN), Double.NaN, false, List.of());
+        }
+    }
+
+    private static Deviation deviation(RotateTopic topic, Turns turns, Images image) {
+        return topic.compare(turns, topic.exact(turns, 1), image);
+    }
+
+    private static Spot spot(Images images) {
+        return new Spot(images.coordinates()[0], images.coordinates()[1]);
+    }
+
+    private static List<Step> steps(RotateTopic topic, TurnChoice choice) {
+        PlaneRotation method = topic.method(choice.method()).implementation();
+        int turns = Math.min(choice.times(), MOST_TURNS);
+        var steps = new ArrayList<Step>();
+        try {
+            if (method instanceof SteppedRotation stepped) {
+                TurnWalk walk = stepped.walk(choice.degrees(), turns, choice.x(), choice.y());
+                while (walk.advance())
+                    steps.add(
+                            new Step(
+                                    walk.turn(),
+                                    walk.text(),
+                                    walk.value(),
+                                    new Spot(walk.x(), walk.y())));
+            } else {
+                for (int turn = 1; turn <= turns; turn++)
+                    steps.add(
+                            new Step(
+                                    turn,
+                                    "",
+                                    Double.NaN,
+                                    spot(topic.record(method, choice.turns(turn), 1))));
+            }
+        } catch (IllegalArgumentException refused) {
+            return List.of();
+        }
+        return steps;
+    }
+
+    /** Turned without drift. */
+    private static List<Spot> circle(RotateTopic topic, TurnChoice choice) {
+        PlaneRotation method = topic.method("total-angle").implementation();
+        var circle = new ArrayList<Spot>();
+        for (int i = 0; i <= CIRCLE; i++) {
+            var turns = new Turns(360.0 / CIRCLE, i, new double[] {choice.x(), choice.y()});
+            circle.add(spot(topic.record(method, turns, 1)));
+        }
+        return circle;
+    }
+
+    Drift drift() {
+        return drifts.stream()
+                .filter(each -> each.method().equals(choice.method()))
+                .findFirst()
+                .orElseThrow();
+    }
+}

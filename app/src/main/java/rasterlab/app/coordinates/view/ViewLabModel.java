@@ -1,0 +1,144 @@
+package rasterlab.app.coordinates.view;
+
+import java.util.List;
+import rasterlab.app.canvas.Steps;
+import rasterlab.app.coordinates.figure.ChoiceModel;
+import rasterlab.contract.PointTransformer;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.transform.chain.TransformTopic;
+
+/**
+ * The lab of views without its window: which view, with which numbers, and which stage is shown.
+ * The steps are the stages.
+ */
+public final class ViewLabModel extends ChoiceModel<ViewChoice> implements Steps {
+    /** Degrees that a drag across the whole house turns. */
+    private static final double TURN = 180;
+
+    private final TransformTopic topic = new TransformTopic();
+    private ViewScene scene;
+    private int stage = ViewStage.Space.PICTURE.ordinal();
+
+    public ViewLabModel() {
+        super(ViewChoice.first());
+        scene = ViewScene.of(topic, choice());
+    }
+
+    ViewScene scene() {
+        return scene;
+    }
+
+    /** The stage that is shown. */
+    ViewStage stage() {
+        return scene.stages().get(stage);
+    }
+
+    List<Method<PointTransformer>> methods() {
+        return topic.methods();
+    }
+
+    Method<PointTransformer> method() {
+        return topic.method(choice().method());
+    }
+
+    /**
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void chooseMethod(String method) {
+        change(choice().withMethod(topic.method(method).name()));
+    }
+
+    public void choose(ViewKind kind) {
+        rearrange(choice().with(kind));
+    }
+
+    /**
+     * @throws IllegalArgumentException if the number is not finite
+     */
+    public void set(ViewNumber which, double value) {
+        if (!Double.isFinite(value))
+            throw new IllegalArgumentException(
+                    which.code() + " must be a finite number, got " + value);
+        change(choice().with(which, value));
+    }
+
+    /** Brings several numbers of a kind at once. */
+    public void show(ViewSituation situation) {
+        rearrange(situation.in(choice()));
+        goTo(ViewStage.Space.PICTURE.ordinal());
+    }
+
+    /**
+     * Turns what the stage shows: the viewpoint of a space with depth, otherwise the object or the
+     * eye, as far as the kind of view can.
+     *
+     * @param right share of the house's width that it is dragged by
+     * @param up share of the house's height
+     */
+    public void turn(double right, double up) {
+        ViewChoice now = choice();
+        if (stage().space().deep()) {
+            change(now.with(now.viewpoint().turned(TURN * right, -TURN * up)));
+            return;
+        }
+        ViewNumber about = about(now.kind(), true);
+        ViewNumber over = about(now.kind(), false);
+        if (about == null) return;
+        boolean camera = now.kind().spherical();
+        change(
+                now.with(about, wrapped(now.number(about) + (camera ? -TURN : TURN) * right))
+                        .with(over, wrapped(now.number(over) + (camera ? TURN : -TURN) * up)));
+    }
+
+    /** Turns the viewpoint from which spaces with depth are drawn. */
+    public void turnBy(double alphaDegrees, double betaDegrees) {
+        change(choice().with(choice().viewpoint().turned(alphaDegrees, betaDegrees)));
+    }
+
+    private static double wrapped(double degrees) {
+        return Math.IEEEremainder(degrees, 360);
+    }
+
+    /** The angle that a drag to the side, or one upward, changes; null where there is none. */
+    private static ViewNumber about(ViewKind kind, boolean side) {
+        return switch (kind) {
+            case HOUSE -> side ? ViewNumber.ANGLE_Y : ViewNumber.TILT;
+            case SPHERICAL_LEFT, SPHERICAL_RIGHT -> side ? ViewNumber.THETA : ViewNumber.PHI;
+            case TRIMETRIC -> side ? ViewNumber.ALPHA : ViewNumber.BETA;
+            default -> null;
+        };
+    }
+
+    @Override
+    protected void chosen(ViewChoice next) {
+        scene = ViewScene.of(topic, next);
+    }
+
+    @Override
+    public int first() {
+        return 0;
+    }
+
+    @Override
+    public int last() {
+        return scene.stages().size() - 1;
+    }
+
+    @Override
+    public int step() {
+        return stage;
+    }
+
+    @Override
+    public void goTo(int step) {
+        int next = Math.max(first(), Math.min(last(), step));
+        if (next == stage) return;
+        stage = next;
+        tell();
+    }
+
+    @Override
+    public boolean turnsRound() {
+        return false;
+    }
+}
