@@ -9,6 +9,7 @@ import javax.swing.JSlider;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.NumberField;
 import rasterlab.app.language.Texts;
 
 /** What only the view volume has: its space, its viewpoint, its nearest plane and its screen. */

@@ -1,4 +1,4 @@
-package rasterlab.app.clip;
+package rasterlab.app.canvas;
 
 import java.text.DecimalFormatSymbols;
 import java.util.Locale;
@@ -7,7 +7,7 @@ import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
 
 /** A number that can be typed, or changed by a step with the arrow keys. */
-final class NumberField extends JSpinner {
+public final class NumberField extends JSpinner {
     private static final long serialVersionUID = 1L;
 
     private final transient DoubleConsumer changed;
@@ -18,7 +18,7 @@ final class NumberField extends JSpinner {
      * @param said its name for assistive technology
      * @param changed told a number that the user enters
      */
-    NumberField(
+    public NumberField(
             String name,
             String said,
             double low,
@@ -46,7 +46,7 @@ final class NumberField extends JSpinner {
     }
 
     /** Shows a number without telling anybody. */
-    void show(double value) {
+    public void show(double value) {
         refreshing = true;
         setValue(value);
         refreshing = false;
