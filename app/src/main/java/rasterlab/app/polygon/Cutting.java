@@ -66,8 +66,12 @@ final class Cutting {
         var inside =
                 new ExactMembership(
                         Points.of(
-                                corners.x(abc[0]), corners.y(abc[0]), corners.x(abc[1]),
-                                corners.y(abc[1]), corners.x(abc[2]), corners.y(abc[2])));
+                                corners.x(abc[0]),
+                                corners.y(abc[0]),
+                                corners.x(abc[1]),
+                                corners.y(abc[1]),
+                                corners.x(abc[2]),
+                                corners.y(abc[2])));
         for (int i = 0; i < corners.size(); i++)
             if (isOther(i, abc) && inside.contains(corners.x(i), corners.y(i)))
                 return Fault.HOLDS_A_CORNER;
@@ -84,8 +88,7 @@ final class Cutting {
     private static Triangles triangles(List<Cut> cuts) {
         return new Triangles(
                 cuts.stream()
-                        .flatMapToInt(
-                                cut -> IntStream.of(cut.a(), cut.b(), cut.c()))
+                        .flatMapToInt(cut -> IntStream.of(cut.a(), cut.b(), cut.c()))
                         .toArray());
     }
 }

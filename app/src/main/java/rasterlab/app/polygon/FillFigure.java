@@ -12,8 +12,7 @@ import rasterlab.engine.polygon.scan.PolygonTask;
  * @param width of the picture, in pixels
  * @param height of the picture, in pixels
  */
-public record FillFigure(
-        List<Place> corners, FillRule rule, int width, int height, BrushKind brush)
+public record FillFigure(List<Place> corners, FillRule rule, int width, int height, BrushKind brush)
         implements Figure {
     public FillFigure {
         corners = List.copyOf(corners);

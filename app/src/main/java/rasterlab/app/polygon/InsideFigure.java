@@ -12,8 +12,7 @@ import rasterlab.engine.polygon.ShapeAndPoints;
  * @param points the first one is judged step by step
  * @param whole whether only points with whole coordinates are looked at
  */
-public record InsideFigure(
-        boolean triangle, List<Place> corners, List<Place> points, boolean whole)
+public record InsideFigure(boolean triangle, List<Place> corners, List<Place> points, boolean whole)
         implements Figure {
     public InsideFigure {
         corners = List.copyOf(corners);
@@ -22,8 +21,7 @@ public record InsideFigure(
 
     /** Sides that pass through many points of a grid, where methods disagree. */
     static InsideFigure firstTriangle() {
-        return new InsideFigure(
-                true, CornerList.of(2, 1, 10, 1, 2, 7), CornerList.of(6, 4), false);
+        return new InsideFigure(true, CornerList.of(2, 1, 10, 1, 2, 7), CornerList.of(6, 4), false);
     }
 
     /** Level edges, corners that a ray passes and corners that it touches. */
@@ -71,8 +69,7 @@ public record InsideFigure(
         Place place = whole ? to.whole() : to;
         return grip.kind() == Grip.Kind.CORNER
                 ? with(CornerList.replaced(corners, grip.index(), place))
-                : new InsideFigure(
-                        triangle, corners, CornerList.replaced(points, 0, place), whole);
+                : new InsideFigure(triangle, corners, CornerList.replaced(points, 0, place), whole);
     }
 
     @Override

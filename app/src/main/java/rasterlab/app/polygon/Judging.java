@@ -80,8 +80,6 @@ final class Judging {
             SteppedPolygonTest test, Points corners, Points points, List<AskedSide> sides) {
         EdgeWalk walk = test.walk(corners.xs(), corners.ys(), points.x(0), points.y(0));
         while (walk.advance())
-            sides.add(
-                    new AskedSide(
-                            walk.edge(), (walk.edge() + 1) % corners.size(), walk.count()));
+            sides.add(new AskedSide(walk.edge(), (walk.edge() + 1) % corners.size(), walk.count()));
     }
 }

@@ -1,7 +1,7 @@
 package rasterlab.app.polygon;
 
-import java.util.Map;
 import java.util.List;
+import java.util.Map;
 import rasterlab.engine.polygon.scan.RowCrossing;
 import rasterlab.engine.raster.PixelSet;
 

@@ -47,6 +47,10 @@ public final class PolygonLabModel implements Steps, AutoCloseable {
         return state;
     }
 
+    PolygonTopics topics() {
+        return topics;
+    }
+
     List<String> methods(PolygonMode mode) {
         return topics.methods(mode);
     }

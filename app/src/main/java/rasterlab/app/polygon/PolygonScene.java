@@ -8,7 +8,8 @@ package rasterlab.app.polygon;
 public record PolygonScene(PolygonMode mode, Figure figure, String method, String comparison) {
     static PolygonScene first(PolygonMode mode) {
         return switch (mode) {
-            case TRIANGLE -> new PolygonScene(mode, InsideFigure.firstTriangle(), "sign-double", "");
+            case TRIANGLE ->
+                    new PolygonScene(mode, InsideFigure.firstTriangle(), "sign-double", "");
             case POLYGON -> new PolygonScene(mode, InsideFigure.firstPolygon(), "ray", "");
             case TRIANGULATION -> new PolygonScene(mode, CutFigure.first(), "ear-clipping", "");
             case FILL -> new PolygonScene(mode, FillFigure.first(), "scanline", "");

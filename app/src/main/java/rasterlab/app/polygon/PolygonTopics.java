@@ -97,7 +97,13 @@ public record PolygonTopics(
         double[] cornerY = corners.ys();
         return (x, y) ->
                 test.contains(
-                        cornerX[0], cornerY[0], cornerX[1], cornerY[1], cornerX[2], cornerY[2], x,
+                        cornerX[0],
+                        cornerY[0],
+                        cornerX[1],
+                        cornerY[1],
+                        cornerX[2],
+                        cornerY[2],
+                        x,
                         y);
     }
 

@@ -5,6 +5,8 @@ import java.util.function.Consumer;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipTopics;
 import rasterlab.app.line.LineLabModel;
+import rasterlab.app.polygon.PolygonLabModel;
+import rasterlab.app.polygon.PolygonTopics;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.visibility.VisibilityLabModel;
 import rasterlab.engine.line.LineTopic;
@@ -12,7 +14,11 @@ import rasterlab.engine.pipeline.Renderer;
 
 /** The labs' models, which outlive the panels that show them; used on the event thread. */
 public record LabModels(
-        LineLabModel line, ClipLabModel clip, VisibilityLabModel visibility, SplineLabModel spline)
+        LineLabModel line,
+        PolygonLabModel polygon,
+        ClipLabModel clip,
+        VisibilityLabModel visibility,
+        SplineLabModel spline)
         implements AutoCloseable {
     /**
      * Every lab as it opens.
@@ -23,6 +29,7 @@ public record LabModels(
         var renderer = new Renderer();
         return new LabModels(
                 new LineLabModel(new LineTopic(), EventQueue::invokeLater, onFailure),
+                new PolygonLabModel(new PolygonTopics(), EventQueue::invokeLater, onFailure),
                 new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
                 new SplineLabModel(EventQueue::invokeLater, onFailure));
@@ -32,6 +39,7 @@ public record LabModels(
     @Override
     public void close() {
         line.close();
+        polygon.close();
         clip.close();
         visibility.close();
         spline.close();

@@ -10,6 +10,7 @@ import rasterlab.app.clip.ClipPanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LinePanel;
+import rasterlab.app.polygon.PolygonPanel;
 import rasterlab.app.spline.SplinePanel;
 import rasterlab.app.visibility.VisibilityPanel;
 import rasterlab.engine.naming.Named;
@@ -36,6 +37,7 @@ public final class LabTabs implements AutoCloseable {
         BiConsumer<String, Supplier<LabPanel>> add =
                 (name, made) -> tabs.add(new LabTab(name, texts.text("tab." + name), made));
         add.accept("line", () -> new LinePanel(models.line(), language, onFailure));
+        add.accept("polygon", () -> new PolygonPanel(models.polygon(), language, onFailure));
         add.accept("clip", () -> new ClipPanel(models.clip(), language, onFailure));
         add.accept(
                 "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));
