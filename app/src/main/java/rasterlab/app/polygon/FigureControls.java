@@ -17,9 +17,7 @@ final class FigureControls {
     private final NameChooser colour;
 
     FigureControls(PolygonLabModel model, Texts texts, Inspector column) {
-        whole = new JCheckBox(texts.text("whole"));
-        whole.setName("whole");
-        whole.setToolTipText(texts.text("whole.hint"));
+        whole = checkBox("whole", texts);
         whole.addActionListener(e -> model.inside(old -> old.withWhole(whole.isSelected())));
         column.wide(whole);
         rule =
@@ -50,6 +48,16 @@ final class FigureControls {
                         name -> texts.text("colour." + name),
                         name -> model.seed(old -> old.withSame(name.equals("same"))));
         column.row("colour", colour);
+    }
+
+    /** Named as its text, whose mnemonic it has. */
+    static JCheckBox checkBox(String key, Texts texts) {
+        var box = new JCheckBox(texts.label(key));
+        box.setName(key);
+        box.setMnemonic(texts.mnemonic(key));
+        box.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
+        box.setToolTipText(texts.text(key + ".hint"));
+        return box;
     }
 
     void refresh(Figure figure, Inspector column) {

@@ -26,7 +26,7 @@ final class PolygonFraming {
 
     /** The view adds a margin, of which pixels need less: their part is shown a little larger. */
     private static Rectangle2D pixels(int width, int height) {
-        double less = 0.05;
+        double less = 0.085;
         return new Rectangle2D.Double(
                 width * less - 0.5,
                 height * less - 0.5,

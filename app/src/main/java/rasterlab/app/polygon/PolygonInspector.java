@@ -39,6 +39,7 @@ final class PolygonInspector {
     private final WaitingChart waiting;
     private final JLabel missing;
     private final JLabel extra;
+    private final JLabel faulty;
     private final JLabel worst;
     private final JLabel other;
     private final JLabel selected;
@@ -61,9 +62,7 @@ final class PolygonInspector {
                         code -> model.chooseMode(PolygonMode.coded(code)));
         column.row("mode", mode);
         addMethods();
-        difference = new JCheckBox(texts.text("difference"));
-        difference.setName("difference");
-        difference.setToolTipText(texts.text("difference.hint"));
+        difference = FigureControls.checkBox("difference", texts);
         difference.addActionListener(e -> model.showDifference(difference.isSelected()));
         column.wide(difference);
         controls = new FigureControls(model, texts, column);
@@ -83,6 +82,7 @@ final class PolygonInspector {
         missing.setIcon(new PixelMarkIcon(PixelMark.MISSING));
         extra = column.value("extra");
         extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
+        faulty = column.value("faulty");
         worst = column.value("worst");
         other = column.value("other");
 
@@ -177,6 +177,11 @@ final class PolygonInspector {
             waiting.show(answer.runs(), outcome.method(), state.step());
         missing.setText(readings.missing());
         extra.setText(readings.extra());
+        boolean cut = shown == PolygonMode.TRIANGULATION;
+        column.showRow(missing, !cut);
+        column.showRow(extra, !cut);
+        column.showRow(faulty, cut);
+        faulty.setText(readings.faulty());
         worst.setText(readings.worst());
         column.showRow(other, state.results().other().isPresent());
         other.setText(readings.other());

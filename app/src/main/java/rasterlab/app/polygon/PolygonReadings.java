@@ -10,6 +10,7 @@ import rasterlab.app.canvas.Formula.Words;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 import rasterlab.app.polygon.CutAnswer.Cut;
+import rasterlab.app.polygon.CutAnswer.Fault;
 import rasterlab.app.polygon.InsideAnswer.AskedSide;
 import rasterlab.engine.polygon.scan.RowCrossing;
 
@@ -128,6 +129,20 @@ final class PolygonReadings {
 
     String extra() {
         return count(outcome.deviation().extra());
+    }
+
+    /** How many triangles are wrong by themselves, and in which way. */
+    String faulty() {
+        if (!(outcome.answer() instanceof CutAnswer answer) || answer.steps() == 0) return NONE;
+        var kinds = new ArrayList<String>();
+        for (Fault fault : Fault.values()) {
+            long count = answer.cuts().stream().filter(cut -> cut.fault() == fault).count();
+            if (fault != Fault.NONE && count > 0)
+                kinds.add(texts.text("faulty." + fault.name().toLowerCase(Locale.ROOT), count));
+        }
+        return kinds.isEmpty()
+                ? texts.text("faulty.count", 0, answer.steps())
+                : String.join(", ", kinds);
     }
 
     private String count(long items) {

@@ -87,13 +87,16 @@ final class PolygonStage extends JPanel implements AutoCloseable {
     void refresh() {
         PolygonLabState state = model.state();
         PolygonResults results = state.results();
+        // Another mode's figure is shown when its answer is there.
+        if (results.scene().mode() != state.choice().mode()) return;
         PicturePair pair = shown();
         cards.show(this, pair == pixels ? PIXELS : PLANE);
         boolean together = state.choice().difference();
         Optional<Outcome> second = together ? Optional.empty() : results.other();
-        Rectangle2D all = PolygonFraming.of(results.scene().figure());
+        Figure chosen = state.choice().scene().figure();
+        Rectangle2D all = PolygonFraming.of(chosen);
         pair.arrange(all, second.isPresent());
-        pair.chosen().stepAtLeast(results.scene().figure().leastStep());
+        pair.chosen().stepAtLeast(chosen.leastStep());
         PlanePicture first =
                 together && results.other().isPresent()
                         ? pictures.difference(results, state.step())
@@ -101,7 +104,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
         pair.chosen()
                 .show(
                         first,
-                        points(results.scene()),
+                        points(state.choice().scene()),
                         note(results.outcome(), state.finished(), second.isPresent()),
                         all,
                         state.arrangement());
@@ -127,16 +130,14 @@ final class PolygonStage extends JPanel implements AutoCloseable {
         return note.isEmpty() && named ? outcome.method() : note;
     }
 
-    /** The points of the shown figure, at the places that the user chose last. */
-    private List<PlanePoint> points(PolygonScene shown) {
-        PolygonScene chosen = model.state().choice().scene();
+    /** At the places that the user chose last, though the picture may not be there yet. */
+    private List<PlanePoint> points(PolygonScene scene) {
         var points = new ArrayList<PlanePoint>();
-        if (chosen.mode() != shown.mode()) return points;
-        chosen.figure()
+        scene.figure()
                 .grips()
                 .forEach(
                         (grip, at) -> {
-                            if (at.isFinite()) points.add(point(chosen.mode(), grip, at));
+                            if (at.isFinite()) points.add(point(scene.mode(), grip, at));
                         });
         return points;
     }
