@@ -9,7 +9,6 @@ import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
-import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.polygon.ExactMembership;
 import rasterlab.engine.polygon.Membership;
@@ -91,7 +90,7 @@ record InsidePicture(
         if (side.from() == side.to()) strokes.dashed(point, from, colours.focus());
         else strokes.line(from, to, colours.focus(), 4);
         var middle = new Place((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
-        strokes.words(Shown.number(side.value(), locale), middle, 0, 0);
+        strokes.words(PolygonReadings.value(side.value(), locale), middle, 0, 0);
     }
 
     /** Where the ray to the right is beyond all corners. */

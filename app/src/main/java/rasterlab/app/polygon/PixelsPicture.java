@@ -57,7 +57,10 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
                     (int) Math.round(frame.width),
                     (int) Math.round(frame.height),
                     null);
-        if (map.scaleX() >= GRID) grid(g, map, colours, image);
+        if (map.scaleX() >= GRID) {
+            grid(g, map, colours, image);
+            edges(g, map, colours);
+        }
         g.setColor(colours.axis());
         g.drawRect(whole.x, whole.y, whole.width, whole.height);
         var strokes = new Strokes(g, map, colours);
@@ -114,6 +117,22 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
             g.draw(new Line2D.Double(left, map.viewY(y - 0.5), right, map.viewY(y - 0.5)));
     }
 
+    /** Around each run, so that every colour is seen on the ground. */
+    private void edges(Graphics2D g, PlaneMap map, StageColours colours) {
+        g.setColor(MethodColours.edgeOn(colours.ground(), MethodColours.of(method)));
+        g.setStroke(new BasicStroke(1));
+        for (int run = 0; run < Math.min(step, answer.steps()); run++) g.draw(frame(map, run));
+    }
+
+    private Rectangle2D frame(PlaneMap map, int run) {
+        Runs runs = answer.runs();
+        return new Rectangle2D.Double(
+                map.viewX(runs.from(run) - 0.5),
+                map.viewY(runs.y(run) - 0.5),
+                (runs.to(run) - runs.from(run)) * map.scaleX(),
+                map.scaleY());
+    }
+
     private void paintStep(
             Graphics2D g,
             PlaneMap map,
@@ -127,12 +146,7 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
                     new Place(-0.5, y), new Place(image.getWidth() - 0.5, y), colours.focus());
         g.setColor(colours.focus());
         g.setStroke(new BasicStroke(2.5f));
-        g.draw(
-                new Rectangle2D.Double(
-                        map.viewX(answer.runs().from(run) - 0.5),
-                        map.viewY(y - 0.5),
-                        (answer.runs().to(run) - answer.runs().from(run)) * map.scaleX(),
-                        map.scaleY()));
+        g.draw(frame(map, run));
         answer.crossings()
                 .getOrDefault(y, List.of())
                 .forEach(

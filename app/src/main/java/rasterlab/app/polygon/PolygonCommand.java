@@ -8,10 +8,15 @@ import rasterlab.engine.fill.FillTask;
 
 /** The shell command that does what the lab shows. */
 final class PolygonCommand {
+    /** A larger picture is too long for a command. */
+    private static final int MOST_PIXELS = 10_000;
+
     private PolygonCommand() {}
 
     /** Empty where no command takes the figure, such as one with a corner that is nowhere. */
     static Optional<String> of(PolygonScene scene) {
+        if (scene.figure() instanceof SeedFigure seed && seed.width() * seed.height() > MOST_PIXELS)
+            return Optional.empty();
         if (!scene.figure().grips().values().stream().allMatch(Place::isFinite))
             return Optional.empty();
         return Optional.of(

@@ -87,7 +87,7 @@ final class PolygonReadings {
 
     /** What decides the step. */
     String decision() {
-        if (side().isPresent()) return Shown.number(side().get().value(), texts.locale());
+        if (side().isPresent()) return value(side().get().value(), texts.locale());
         if (cut().isPresent()) {
             Place a = ((CutFigure) scene.figure()).corners().get(cut().get().a());
             Place c = ((CutFigure) scene.figure()).corners().get(cut().get().c());
@@ -98,6 +98,14 @@ final class PolygonReadings {
         if (!state.onAStep() || !(outcome.answer() instanceof PixelAnswer answer)) return NONE;
         int waiting = answer.runs().waiting(state.step() - 1);
         return texts.text("waiting." + scene.mode().code(), waiting);
+    }
+
+    /**
+     * A zero whose sign bit is set is shown with its sign: methods that look at that bit differ.
+     */
+    static String value(double value, Locale locale) {
+        boolean negativeZero = value == 0 && Math.copySign(1, value) < 0;
+        return negativeZero ? "−0.0" : Shown.number(value, locale);
     }
 
     /** What is said of the first point, by the method and exactly. */
@@ -194,7 +202,7 @@ final class PolygonReadings {
                         List.of(
                                 numbers(q.x() - p.x(), q.y() - p.y()),
                                 numbers(at.x() - p.x(), at.y() - p.y()))),
-                new Words("= " + Shown.number(side.value(), texts.locale())));
+                new Words("= " + value(side.value(), texts.locale())));
     }
 
     private Formula doubledArea(Cut cut) {

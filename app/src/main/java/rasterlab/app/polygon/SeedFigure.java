@@ -57,7 +57,7 @@ public record SeedFigure(List<String> rows, Place seed, Place pen, int connectiv
         return new SeedFigure(
                 input.rows(),
                 new Place(input.x(), input.y()),
-                new Place(0, 0),
+                new Place(input.rows().get(0).length() - 1.0, input.rows().size() - 1.0),
                 input.connectivity(),
                 old);
     }

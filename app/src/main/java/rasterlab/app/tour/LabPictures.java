@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import rasterlab.app.language.Language;
+import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
 import rasterlab.app.shell.LabTheme;
@@ -22,6 +23,11 @@ final class LabPictures implements TourPart {
     private static final List<Shot> SHOTS =
             List.of(
                     new Shot("line", "line", LabPictures::showWhatFails),
+                    new Shot("polygon", "polygon", LabPictures::showOverflow),
+                    new Shot(
+                            "seed",
+                            "polygon",
+                            models -> models.polygon().chooseMode(PolygonMode.SEED)),
                     new Shot("clip", "clip", models -> {}),
                     new Shot("visibility", "visibility", models -> {}),
                     new Shot("spline", "spline", models -> {}),
@@ -66,5 +72,11 @@ final class LabPictures implements TourPart {
         models.line().chooseMethod("bresenham-textbook");
         models.clip().chooseMethod("cohen-sutherland-textbook");
         models.clip().compareWith("cohen-sutherland");
+    }
+
+    /** The plane as it looks to a method in 32 bits, far from the origin. */
+    private static void showOverflow(LabModels models) {
+        models.polygon().show(PolygonMode.TRIANGLE, "past-2-15");
+        models.polygon().chooseMethod("sign-int");
     }
 }
