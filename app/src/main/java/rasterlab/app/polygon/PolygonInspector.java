@@ -171,6 +171,7 @@ final class PolygonInspector {
         column.showRow(work, !shown.judges());
         work.setText(readings.work());
         formulas.show(readings.formulas());
+        formulas.setVisible(!readings.formulas().isEmpty());
         waiting.setVisible(shown == PolygonMode.SEED);
         Outcome outcome = state.results().outcome();
         if (shown == PolygonMode.SEED && outcome.answer() instanceof PixelAnswer answer)

@@ -119,10 +119,10 @@ class PolygonLabModelTest {
     void clickAddsACornerBetweenTheEndsOfTheNearestEdge() {
         model.chooseMode(PolygonMode.POLYGON);
         int corners = inside().corners().size();
-        model.click(4, 0.2);
+        model.click(6.2, 6);
         assertEquals(corners + 1, inside().corners().size());
-        assertEquals(new Place(4, 0.2), inside().corners().get(1));
-        model.select(Grip.corner(1));
+        assertEquals(new Place(6.2, 6), inside().corners().get(5));
+        model.select(Grip.corner(5));
         model.shrink();
         assertEquals(corners, inside().corners().size());
     }
