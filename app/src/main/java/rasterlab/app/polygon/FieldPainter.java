@@ -2,7 +2,6 @@ package rasterlab.app.polygon;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PlaneMap;
@@ -34,11 +33,19 @@ final class FieldPainter {
     void paintInside(Color colour) {
         Color light = MethodColours.mix(colours.ground(), colour, SHARE);
         Color grey = MethodColours.mix(colours.ground(), colours.axis(), SHARE);
-        for (int row = 0; row < field.rows(); row++)
-            for (int column = 0; column < field.columns(); column++)
-                if (field.refused(column, row)) fill(column, row, grey, 0.5);
-                else if (field.first(column, row))
-                    fill(column, row, light, size >= ROOMY ? 0.8 : 1);
+        for (int row = 0; row < field.rows(); row++) {
+            int column = 0;
+            while (column < field.columns()) {
+                int from = column;
+                if (field.refused(column, row)) fill(from, column++, row, grey, 0.5);
+                else if (!field.first(column, row)) column++;
+                else if (size >= ROOMY) fill(from, column++, row, light, 0.8);
+                else {
+                    while (column < field.columns() && field.first(column, row)) column++;
+                    fill(from, column - 1, row, light, 1);
+                }
+            }
+        }
     }
 
     /**
@@ -66,26 +73,22 @@ final class FieldPainter {
                             wide);
             return;
         }
-        fill(column, row, colour, 1);
-        if (!extra) fill(column, row, colours.ground(), 0.45);
+        fill(column, column, row, colour, 1);
+        if (!extra) fill(column, column, row, colours.ground(), 0.45);
     }
 
-    /** A square around a point, cut at whole view units so that no seam is seen. */
-    private void fill(int column, int row, Color colour, double share) {
+    /** Squares around points of a row, cut at whole view units so that no seam is seen. */
+    private void fill(int from, int to, int row, Color colour, double share) {
         Object smooth = g.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
         double half = size * share / 2;
-        double x = map.viewX(field.x(column));
         double y = map.viewY(field.y(row));
-        int left = (int) Math.round(x - half);
+        int left = (int) Math.round(map.viewX(field.x(from)) - half);
+        int right = (int) Math.round(map.viewX(field.x(to)) + half);
         int top = (int) Math.round(y - half);
+        int bottom = (int) Math.round(y + half);
         g.setColor(colour);
-        g.fill(
-                new Rectangle(
-                        left,
-                        top,
-                        (int) Math.round(x + half) - left,
-                        (int) Math.round(y + half) - top));
+        g.fillRect(left, top, right - left, bottom - top);
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, smooth);
     }
 }

@@ -207,6 +207,26 @@ class PolygonLabModelTest {
     }
 
     @Test
+    void faultyTrianglesAreToldApart() {
+        model.show(PolygonMode.TRIANGULATION, "corner-in-the-ear");
+        model.chooseMethod("shortest-diagonal-textbook");
+        var cuts = ((CutAnswer) outcome().answer()).cuts();
+        assertEquals(CutAnswer.Fault.HOLDS_A_CORNER, cuts.get(0).fault());
+        assertEquals(CutAnswer.Fault.CLOCKWISE, cuts.get(1).fault());
+        model.chooseMethod("ear-clipping");
+        ((CutAnswer) outcome().answer())
+                .cuts()
+                .forEach(cut -> assertEquals(CutAnswer.Fault.NONE, cut.fault()));
+    }
+
+    @Test
+    void pointOnASideIsWronglyJudgedOutside() {
+        assertTrue(((InsideAnswer) outcome().answer()).isWrong(0));
+        model.move(Grip.POINT, 4, 2);
+        assertFalse(((InsideAnswer) outcome().answer()).isWrong(0));
+    }
+
+    @Test
     void comparesTwoMethods() {
         model.compareWith("robust");
         settle();
