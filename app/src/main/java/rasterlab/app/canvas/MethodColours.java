@@ -84,6 +84,7 @@ public final class MethodColours {
                     Map.entry("cohen-sutherland-6", BLUE),
                     Map.entry("divide-first-textbook", PURPLE),
                     Map.entry("homogeneous", GREEN),
+                    Map.entry("parametric", GREEN),
                     Map.entry("half-plane", BLUE),
                     Map.entry("rotation", PURPLE),
                     Map.entry("simplex", ORANGE),

@@ -29,6 +29,8 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
     /** From so many view units a pixel on, lines between pixels and marks are drawn. */
     private static final double GRID = 5;
 
+    private static final double LARGEST_MARK = 44;
+
     /**
      * Pixels that are marked as wrong, or as filled by one of two methods only.
      *
@@ -182,6 +184,8 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
             g.setColor(exact ? MethodColours.VERMILLION : MethodColours.of(owner));
             g.fill(new Rectangle2D.Double(left, top, size, size));
         }
-        if (size >= GRID) mark.paint(g, left, top, size);
+        double shown = Math.min(size, LARGEST_MARK);
+        double inset = (size - shown) / 2;
+        if (size >= GRID) mark.paint(g, left + inset, top + inset, shown);
     }
 }

@@ -1,12 +1,11 @@
-package rasterlab.app.polygon;
+package rasterlab.app.canvas;
 
 import java.awt.Dimension;
 import java.awt.geom.Rectangle2D;
 import javax.swing.JPanel;
-import rasterlab.app.canvas.PlaneView;
 
 /** One picture, or two of the same part of a plane. */
-final class PicturePair extends JPanel implements AutoCloseable {
+public final class PicturePair extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1L;
 
     /** View units between the two pictures. */
@@ -16,7 +15,7 @@ final class PicturePair extends JPanel implements AutoCloseable {
     private final PlaneView other;
     private transient Rectangle2D everything = new Rectangle2D.Double(0, 0, 1, 1);
 
-    PicturePair(PlaneView chosen, PlaneView other) {
+    public PicturePair(PlaneView chosen, PlaneView other) {
         super(null);
         this.chosen = chosen;
         this.other = other;
@@ -25,11 +24,11 @@ final class PicturePair extends JPanel implements AutoCloseable {
         add(other);
     }
 
-    PlaneView chosen() {
+    public PlaneView chosen() {
         return chosen;
     }
 
-    PlaneView other() {
+    public PlaneView other() {
         return other;
     }
 
@@ -37,7 +36,7 @@ final class PicturePair extends JPanel implements AutoCloseable {
      * @param all what both show, in world coordinates
      * @param two whether there are two
      */
-    void arrange(Rectangle2D all, boolean two) {
+    public void arrange(Rectangle2D all, boolean two) {
         everything = all;
         if (two == other.isVisible()) return;
         other.setVisible(two);
