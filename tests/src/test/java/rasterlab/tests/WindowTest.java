@@ -121,7 +121,9 @@ class WindowTest extends WindowHarness {
         "2560, 1440, coordinates",
         "900, 600, clip",
         "1280, 720, clip",
-        "2560, 1440, clip"
+        "2560, 1440, clip",
+        "900, 600, polygon",
+        "1280, 720, polygon"
     })
     void noTextIsCutInRussian(int width, int height, String tab) {
         GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
@@ -133,7 +135,7 @@ class WindowTest extends WindowHarness {
 
     @Test
     void everyControlCanBeNamedByAssistiveTechnology() {
-        for (String tab : List.of("coordinates", "line", "clip", "visibility", "spline")) {
+        for (String tab : List.of("coordinates", "line", "polygon", "clip", "visibility", "spline")) {
             show(tab);
             List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
             assertEquals(List.of(), nameless, tab);

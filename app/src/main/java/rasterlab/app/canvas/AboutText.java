@@ -35,15 +35,23 @@ public final class AboutText extends JEditorPane {
      * @param refusal what the method said to the present input; "" when it drew
      */
     public void show(Texts translations, Method<?> method, String decision, String refusal) {
+        show(translations, method.name(), method, decision, refusal);
+    }
+
+    /**
+     * @param key what the texts' keys begin with, where methods of two topics have one name
+     */
+    public void show(
+            Texts translations, String key, Method<?> method, String decision, String refusal) {
         Method.About about = method.about();
         var parts = new LinkedHashMap<String, String>();
         parts.put("refusal", refusal);
-        parts.put("formula", translated(translations, method, "formula", about.formula()));
+        parts.put("formula", translated(translations, key, "formula", about.formula()));
         parts.put("decision", decision);
-        parts.put("invariant", translated(translations, method, "invariant", about.invariant()));
-        parts.put("cost", translated(translations, method, "cost", about.cost()));
-        parts.put("failures", translated(translations, method, "failures", about.failures()));
-        parts.put("source", translated(translations, method, "source", about.source()));
+        parts.put("invariant", translated(translations, key, "invariant", about.invariant()));
+        parts.put("cost", translated(translations, key, "cost", about.cost()));
+        parts.put("failures", translated(translations, key, "failures", about.failures()));
+        parts.put("source", translated(translations, key, "source", about.source()));
         show(html(parts));
     }
 
@@ -55,9 +63,8 @@ public final class AboutText extends JEditorPane {
         setCaretPosition(0);
     }
 
-    private static String translated(
-            Texts translations, Method<?> method, String part, String english) {
-        return translations.textOr(method.name() + "." + part, english);
+    private static String translated(Texts translations, String key, String part, String english) {
+        return translations.textOr(key + "." + part, english);
     }
 
     private String html(Map<String, String> parts) {

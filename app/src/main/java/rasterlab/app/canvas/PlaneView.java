@@ -63,6 +63,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     private String note = "";
     private String keyed = "";
     private int arrangement = Integer.MIN_VALUE;
+    private double leastStep;
 
     /**
      * @param texts of this package
@@ -137,6 +138,11 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         if (arranged != arrangement) fit();
         arrangement = arranged;
         revalidate();
+    }
+
+    /** Lets an arrow key move a point by at least so many world units; 0 for any step. */
+    public void stepAtLeast(double worldUnits) {
+        leastStep = worldUnits;
     }
 
     @Override
@@ -308,8 +314,8 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
 
         @Override
         public void nudge(PlanePoint point, int right, int up) {
-            double stepX = RoundTicks.atLeast(map().worldWidth(KEY)).step();
-            double stepY = RoundTicks.atLeast(map().worldHeight(KEY)).step();
+            double stepX = Math.max(leastStep, RoundTicks.atLeast(map().worldWidth(KEY)).step());
+            double stepY = Math.max(leastStep, RoundTicks.atLeast(map().worldHeight(KEY)).step());
             double y = point.y() + (axes.up() ? up : -up) * stepY;
             edits.move(
                     point.name(),

@@ -38,6 +38,7 @@ final class LineInspector {
         column = new Inspector(texts);
         List<String> names = model.methods().stream().map(Method::name).toList();
 
+        column.row("mode", ModeChooser.of(LineMode.SEGMENT, model, texts));
         method = new MethodChooser("method", "", names, model::chooseMethod);
         comparison = new MethodChooser("comparison", texts.text("none"), names, model::compareWith);
         column.row("method", method);

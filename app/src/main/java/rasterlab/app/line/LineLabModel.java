@@ -30,6 +30,9 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     private final LatestOnly<Question, LineDrawings> drawings;
     private final History<LineChoice> history = new History<>();
     private final List<Consumer<LineLabState>> listeners = new ArrayList<>();
+    private final FigureLabModel figures;
+    private final List<Consumer<LineMode>> modeListeners = new ArrayList<>();
+    private LineMode mode = LineMode.SEGMENT;
     private LineLabState state;
 
     /**
@@ -41,6 +44,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
             Executor events,
             Consumer<Throwable> onFailure) {
         this.topic = topic;
+        figures = new FigureLabModel(events, onFailure);
         first = new LineChoice(FIRST_SEGMENT, firstMethod(), "");
         LineDrawings drawn = LineDrawings.of(topic, first);
         state = new LineLabState(first, drawn, drawn.drawing().pixels(), false, 0);
@@ -59,6 +63,29 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
 
     public LineLabState state() {
         return state;
+    }
+
+    /** What the lab draws besides segments. */
+    public FigureLabModel figures() {
+        return figures;
+    }
+
+    /** What the lab draws now. */
+    public LineMode mode() {
+        return mode;
+    }
+
+    /** Shows another mode, with what it had; undo does not go back from it. */
+    public void chooseMode(LineMode next) {
+        if (next != LineMode.SEGMENT) figures.chooseMode(next);
+        mode = next;
+        List.copyOf(modeListeners).forEach(listener -> listener.accept(next));
+    }
+
+    /** Tells the listener each mode from now on; the answer ends that. */
+    Runnable listenToMode(Consumer<LineMode> listener) {
+        modeListeners.add(listener);
+        return () -> modeListeners.remove(listener);
     }
 
     public List<Method<LineRasterizer>> methods() {
@@ -149,9 +176,10 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         drawings.settle();
     }
 
-    /** Ends the thread. */
+    /** Ends the threads. */
     @Override
     public void close() {
+        figures.close();
         drawings.close();
     }
 

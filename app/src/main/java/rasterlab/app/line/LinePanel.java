@@ -1,29 +1,21 @@
 package rasterlab.app.line;
 
+import java.awt.CardLayout;
 import java.util.function.Consumer;
-import javax.swing.KeyStroke;
-import rasterlab.app.canvas.Actions;
-import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
-import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
-import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
-import rasterlab.engine.line.Segment;
-import rasterlab.engine.study.Hazard;
 
-/** The line lab as the window shows it, in one language. */
+/** The lab of lines as the window shows it, in one language: segments or other figures. */
 public final class LinePanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
+    private static final String SEGMENT = "segment";
+    private static final String FIGURE = "figure";
+
     private final transient LineLabModel model;
-    private final transient Texts texts;
-    private final LineStage stage;
-    private final transient LineInspector inspector;
-    private final StepPlayer player;
-    private final Actions actions;
+    private final CardLayout cards = new CardLayout();
+    private final SegmentPanel segment;
+    private final FigurePanel figure;
     private final transient Runnable unsubscribe;
 
     /**
@@ -31,59 +23,39 @@ public final class LinePanel extends LabPanel {
      */
     public LinePanel(LineLabModel model, Language language, Consumer<Throwable> onFailure) {
         this.model = model;
+        setLayout(cards);
         setName("line");
-        texts = Texts.of("line", language);
-        stage = new LineStage(model, texts, onFailure);
-        inspector = new LineInspector(model, texts);
-        player =
-                new StepPlayer(
-                        Texts.of("canvas", language),
-                        model,
-                        () -> texts.text("count", model.step(), model.last()));
-        actions = new Actions(Texts.of("canvas", language));
-        actions.add("undo", model::undo);
-        actions.add("reset", model::reset);
-        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
-        actions.add(
-                "copyCommand",
-                () -> Copying.text(LineCommand.of(model.state().choice()), onFailure));
-        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
-        player.bindKeys(stage);
-        unsubscribe = model.listen(state -> refresh());
-        refresh();
+        segment = new SegmentPanel(model, language, onFailure);
+        figure = new FigurePanel(model, language, onFailure);
+        add(segment, SEGMENT);
+        add(figure, FIGURE);
+        unsubscribe =
+                model.listenToMode(
+                        mode -> {
+                            show(mode);
+                            focusPicture();
+                        });
+        show(model.mode());
     }
 
-    /** Gives the keyboard to the end of the segment that had it last. */
+    /** Gives the keyboard to the point that had it last. */
     @Override
     public void focusPicture() {
-        stage.focusEnd();
+        if (model.mode() == LineMode.SEGMENT) segment.focusPicture();
+        else figure.focusPicture();
     }
 
-    /** Stops listening and playing; the model lives on. */
+    /** Stops listening and playing; the models live on. */
     @Override
     public void close() {
-        player.stop();
         unsubscribe.run();
-        stage.close();
+        segment.close();
+        figure.close();
     }
 
-    private void refresh() {
-        stage.refresh();
-        inspector.refresh();
-        player.refresh();
-        actions.enable("undo", model.state().undoable());
-    }
-
-    private Chips chips() {
-        var chips = new Chips(texts.text("hazards"));
-        Texts translations = Texts.of("line", "topic", texts.language());
-        for (Hazard<Segment> hazard : model.hazards())
-            chips.add(
-                    hazard.name(),
-                    texts.textOr("hazard." + hazard.name(), hazard.name()),
-                    translations.textOr("hazard." + hazard.name(), hazard.description()),
-                    () -> model.show(hazard.input()));
-        return chips;
+    private void show(LineMode mode) {
+        segment.stop();
+        figure.stop();
+        cards.show(this, mode == LineMode.SEGMENT ? SEGMENT : FIGURE);
     }
 }

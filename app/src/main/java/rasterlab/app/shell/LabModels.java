@@ -9,6 +9,8 @@ import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipTopics;
 import rasterlab.app.coordinates.CoordinatesLabModel;
 import rasterlab.app.line.LineLabModel;
+import rasterlab.app.polygon.PolygonLabModel;
+import rasterlab.app.polygon.PolygonTopics;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.visibility.VisibilityLabModel;
 import rasterlab.engine.line.LineTopic;
@@ -18,6 +20,7 @@ import rasterlab.engine.pipeline.Renderer;
 public record LabModels(
         CoordinatesLabModel coordinates,
         LineLabModel line,
+        PolygonLabModel polygon,
         ClipLabModel clip,
         VisibilityLabModel visibility,
         SplineLabModel spline)
@@ -32,6 +35,7 @@ public record LabModels(
         return new LabModels(
                 new CoordinatesLabModel(EventQueue::invokeLater, onFailure),
                 new LineLabModel(new LineTopic(), EventQueue::invokeLater, onFailure),
+                new PolygonLabModel(new PolygonTopics(), EventQueue::invokeLater, onFailure),
                 new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
                 new SplineLabModel(EventQueue::invokeLater, onFailure));
@@ -54,6 +58,7 @@ public record LabModels(
     public void close() {
         coordinates.close();
         line.close();
+        polygon.close();
         clip.close();
         visibility.close();
         spline.close();

@@ -11,6 +11,7 @@ import rasterlab.app.coordinates.CoordinatesPanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LinePanel;
+import rasterlab.app.polygon.PolygonPanel;
 import rasterlab.app.spline.SplinePanel;
 import rasterlab.app.visibility.VisibilityPanel;
 import rasterlab.engine.naming.Named;
@@ -40,6 +41,7 @@ public final class LabTabs implements AutoCloseable {
                 "coordinates",
                 () -> new CoordinatesPanel(models.coordinates(), language, onFailure));
         add.accept("line", () -> new LinePanel(models.line(), language, onFailure));
+        add.accept("polygon", () -> new PolygonPanel(models.polygon(), language, onFailure));
         add.accept("clip", () -> new ClipPanel(models.clip(), language, onFailure));
         add.accept(
                 "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));

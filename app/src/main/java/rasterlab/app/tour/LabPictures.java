@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
 import rasterlab.app.shell.LabTheme;
@@ -29,6 +30,11 @@ final class LabPictures implements TourPart {
                     coordinates("stack", CoordinatesMode.STACK),
                     coordinates("rotation", CoordinatesMode.ROTATION),
                     new Shot("line", "line", LabPictures::showWhatFails),
+                    new Shot("polygon", "polygon", LabPictures::showOverflow),
+                    new Shot(
+                            "seed",
+                            "polygon",
+                            models -> models.polygon().chooseMode(PolygonMode.SEED)),
                     new Shot("clip", "clip", models -> {}),
                     new Shot("visibility", "visibility", models -> {}),
                     new Shot("spline", "spline", models -> {}),
@@ -77,5 +83,11 @@ final class LabPictures implements TourPart {
         models.line().chooseMethod("bresenham-textbook");
         models.clip().chooseMethod("cohen-sutherland-textbook");
         models.clip().compareWith("cohen-sutherland");
+    }
+
+    /** The plane as it looks to a method in 32 bits, far from the origin. */
+    private static void showOverflow(LabModels models) {
+        models.polygon().show(PolygonMode.TRIANGLE, "past-2-15");
+        models.polygon().chooseMethod("sign-int");
     }
 }

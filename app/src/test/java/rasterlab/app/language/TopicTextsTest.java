@@ -14,17 +14,26 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.clip.polygon.PolygonClipTopic;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.clip.segment.SteppedSegmentClipper;
 import rasterlab.engine.clip.volume.SteppedVolumeClipper;
 import rasterlab.engine.clip.volume.VolumeClipTopic;
+import rasterlab.engine.fill.FillTopic;
+import rasterlab.engine.fill.TracedFill;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.polygon.inside.PointInPolygonTopic;
+import rasterlab.engine.polygon.inside.SteppedPolygonTest;
+import rasterlab.engine.polygon.scan.PolygonFillTopic;
+import rasterlab.engine.polygon.triangle.PointInTriangleTopic;
+import rasterlab.engine.polygon.triangle.SteppedTriangleTest;
+import rasterlab.engine.polygon.triangulation.SteppedTriangulator;
+import rasterlab.engine.polygon.triangulation.TriangulateTopic;
 import rasterlab.engine.spline.CurveTopic;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.spline.SteppedCurve;
@@ -44,33 +53,27 @@ class TopicTextsTest {
     private static final Path ROOT = Path.of("src/main/resources/rasterlab/app");
     private static final String ENGLISH = ".en";
 
-    @ParameterizedTest(name = "the English was changed and its translation was not: {0}")
-    @ValueSource(
-            strings = {
-                "line",
-                "visibility",
-                "clip",
-                "spline",
+    static List<String> topics() {
+        return List.of(
                 "coordinates/view",
                 "coordinates/list",
-                "coordinates/turn"
-            })
+                "coordinates/turn",
+                "line",
+                "polygon",
+                "clip",
+                "visibility",
+                "spline");
+    }
+
+    @ParameterizedTest(name = "the English was changed and its translation was not: {0}")
+    @MethodSource("topics")
     void eachTranslationStandsBelowWhatTheEngineSays(String topic) throws IOException {
         Properties russian = russian(topic);
         english(topic).forEach((key, text) -> assertEquals(text, russian.get(key + ENGLISH), key));
     }
 
     @ParameterizedTest(name = "a text has no translation, or a translation no text: {0}")
-    @ValueSource(
-            strings = {
-                "line",
-                "visibility",
-                "clip",
-                "spline",
-                "coordinates/view",
-                "coordinates/list",
-                "coordinates/turn"
-            })
+    @MethodSource("topics")
     void translatesWhatThereIsAndNothingElse(String topic) throws IOException {
         var translated = new TreeSet<>(russian(topic).stringPropertyNames());
         translated.removeIf(key -> key.endsWith(ENGLISH));
@@ -120,6 +123,7 @@ class TopicTextsTest {
         var said = new TreeMap<String, String>();
         if (topic.equals("spline")) return spline(said);
         if (topic.startsWith("coordinates/")) return coordinates(topic, said);
+        if (topic.equals("polygon")) return polygon(said);
         if (topic.equals("clip")) {
             clip("segments", new SegmentClipTopic(), said);
             clip("polygon", new PolygonClipTopic(), said);
@@ -137,6 +141,48 @@ class TopicTextsTest {
                 refusals(hazard.input(), said);
             }
         return said;
+    }
+
+    private static final Map<String, Topic<?, ?, ?>> OF_POLYGONS =
+            Map.of(
+                    "triangle", new PointInTriangleTopic(),
+                    "polygon", new PointInPolygonTopic(),
+                    "triangulation", new TriangulateTopic(),
+                    "fill", new PolygonFillTopic(),
+                    "seed", new FillTopic());
+
+    /** Methods of two of these topics have one name, so each text begins with its topic's word. */
+    private static Map<String, String> polygon(Map<String, String> said) {
+        OF_POLYGONS.forEach(
+                (mode, topic) -> {
+                    var methods = new TreeMap<String, String>();
+                    for (Method<?> method : topic.methods()) {
+                        about(method, methods);
+                        String decision = decision(method.implementation());
+                        if (!decision.isEmpty()) methods.put(method.name() + ".decision", decision);
+                    }
+                    methods.forEach((key, text) -> said.put(mode + "." + key, text));
+                    for (Hazard<?> hazard : topic.hazards())
+                        said.put("hazard." + mode + "." + hazard.name(), hazard.description());
+                });
+        return said;
+    }
+
+    private static String decision(Object method) {
+        if (method instanceof SteppedTriangleTest test) return test.valueFormula();
+        if (method instanceof SteppedPolygonTest test) return test.countFormula();
+        if (method instanceof SteppedTriangulator cutter) return cutter.choice();
+        return method instanceof TracedFill fill ? fill.waitingMeans() : "";
+    }
+
+    @Test
+    void everyHazardOfPolygonsHasAShortNameInBothLanguages() {
+        for (Language language : Language.values()) {
+            Texts labels = Texts.of("polygon", language);
+            var nameless = new TreeMap<>(polygon(new TreeMap<>()));
+            nameless.keySet().removeIf(key -> !key.startsWith("hazard.") || labels.has(key));
+            assertEquals(Map.of(), nameless, language.name());
+        }
     }
 
     /** What methods say when they refuse is looked at in the lab's own tests. */

@@ -25,6 +25,8 @@ import rasterlab.app.coordinates.list.Example;
 import rasterlab.app.coordinates.stack.StackProgram;
 import rasterlab.app.coordinates.view.ViewKind;
 import rasterlab.app.language.Language;
+import rasterlab.app.polygon.PolygonLabModel;
+import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.Sampling;
 import rasterlab.app.spline.SplineLabModel;
@@ -109,6 +111,12 @@ class ClippedTextTest {
             for (int round = 0; round < 2; round++) OffscreenPainter.paint(clip, width, height);
             assertEquals(List.of(), clipped(clip), mode.name());
         }
+        JComponent polygon = tabs.get().named("polygon").panel();
+        for (PolygonMode mode : PolygonMode.values()) {
+            OffscreenPainter.onEventThread(() -> showComparison(models.get().polygon(), mode));
+            for (int round = 0; round < 2; round++) OffscreenPainter.paint(polygon, width, height);
+            assertEquals(List.of(), clipped(polygon), mode.name());
+        }
         OffscreenPainter.onEventThread(
                 () -> {
                     tabs.get().close();
@@ -122,6 +130,12 @@ class ClippedTextTest {
         clip.chooseMode(mode);
         clip.compareWith(clip.state().choice().scene().method());
         clip.goTo(1);
+    }
+
+    private static void showComparison(PolygonLabModel polygon, PolygonMode mode) {
+        polygon.chooseMode(mode);
+        polygon.compareWith(polygon.state().choice().scene().method());
+        polygon.goTo(1);
     }
 
     private static List<String> clipped(Container container) {

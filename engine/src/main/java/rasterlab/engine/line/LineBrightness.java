@@ -13,10 +13,13 @@ import rasterlab.contract.LineRasterizer;
  * @param length in the same unit: {@value CoverageLine#FULL} for a pixel
  * @param degrees between the line and its longer axis, 0 to 45
  */
-record LineBrightness(long light, long length, double degrees) {
+public record LineBrightness(long light, long length, double degrees) {
     private static final int BAND = 15;
 
-    static LineBrightness of(LineRasterizer method, Segment s) {
+    /**
+     * @throws IllegalArgumentException when the method refuses the segment
+     */
+    public static LineBrightness of(LineRasterizer method, Segment s) {
         long[] light = {0};
         if (method instanceof CoverageLine shaded)
             shaded.shade(s.x0(), s.y0(), s.x1(), s.y1(), (x, y, coverage) -> light[0] += coverage);
@@ -32,7 +35,7 @@ record LineBrightness(long light, long length, double degrees) {
     }
 
     /** Light for a pixel of length; 1 for a row of full pixels. */
-    double perPixel() {
+    public double perPixel() {
         return (double) light / length;
     }
 

@@ -48,4 +48,14 @@ final class ActiveEdges {
     PolygonEdge edge(int index) {
         return active.get(index);
     }
+
+    /** Where the row crosses the active edges, from left to right. */
+    List<RowCrossing> crossings(int width) {
+        return active.stream()
+                .map(edge -> edge.crossing(row, width))
+                .sorted(
+                        Comparator.comparingInt(RowCrossing::column)
+                                .thenComparingDouble(RowCrossing::x))
+                .toList();
+    }
 }

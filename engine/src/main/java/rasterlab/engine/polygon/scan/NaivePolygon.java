@@ -1,6 +1,9 @@
 package rasterlab.engine.polygon.scan;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
 import java.util.Map;
 import rasterlab.contract.FillRule;
 
@@ -66,9 +69,36 @@ public final class NaivePolygon implements SteppedPolygon {
 
         private void cross(int i, int j) {
             edges++;
-            if (y[i] == y[j]) return;
+            if (meets(i, j)) crossings[count++] = crossing(i, j);
+        }
+
+        private boolean meets(int i, int j) {
+            if (y[i] == y[j]) return false;
             double share = (row - y[i]) / (y[j] - y[i]);
-            if (share >= 0 && share <= 1) crossings[count++] = x[i] + share * (x[j] - x[i]);
+            return share >= 0 && share <= 1;
+        }
+
+        private double crossing(int i, int j) {
+            return x[i] + (row - y[i]) / (y[j] - y[i]) * (x[j] - x[i]);
+        }
+
+        @Override
+        public List<RowCrossing> row() {
+            var met = new ArrayList<RowCrossing>();
+            for (int i = 0, before = x.length - 1; i < x.length; before = i++)
+                if (meets(before, i)) met.add(listed(before, i));
+            met.sort(Comparator.comparingDouble(RowCrossing::x));
+            return met;
+        }
+
+        private RowCrossing listed(int from, int to) {
+            boolean down = y[from] < y[to];
+            int upper = down ? from : to;
+            int lower = down ? to : from;
+            double at = crossing(from, to);
+            int column = (int) Math.max(0, Math.min(width, Math.rint(at)));
+            return new RowCrossing(
+                    x[upper], y[upper], x[lower], y[lower], at, column, down ? 1 : -1);
         }
 
         @Override

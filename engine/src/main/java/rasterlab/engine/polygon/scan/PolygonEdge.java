@@ -44,12 +44,21 @@ record PolygonEdge(double upperX, double upperY, double lowerX, double lowerY, i
 
     /** The first column from 0 to {@code width} − 1 that is reached; {@code width} if none is. */
     int firstColumn(int row, int width) {
-        double slope = (lowerX - upperX) / (lowerY - upperY);
-        double crossing = upperX + (row - upperY) * slope;
-        int guess = (int) Math.max(0, Math.min(width, Math.ceil(crossing)));
+        int guess = (int) Math.max(0, Math.min(width, Math.ceil(x(row))));
         boolean notLater = guess == width || reaches(guess, row);
         boolean notEarlier = guess == 0 || !reaches(guess - 1, row);
         return notLater && notEarlier ? guess : searched(row, width);
+    }
+
+    /** X there, rounded. */
+    private double x(int row) {
+        double slope = (lowerX - upperX) / (lowerY - upperY);
+        return upperX + (row - upperY) * slope;
+    }
+
+    RowCrossing crossing(int row, int width) {
+        return new RowCrossing(
+                upperX, upperY, lowerX, lowerY, x(row), firstColumn(row, width), winding);
     }
 
     private int searched(int row, int width) {

@@ -1,6 +1,7 @@
 package rasterlab.engine.polygon.scan;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import rasterlab.contract.FillRule;
 
@@ -93,6 +94,11 @@ public final class ScanlinePolygon implements SteppedPolygon {
         @Override
         public int crossings() {
             return count;
+        }
+
+        @Override
+        public List<RowCrossing> row() {
+            return edges.crossings(width);
         }
 
         @Override

@@ -1,5 +1,6 @@
 package rasterlab.engine.polygon.scan;
 
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -23,6 +24,11 @@ public interface SpanWalk {
 
     /** How many edges cross the row. */
     int crossings();
+
+    /** The edges that cross the row, from left to right; empty where the method lists none. */
+    default List<RowCrossing> row() {
+        return List.of();
+    }
 
     /** What was done so far: name in the plural to number. */
     Map<String, Long> operations();

@@ -33,6 +33,11 @@ final class Rotation implements SteppedTriangleTest {
                 + " x' is 0; inside where none is positive";
     }
 
+    @Override
+    public int[] corners(int side) {
+        return new int[] {side, side};
+    }
+
     private static final class Walk extends SideWalk {
         Walk(double ax, double ay, double bx, double by, double cx, double cy, double x, double y) {
             super(ax, ay, bx, by, cx, cy, x, y);

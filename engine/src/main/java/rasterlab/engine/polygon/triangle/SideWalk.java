@@ -87,6 +87,11 @@ public abstract class SideWalk {
                         "additions", (long) additions));
     }
 
+    /** The sides a–c, c–b, b–a in turn, as the sign methods ask them. */
+    static int[] backwards(int side) {
+        return new int[] {(SIDES - side) % SIDES, SIDES - 1 - side};
+    }
+
     /** Goes to the end. */
     final boolean drain() {
         while (advance())

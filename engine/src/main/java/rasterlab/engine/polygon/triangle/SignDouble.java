@@ -29,6 +29,11 @@ final class SignDouble implements SteppedTriangleTest {
                 + " sign bits are equal";
     }
 
+    @Override
+    public int[] corners(int side) {
+        return SideWalk.backwards(side);
+    }
+
     private static final class Walk extends SideWalk {
         private double first;
 

@@ -33,6 +33,11 @@ final class SignFloat implements SteppedTriangleTest {
         return value;
     }
 
+    @Override
+    public int[] corners(int side) {
+        return SideWalk.backwards(side);
+    }
+
     private static final class Walk extends SideWalk {
         private final float axRounded;
         private final float ayRounded;

@@ -39,6 +39,11 @@ final class SignInt implements SteppedTriangleTest {
         return value;
     }
 
+    @Override
+    public int[] corners(int side) {
+        return SideWalk.backwards(side);
+    }
+
     private static final class Walk extends SideWalk {
         private final int axWhole;
         private final int ayWhole;

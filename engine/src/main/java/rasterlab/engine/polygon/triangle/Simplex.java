@@ -30,6 +30,12 @@ final class Simplex implements SteppedTriangleTest {
         return "u, v and u + v in turn; inside where u ≥ 0, v ≥ 0 and u + v ≤ 1";
     }
 
+    /** u is 0 on the side c–b, v on c–a, and u + v is 1 on a–b. */
+    @Override
+    public int[] corners(int side) {
+        return side == 2 ? new int[] {0, 1} : new int[] {2, 1 - side};
+    }
+
     private static final class Walk extends SideWalk {
         private final double ux;
         private final double uy;

@@ -17,4 +17,12 @@ public interface SteppedTriangleTest extends PointInTriangle {
 
     /** What {@link SideWalk#value} is, as a formula, and which values mean inside. */
     String valueFormula();
+
+    /**
+     * The two corners, 0 for a, 1 for b, 2 for c, of the side that a walk asks as number {@code
+     * side}; the same corner twice where the method asks corner after corner.
+     */
+    default int[] corners(int side) {
+        return new int[] {side, (side + 1) % 3};
+    }
 }

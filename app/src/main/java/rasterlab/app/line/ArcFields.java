@@ -1,0 +1,68 @@
+package rasterlab.app.line;
+
+import java.util.function.IntConsumer;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.NumberField;
+import rasterlab.app.language.Texts;
+
+/** Centre and half-axes as number fields. */
+final class ArcFields {
+    private final NumberField x;
+    private final NumberField y;
+    private final NumberField radiusX;
+    private final NumberField radiusY;
+    private final JPanel centre = row();
+    private final JPanel radii = row();
+
+    ArcFields(FigureLabModel model, Texts texts) {
+        x =
+                field(
+                        "centre.x",
+                        texts,
+                        value -> model.arc(old -> old.withCentre(value, old.centreY())));
+        y =
+                field(
+                        "centre.y",
+                        texts,
+                        value -> model.arc(old -> old.withCentre(old.centreX(), value)));
+        radiusX = field("radius.x", texts, value -> model.arc(old -> old.withRadiusX(value)));
+        radiusY = field("radius.y", texts, value -> model.arc(old -> old.withRadiusY(value)));
+        centre.add(x, "wmin 0");
+        centre.add(y, "wmin 0");
+        radii.add(radiusX, "wmin 0");
+        radii.add(radiusY, "wmin 0");
+    }
+
+    private static JPanel row() {
+        return new JPanel(
+                new MigLayout("insets 0, gap 6, hidemode 3", "[grow,fill,0::][grow,fill,0::]"));
+    }
+
+    private static NumberField field(String name, Texts texts, IntConsumer entered) {
+        return new NumberField(
+                name,
+                texts.text(name + ".hint"),
+                Integer.MIN_VALUE,
+                Integer.MAX_VALUE,
+                1,
+                texts.locale(),
+                value -> entered.accept((int) Math.rint(value)));
+    }
+
+    JPanel centre() {
+        return centre;
+    }
+
+    JPanel radii() {
+        return radii;
+    }
+
+    void show(ArcFigure arc) {
+        x.show(arc.centreX());
+        y.show(arc.centreY());
+        radiusX.show(arc.radiusX());
+        radiusY.show(arc.radiusY());
+        radiusY.setVisible(!arc.round());
+    }
+}

@@ -1,0 +1,77 @@
+package rasterlab.app.line;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.PlanePicture;
+import rasterlab.app.canvas.Plates;
+import rasterlab.app.canvas.StageColours;
+
+/**
+ * Light for a pixel of length against the angle to the rows in degrees, method by method.
+ *
+ * @param even what stands at the line of even brightness
+ */
+record BrightnessPicture(
+        SlopeFigure figure, List<String> methods, List<List<Double>> light, String even)
+        implements PlanePicture {
+    @Override
+    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+        Color faint = MethodColours.mix(colours.axis(), colours.ink(), 0.3);
+        g.setColor(faint);
+        g.setStroke(dashed());
+        double y = map.viewY(1);
+        g.draw(new Line2D.Double(map.viewX(0), y, map.viewX(SlopeFigure.STEEPEST), y));
+        double x = map.viewX(figure.degrees());
+        g.setColor(colours.focus());
+        g.draw(new Line2D.Double(x, map.viewY(0), x, map.viewY(1.1)));
+        for (int i = methods.size() - 1; i >= 0; i--) curve(g, map, colours, i);
+        plate(g, even, map.viewX(4), y - 8, colours);
+        for (int i = 0; i < methods.size(); i++) key(g, map, colours, i);
+    }
+
+    private static BasicStroke dashed() {
+        return new BasicStroke(
+                1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {6, 4}, 0);
+    }
+
+    private void curve(Graphics2D g, PlaneMap map, StageColours colours, int method) {
+        var path = new Path2D.Double();
+        for (int degrees = 0; degrees < light.get(method).size(); degrees++) {
+            double x = map.viewX(degrees);
+            double y = map.viewY(light.get(method).get(degrees));
+            if (degrees == 0) path.moveTo(x, y);
+            else path.lineTo(x, y);
+        }
+        g.setStroke(new BasicStroke(3, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.setColor(ink(colours, method));
+        g.draw(path);
+    }
+
+    private Color ink(StageColours colours, int method) {
+        return MethodColours.edgeOn(colours.ground(), MethodColours.of(methods.get(method)));
+    }
+
+    /** The methods' names below each other in the lower left corner. */
+    private void key(Graphics2D g, PlaneMap map, StageColours colours, int method) {
+        FontMetrics metrics = g.getFontMetrics();
+        double y = map.viewY(0.08) - (methods.size() - 1 - method) * (metrics.getHeight() + 6);
+        double x = map.viewX(4);
+        g.setColor(ink(colours, method));
+        g.setStroke(new BasicStroke(3));
+        g.draw(new Line2D.Double(x, y - 4, x + 24, y - 4));
+        plate(g, methods.get(method), x + 34, y, colours);
+    }
+
+    private static void plate(
+            Graphics2D g, String words, double x, double y, StageColours colours) {
+        Plates.plate(g, words, (int) x, (int) y, colours.ground(), colours.ink());
+    }
+}

@@ -1,0 +1,120 @@
+package rasterlab.app.line;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import rasterlab.engine.circle.ArcWalk;
+import rasterlab.engine.line.LineBrightness;
+import rasterlab.engine.raster.PixelDifference;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.LimitReached;
+
+/**
+ * What one method made of a figure.
+ *
+ * @param message what it said when it refused or crashed, in English; "" otherwise
+ * @param pixels in the order in which they were sent
+ * @param difference from the exact figure
+ * @param decisions of the walk that the pixels mirror, by columns and rows from the centre
+ * @param brightness light for a pixel of length at 0°, 1°, …, 90°; none but of lines
+ */
+record FigureDrawing(
+        String method,
+        LineTrace.Ending ending,
+        String message,
+        PixelRecording pixels,
+        PixelDifference difference,
+        Deviation deviation,
+        Map<Spot, Double> decisions,
+        List<Double> brightness) {
+    /** A pen's figure and a chart have no pixels to step through. */
+    private static final PixelRecording NO_PIXELS = new PixelRecording(1);
+
+    static FigureDrawing of(FigureTopics topics, FigureScene scene, String method) {
+        if (scene.figure() instanceof ArcFigure arc) return arc(topics, arc, method);
+        List<Double> brightness =
+                scene.mode() == LineMode.BRIGHTNESS ? brightness(topics, method) : List.of();
+        return new FigureDrawing(
+                method,
+                LineTrace.Ending.ENDED,
+                "",
+                NO_PIXELS,
+                PixelDifference.of(NO_PIXELS, NO_PIXELS),
+                Deviation.NONE,
+                Map.of(),
+                brightness);
+    }
+
+    private static List<Double> brightness(FigureTopics topics, String method) {
+        var drawing = topics.line().method(method).implementation();
+        return IntStream.rangeClosed(0, SlopeFigure.STEEPEST)
+                .mapToObj(
+                        degrees ->
+                                LineBrightness.of(drawing, SlopeFigure.segment(degrees)).perPixel())
+                .toList();
+    }
+
+    private static FigureDrawing arc(FigureTopics topics, ArcFigure arc, String method) {
+        PixelRecording exact = exact(topics, arc);
+        var pixels = new PixelRecording((int) topics.circle().mostBeforeEndless(exact.size()));
+        var decisions = new HashMap<Spot, Double>();
+        LineTrace.Ending ending = LineTrace.Ending.ENDED;
+        String message = "";
+        try {
+            topics.draw(arc, method, pixels);
+            decisions(topics.walk(arc, method), exact.size(), decisions);
+        } catch (LimitReached endless) {
+            ending = LineTrace.Ending.ENDLESS;
+        } catch (IllegalArgumentException refused) {
+            ending = LineTrace.Ending.REFUSED;
+            message = String.valueOf(refused.getMessage());
+        } catch (RuntimeException crashed) {
+            ending = LineTrace.Ending.CRASHED;
+            message = crashed.toString();
+        }
+        boolean refused = ending == LineTrace.Ending.REFUSED;
+        PixelRecording right = refused ? pixels : exact;
+        return new FigureDrawing(
+                method,
+                ending,
+                message,
+                pixels,
+                PixelDifference.of(right, pixels),
+                topics.compare(arc, right, pixels),
+                decisions,
+                List.of());
+    }
+
+    /** A figure that leaves the range of int has no exact pixels. */
+    private static PixelRecording exact(FigureTopics topics, ArcFigure arc) {
+        long right = (long) arc.centreX() + arc.radiusX();
+        long bottom = (long) arc.centreY() + arc.radiusY();
+        boolean drawn =
+                arc.radiusX() >= 0
+                        && arc.radiusY() >= 0
+                        && right == (int) right
+                        && bottom == (int) bottom
+                        && (long) arc.centreX() - arc.radiusX() >= Integer.MIN_VALUE
+                        && (long) arc.centreY() - arc.radiusY() >= Integer.MIN_VALUE;
+        return drawn ? topics.exact(arc) : new PixelRecording(1);
+    }
+
+    private static void decisions(Optional<ArcWalk> walk, int most, Map<Spot, Double> decisions) {
+        if (walk.isEmpty()) return;
+        ArcWalk steps = walk.get();
+        for (int i = 0; i <= most && steps.advance(); i++)
+            decisions.putIfAbsent(new Spot(steps.u(), steps.v()), steps.decision());
+    }
+
+    /** Whether it is what the exact figure is. */
+    boolean isRight() {
+        return ending == LineTrace.Ending.ENDED && deviation.exact();
+    }
+
+    int steps() {
+        return pixels.size();
+    }
+}

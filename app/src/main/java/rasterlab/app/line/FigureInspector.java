@@ -1,0 +1,208 @@
+package rasterlab.app.line;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import javax.swing.JCheckBox;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.MethodChooser;
+import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.NumberSlider;
+import rasterlab.app.canvas.PixelMarkIcon;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.raster.PixelMark;
+
+/** Choosers, numbers and live readings of the figures, and the chosen method explained. */
+final class FigureInspector {
+    private final FigureLabModel model;
+    private final Texts texts;
+    private final Texts translations;
+    private final Inspector column;
+    private final NameChooser mode;
+    private final Map<LineMode, MethodChooser> method = new EnumMap<>(LineMode.class);
+    private final Map<LineMode, MethodChooser> comparison = new EnumMap<>(LineMode.class);
+    private final ArcFields fields;
+    private final NumberSlider width;
+    private final JCheckBox round;
+    private final NameChooser dashes;
+    private final JLabel pixel;
+    private final JLabel offset;
+    private final JLabel decision;
+    private final JLabel missing;
+    private final JLabel extra;
+    private final JLabel worst;
+    private final JLabel angle;
+    private final JLabel light;
+    private final JLabel full;
+    private final JLabel spread;
+    private final JLabel other;
+    private final AboutText about;
+
+    FigureInspector(LineLabModel lab, Texts texts) {
+        this.texts = texts;
+        model = lab.figures();
+        translations = Texts.of("line", "topic", texts.language());
+        column = new Inspector(texts);
+        mode = ModeChooser.of(LineMode.CIRCLE, lab, texts);
+        column.row("mode", mode);
+        addMethods();
+        fields = new ArcFields(model, texts);
+        column.row("centre", fields.centre());
+        column.row("radii", fields.radii());
+        width =
+                new NumberSlider(
+                        "width",
+                        texts.text("width.hint"),
+                        PenFigure.NARROWEST,
+                        PenFigure.WIDEST,
+                        false,
+                        23,
+                        value -> model.pen(old -> old.withWidth(value)));
+        column.row("width", width);
+        dashes =
+                new NameChooser(
+                        "dashes",
+                        Stream.of(Dashes.values()).map(Dashes::code).toList(),
+                        code -> texts.text("dashes." + code),
+                        code -> model.pen(old -> old.withDashes(Dashes.coded(code))));
+        column.row("dashes", dashes);
+        round = new JCheckBox(texts.label("round"));
+        round.setName("round");
+        round.setMnemonic(texts.mnemonic("round"));
+        round.setDisplayedMnemonicIndex(texts.mnemonicIndex("round"));
+        round.setToolTipText(texts.text("round.hint"));
+        round.addActionListener(e -> model.pen(old -> old.withRound(round.isSelected())));
+        column.wide(round);
+
+        column.heading("heading.numbers");
+        pixel = column.value("pixel");
+        offset = column.value("offset");
+        decision = column.value("decision");
+        missing = column.value("missing");
+        missing.setIcon(new PixelMarkIcon(PixelMark.MISSING));
+        extra = column.value("extra");
+        extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
+        worst = column.value("worst");
+        angle = column.value("angle");
+        light = column.value("light");
+        full = column.value("full");
+        spread = column.value("spread");
+        other = column.value("other");
+
+        column.heading("heading.about");
+        about = new AboutText("about", texts.language());
+        column.wide(about);
+    }
+
+    private void addMethods() {
+        for (LineMode each : List.of(LineMode.CIRCLE, LineMode.ELLIPSE, LineMode.BRIGHTNESS)) {
+            List<String> names = model.methods(each);
+            method.put(each, new MethodChooser("method", "", names, model::chooseMethod));
+            comparison.put(
+                    each,
+                    new MethodChooser("comparison", texts.text("none"), names, model::compareWith));
+            column.row("method", method.get(each));
+            column.row("comparison", comparison.get(each));
+        }
+    }
+
+    Inspector column() {
+        return column;
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        FigureState state = model.state();
+        FigureScene scene = state.scene();
+        mode.show(scene.mode().code());
+        method.forEach(
+                (each, chooser) -> {
+                    boolean shown = each == scene.mode();
+                    column.showRow(chooser, shown);
+                    column.showRow(comparison.get(each), shown);
+                    if (!shown) return;
+                    chooser.show(scene.method());
+                    comparison.get(each).show(scene.comparison());
+                });
+        boolean arc = scene.figure() instanceof ArcFigure;
+        column.showRow(fields.centre(), arc);
+        column.showRow(fields.radii(), arc);
+        if (scene.figure() instanceof ArcFigure shown) fields.show(shown);
+        boolean pen = scene.figure() instanceof PenFigure;
+        for (JComponent each : List.of(width, dashes)) column.showRow(each, pen);
+        round.setVisible(pen);
+        if (scene.figure() instanceof PenFigure shown) showPen(shown);
+        refreshReadings(state);
+        explain(state);
+    }
+
+    private void showPen(PenFigure shown) {
+        width.show(
+                shown.width(),
+                texts.text("worst.pixels", Shown.number(shown.width(), 1, texts.locale())));
+        dashes.show(shown.dashes().code());
+        round.setSelected(shown.round());
+    }
+
+    private void refreshReadings(FigureState state) {
+        boolean arc = state.drawn().figure() instanceof ArcFigure;
+        for (JLabel each : List.of(pixel, offset, decision, missing, extra, worst))
+            column.showRow(each, arc);
+        boolean slope = state.drawn().figure() instanceof SlopeFigure;
+        for (JLabel each : List.of(angle, light, full, spread)) column.showRow(each, slope);
+        column.showRow(other, state.other().isPresent());
+        var readings = new FigureReadings(state, texts);
+        if (arc) {
+            pixel.setText(readings.pixel());
+            offset.setText(readings.offset());
+            decision.setText(readings.decision());
+            missing.setText(readings.missing());
+            extra.setText(readings.extra());
+            worst.setText(readings.worst());
+        }
+        angle.setText(readings.angle());
+        if (slope) {
+            light.setText(readings.light());
+            full.setText(readings.full());
+            spread.setText(readings.spread());
+        }
+        other.setText(readings.other());
+    }
+
+    private void explain(FigureState state) {
+        boolean pen = model.method().isEmpty();
+        about.setVisible(!pen);
+        model.method()
+                .ifPresent(
+                        chosen -> {
+                            LineMode shown = state.scene().mode();
+                            String key =
+                                    shown == LineMode.BRIGHTNESS
+                                            ? chosen.name()
+                                            : shown.code() + "." + chosen.name();
+                            String formula = FigureTopics.decisionFormula(chosen);
+                            about.show(
+                                    translations,
+                                    key,
+                                    chosen,
+                                    formula.isEmpty()
+                                            ? ""
+                                            : translations.textOr(key + ".decision", formula),
+                                    refusal(state));
+                        });
+    }
+
+    /** Why the method refused: in its own words where those are the window's language. */
+    private String refusal(FigureState state) {
+        if (state.drawing().ending() != LineTrace.Ending.REFUSED) return "";
+        return texts.language() == Language.ENGLISH
+                ? state.drawing().message()
+                : texts.text("figure.refusal");
+    }
+}

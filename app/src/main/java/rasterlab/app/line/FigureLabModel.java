@@ -1,0 +1,269 @@
+package rasterlab.app.line;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Steps;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+
+/**
+ * What the lab of lines draws besides segments, without its window: circles, ellipses, lines of a
+ * pen, and how bright lines are.
+ *
+ * <p>Drawing runs on a thread of the model's own; answers and commands all run on the thread of the
+ * executor it is given. Each change publishes a new immutable {@link FigureState}.
+ */
+public final class FigureLabModel implements Steps, AutoCloseable {
+    private final FigureTopics topics = new FigureTopics();
+    private final LatestOnly<FigureScene, Answer> drawings;
+    private final History<FigureScene> history = new History<>();
+    private final Map<LineMode, FigureScene> scenes = new EnumMap<>(LineMode.class);
+    private final List<Consumer<FigureState>> listeners = new ArrayList<>();
+    private FigureState state;
+
+    /**
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what drawing threw, on any thread
+     */
+    FigureLabModel(Executor events, Consumer<Throwable> onFailure) {
+        for (LineMode mode : LineMode.values())
+            if (mode != LineMode.SEGMENT) scenes.put(mode, FigureScene.first(mode));
+        FigureScene first = scenes.get(LineMode.CIRCLE);
+        Answer drawn = answer(first);
+        state =
+                new FigureState(
+                        first, first, drawn.drawing, drawn.other, drawn.drawing.steps(), false, 0);
+        drawings =
+                new LatestOnly<>(
+                        "figure",
+                        (scene, cancelled) -> answer(scene),
+                        (scene, answer) -> events.execute(() -> accept(answer)),
+                        onFailure);
+    }
+
+    private record Answer(
+            FigureScene scene, FigureDrawing drawing, Optional<FigureDrawing> other) {}
+
+    private Answer answer(FigureScene scene) {
+        Optional<FigureDrawing> other =
+                scene.comparison().isEmpty()
+                        ? Optional.empty()
+                        : Optional.of(FigureDrawing.of(topics, scene, scene.comparison()));
+        return new Answer(scene, FigureDrawing.of(topics, scene, scene.method()), other);
+    }
+
+    public FigureState state() {
+        return state;
+    }
+
+    List<String> methods(LineMode mode) {
+        return topics.methods(mode);
+    }
+
+    /** The chosen method; empty where the pen draws. */
+    Optional<Method<?>> method() {
+        return topics.of(state.scene().mode())
+                .map(topic -> (Method<?>) topic.method(state.scene().method()));
+    }
+
+    List<? extends Hazard<?>> hazards(LineMode mode) {
+        return topics.hazards(mode);
+    }
+
+    /** Tells the listener each new state from now on; the answer ends that. */
+    Runnable listen(Consumer<FigureState> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /**
+     * Shows another mode, with the figure it had.
+     *
+     * @throws IllegalArgumentException for a segment, which has a lab of its own
+     */
+    public void chooseMode(LineMode mode) {
+        if (!scenes.containsKey(mode))
+            throw new IllegalArgumentException(mode + " is none of " + scenes.keySet());
+        change(scenes.get(mode), true);
+    }
+
+    /**
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void chooseMethod(String method) {
+        require(method);
+        change(state.scene().withMethod(method), false);
+    }
+
+    /**
+     * @param method a method's name, "" for none
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void compareWith(String method) {
+        if (!method.isEmpty()) require(method);
+        change(state.scene().withComparison(method), false);
+    }
+
+    private void require(String method) {
+        topics.of(state.scene().mode())
+                .orElseThrow(() -> new IllegalArgumentException("a pen has no methods"))
+                .method(method);
+    }
+
+    /**
+     * Brings a hazard's circle or ellipse.
+     *
+     * @throws IllegalArgumentException naming the hazards there are
+     */
+    public void show(LineMode mode, String hazard) {
+        change(scenes.get(mode).with(topics.showing(mode, hazard)), true);
+    }
+
+    /**
+     * Moves a point of the figure. Between {@link #beginDrag} and {@link #endDrag} all moves are
+     * one for undo.
+     */
+    public void move(String grip, double pixelX, double pixelY) {
+        figure(old -> old.moved(grip, new Spot(pixelX, pixelY)));
+    }
+
+    void add(double pixelX, double pixelY) {
+        figure(old -> old.added(new Spot(pixelX, pixelY)));
+    }
+
+    void remove(String grip) {
+        figure(old -> old.without(grip));
+    }
+
+    private void figure(UnaryOperator<DrawnFigure> changed) {
+        change(state.scene().with(changed.apply(state.scene().figure())), false);
+    }
+
+    /** Changes something that only a circle or an ellipse has. */
+    void arc(UnaryOperator<ArcFigure> changed) {
+        if (state.scene().figure() instanceof ArcFigure old)
+            change(state.scene().with(changed.apply(old)), false);
+    }
+
+    /** Changes something that only a pen's line has. */
+    public void pen(UnaryOperator<PenFigure> changed) {
+        if (state.scene().figure() instanceof PenFigure old)
+            change(state.scene().with(changed.apply(old)), false);
+    }
+
+    void beginDrag() {
+        history.beginDrag(state.scene());
+    }
+
+    void endDrag() {
+        history.endDrag(state.scene());
+        publish(at(state.step()));
+    }
+
+    public void undo() {
+        history.undo()
+                .ifPresent(scene -> draw(scene, arranged(scene.mode() != state.scene().mode())));
+    }
+
+    /** Back to the mode's first figure and method; can be undone. */
+    public void reset() {
+        change(FigureScene.first(state.scene().mode()), true);
+    }
+
+    /** Waits until every choice so far is drawn or dropped. Any other thread. */
+    void settle() throws InterruptedException {
+        drawings.settle();
+    }
+
+    /** Ends the thread. */
+    @Override
+    public void close() {
+        drawings.close();
+    }
+
+    @Override
+    public int first() {
+        return Math.min(1, last());
+    }
+
+    @Override
+    public int last() {
+        return state.drawing().steps();
+    }
+
+    @Override
+    public int step() {
+        return state.step();
+    }
+
+    @Override
+    public void goTo(int step) {
+        int next = Math.max(first(), Math.min(last(), step));
+        if (next != state.step()) publish(at(next));
+    }
+
+    @Override
+    public boolean turnsRound() {
+        return false;
+    }
+
+    private void change(FigureScene next, boolean arrange) {
+        if (next.equals(state.scene()) && !arrange) return;
+        if (!next.equals(state.scene())) history.remember(state.scene());
+        draw(next, arranged(arrange));
+    }
+
+    private int arranged(boolean again) {
+        return state.arrangement() + (again ? 1 : 0);
+    }
+
+    private void draw(FigureScene scene, int arrangement) {
+        scenes.put(scene.mode(), scene);
+        publish(
+                new FigureState(
+                        scene,
+                        state.drawn(),
+                        state.drawing(),
+                        state.other(),
+                        state.step(),
+                        !history.isEmpty(),
+                        arrangement));
+        drawings.ask(scene);
+    }
+
+    private void accept(Answer answer) {
+        publish(
+                new FigureState(
+                        state.scene(),
+                        answer.scene,
+                        answer.drawing,
+                        answer.other,
+                        answer.drawing.steps(),
+                        state.undoable(),
+                        state.arrangement()));
+    }
+
+    private FigureState at(int step) {
+        return new FigureState(
+                state.scene(),
+                state.drawn(),
+                state.drawing(),
+                state.other(),
+                step,
+                !history.isEmpty(),
+                state.arrangement());
+    }
+
+    private void publish(FigureState next) {
+        state = next;
+        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+    }
+}

@@ -1,0 +1,120 @@
+package rasterlab.app.line;
+
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.Actions;
+import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Hazard;
+
+/** Circles, ellipses, lines of a pen and the chart of brightness, in one language. */
+final class FigurePanel extends LabPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient FigureLabModel model;
+    private final transient Texts texts;
+    private final FigureStage stage;
+    private final transient FigureInspector inspector;
+    private final StepPlayer player;
+    private final Actions actions;
+    private final Map<LineMode, Chips> chips = new EnumMap<>(LineMode.class);
+    private final transient Runnable unsubscribe;
+
+    /**
+     * @param onFailure told what a control could not do or painting threw, on any thread
+     */
+    FigurePanel(LineLabModel lab, Language language, Consumer<Throwable> onFailure) {
+        model = lab.figures();
+        texts = Texts.of("line", language);
+        stage = new FigureStage(model, texts, onFailure);
+        inspector = new FigureInspector(lab, texts);
+        player =
+                new StepPlayer(
+                        Texts.of("canvas", language),
+                        model,
+                        () -> texts.text("count", model.step(), model.last()));
+        actions = new Actions(Texts.of("canvas", language));
+        actions.add("undo", model::undo);
+        actions.add("reset", model::reset);
+        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
+        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        actions.add(
+                "copyCommand",
+                () -> command().ifPresent(command -> Copying.text(command, onFailure)));
+        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        player.bindKeys(stage);
+        unsubscribe = model.listen(state -> refresh());
+        refresh();
+    }
+
+    private Optional<String> command() {
+        return FigureCommand.of(model.state().scene());
+    }
+
+    /** Gives the keyboard to the point that had it last. */
+    @Override
+    public void focusPicture() {
+        stage.focusPoint();
+    }
+
+    /** Stops playing. */
+    void stop() {
+        player.stop();
+    }
+
+    /** Stops listening and playing; the model lives on. */
+    @Override
+    public void close() {
+        player.stop();
+        unsubscribe.run();
+        stage.close();
+    }
+
+    private void refresh() {
+        LineMode mode = model.state().scene().mode();
+        chips.forEach((each, shown) -> shown.setVisible(each == mode));
+        stage.refresh();
+        inspector.refresh();
+        player.refresh();
+        actions.enable("undo", model.state().undoable());
+        actions.enable("copyCommand", command().isPresent());
+    }
+
+    private JPanel chips() {
+        var all = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, fillx", "[grow,fill]"));
+        all.setOpaque(false);
+        Texts translations = Texts.of("line", "topic", texts.language());
+        for (LineMode mode : List.of(LineMode.CIRCLE, LineMode.ELLIPSE)) {
+            var row = new Chips(texts.text("hazards"));
+            for (Hazard<?> hazard : model.hazards(mode)) {
+                String key = "hazard." + mode.code() + "." + hazard.name();
+                row.add(
+                        hazard.name(),
+                        texts.textOr(key, hazard.name()),
+                        translations.textOr(key, hazard.description()),
+                        () -> model.show(mode, hazard.name()));
+            }
+            chips.put(mode, row);
+            all.add(row, "wmin 0, growx, wrap");
+        }
+        for (LineMode mode : List.of(LineMode.PEN, LineMode.BRIGHTNESS)) {
+            var sentence = new Chips(texts.text("figure.intro." + mode.code()));
+            chips.put(mode, sentence);
+            all.add(sentence, "wmin 0, growx, wrap");
+        }
+        return all;
+    }
+}

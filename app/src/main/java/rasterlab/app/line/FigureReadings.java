@@ -1,0 +1,120 @@
+package rasterlab.app.line;
+
+import java.util.List;
+import java.util.Locale;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Texts;
+
+/** The live numbers of a state as the inspector writes them. */
+final class FigureReadings {
+    private static final String NONE = "–";
+
+    private final FigureState state;
+    private final FigureDrawing drawing;
+    private final Texts texts;
+
+    FigureReadings(FigureState state, Texts texts) {
+        this.state = state;
+        this.texts = texts;
+        drawing = state.drawing();
+    }
+
+    private Locale locale() {
+        return texts.locale();
+    }
+
+    /** The pixel lit last, and where it is from the centre. */
+    String pixel() {
+        if (state.step() == 0) return NONE;
+        int x = drawing.pixels().x(state.step() - 1);
+        int y = drawing.pixels().y(state.step() - 1);
+        return Shown.point(x, y, locale());
+    }
+
+    /** Columns and rows of that pixel from the centre. */
+    String offset() {
+        if (state.step() == 0) return NONE;
+        Spot offset = fromCentre();
+        return "u = "
+                + Shown.number(offset.x(), locale())
+                + ", v = "
+                + Shown.number(offset.y(), locale());
+    }
+
+    private Spot fromCentre() {
+        var arc = (ArcFigure) state.drawn().figure();
+        double x = drawing.pixels().x(state.step() - 1);
+        double y = drawing.pixels().y(state.step() - 1);
+        return new Spot(Math.abs(x - arc.centreX()), Math.abs(y - arc.centreY()));
+    }
+
+    /** What decided the pixel, or its mirror image across the diagonal. */
+    String decision() {
+        if (state.step() == 0) return NONE;
+        Spot offset = fromCentre();
+        Double own = drawing.decisions().get(offset);
+        if (own == null) own = drawing.decisions().get(new Spot(offset.y(), offset.x()));
+        return own == null ? NONE : Shown.number(own, locale());
+    }
+
+    String missing() {
+        if (drawing.ending() == LineTrace.Ending.REFUSED) return NONE;
+        return state.finished()
+                ? texts.text("pixels", drawing.deviation().missing())
+                : texts.text("missing.later");
+    }
+
+    String extra() {
+        if (drawing.ending() == LineTrace.Ending.REFUSED) return NONE;
+        return texts.text("pixels", drawing.deviation().extra());
+    }
+
+    String worst() {
+        if (drawing.ending() == LineTrace.Ending.REFUSED) return NONE;
+        return texts.text("worst.pixels", Shown.number(drawing.deviation().worst(), locale()));
+    }
+
+    /** The second method beside the exact figure in one line; "" when none is compared. */
+    String other() {
+        return state.other()
+                .map(
+                        second ->
+                                second.brightness().isEmpty()
+                                        ? texts.text(
+                                                "other.wrong",
+                                                second.deviation().missing(),
+                                                second.deviation().extra())
+                                        : light(second.brightness()))
+                .orElse("");
+    }
+
+    /** The angle of the line that is looked at. */
+    String angle() {
+        return state.scene().figure() instanceof SlopeFigure slope ? slope.degrees() + "°" : NONE;
+    }
+
+    /** Light for a pixel of length at that angle, by the chosen method. */
+    String light() {
+        return drawing.brightness().isEmpty() ? NONE : light(drawing.brightness());
+    }
+
+    private String light(List<Double> brightness) {
+        var slope = (SlopeFigure) state.drawn().figure();
+        return Shown.number(brightness.get(slope.degrees()), 3, locale());
+    }
+
+    /** Between the brightest and the darkest slope. */
+    String spread() {
+        if (drawing.brightness().isEmpty()) return NONE;
+        double least = drawing.brightness().stream().mapToDouble(d -> d).min().orElse(0);
+        double most = drawing.brightness().stream().mapToDouble(d -> d).max().orElse(0);
+        return Shown.number(least, 3, locale()) + "…" + Shown.number(most, 3, locale());
+    }
+
+    /** Light of a line with one full pixel in each column or row. */
+    String full() {
+        return state.scene().figure() instanceof SlopeFigure slope
+                ? Shown.number(SlopeFigure.ofFullPixels(slope.degrees()), 3, locale())
+                : NONE;
+    }
+}

@@ -1,0 +1,194 @@
+package rasterlab.app.line;
+
+import java.awt.CardLayout;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import rasterlab.app.canvas.PicturePair;
+import rasterlab.app.canvas.PlaneAxes;
+import rasterlab.app.canvas.PlaneEdits;
+import rasterlab.app.canvas.PlanePicture;
+import rasterlab.app.canvas.PlanePoint;
+import rasterlab.app.canvas.PlaneView;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Texts;
+
+/** The figure by the chosen method, beside it by a second one; or the chart of brightness. */
+final class FigureStage extends JPanel implements AutoCloseable {
+    private static final long serialVersionUID = 1L;
+
+    private static final String PIXELS = "pixels";
+    private static final String CHART = "chart";
+
+    private final transient FigureLabModel model;
+    private final transient Texts texts;
+    private final CardLayout cards = new CardLayout();
+    private final PicturePair pixels;
+    private final PlaneView chart;
+
+    /**
+     * @param onFailure told what painting threw, on any thread
+     */
+    FigureStage(FigureLabModel model, Texts texts, Consumer<Throwable> onFailure) {
+        this.model = model;
+        this.texts = texts;
+        setLayout(cards);
+        setOpaque(false);
+        pixels =
+                new PicturePair(
+                        view("stage", PlaneAxes.RASTER, onFailure),
+                        view("stage.other", PlaneAxes.RASTER, onFailure));
+        chart = view("stage", PlaneAxes.GRAPH, onFailure);
+        add(pixels, PIXELS);
+        add(chart, CHART);
+        refresh();
+    }
+
+    private PlaneView view(String name, PlaneAxes axes, Consumer<Throwable> onFailure) {
+        var view =
+                new PlaneView(
+                        axes,
+                        Texts.of("canvas", texts.language()),
+                        texts.text("figure." + name),
+                        new Edits(),
+                        model::settle,
+                        onFailure);
+        view.setName(name);
+        view.stepAtLeast(axes == PlaneAxes.GRAPH ? 1 : 0);
+        return view;
+    }
+
+    private PlaneView shown() {
+        return model.state().drawn().mode() == LineMode.BRIGHTNESS ? chart : pixels.chosen();
+    }
+
+    /** Gives the keyboard to the point that had it last. */
+    void focusPoint() {
+        shown().focusPoint();
+    }
+
+    String svg() {
+        return shown().svg();
+    }
+
+    /** Ends the threads that paint. */
+    @Override
+    public void close() {
+        pixels.close();
+        chart.close();
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        FigureState state = model.state();
+        // Another mode's figure is shown when it is drawn.
+        if (state.drawn().mode() != state.scene().mode()) return;
+        Rectangle2D all = FigureFraming.of(state.scene().figure());
+        cards.show(this, shown() == chart ? CHART : PIXELS);
+        boolean arc = state.drawn().figure() instanceof ArcFigure;
+        Optional<FigureDrawing> second = arc ? state.other() : Optional.empty();
+        pixels.arrange(all, second.isPresent());
+        pixels.chosen().stepAtLeast(arc ? 1 : 0);
+        shown().show(
+                        picture(state.drawing(), state.step()),
+                        points(),
+                        note(state.drawing(), second.isPresent()),
+                        all,
+                        state.arrangement());
+        second.ifPresent(
+                other -> {
+                    int step = state.finished() ? other.steps() : state.step();
+                    pixels.other()
+                            .show(
+                                    picture(other, Math.min(step, other.steps())),
+                                    List.of(),
+                                    note(other, true),
+                                    all,
+                                    state.arrangement());
+                });
+    }
+
+    private PlanePicture picture(FigureDrawing drawing, int step) {
+        DrawnFigure figure = model.state().drawn().figure();
+        if (figure instanceof ArcFigure arc) return new ArcPicture(arc, drawing, step);
+        if (figure instanceof PenFigure pen) return new PenPicture(pen);
+        var methods = new ArrayList<String>();
+        var light = new ArrayList<List<Double>>();
+        methods.add(drawing.method());
+        light.add(drawing.brightness());
+        model.state()
+                .other()
+                .filter(other -> !other.method().equals(drawing.method()))
+                .ifPresent(
+                        other -> {
+                            methods.add(other.method());
+                            light.add(other.brightness());
+                        });
+        return new BrightnessPicture(
+                (SlopeFigure) figure, methods, light, texts.text("figure.even"));
+    }
+
+    /** What the picture alone would not tell; of two pictures also whose each is. */
+    private String note(FigureDrawing drawing, boolean named) {
+        String method = drawing.method();
+        return switch (drawing.ending()) {
+            case ENDLESS -> texts.text("note.endless", method, drawing.steps());
+            case REFUSED -> texts.text("figure.refused", method);
+            case CRASHED -> texts.text("note.crashed", method, drawing.message());
+            default -> named ? method : "";
+        };
+    }
+
+    private List<PlanePoint> points() {
+        var points = new ArrayList<PlanePoint>();
+        model.state().scene().figure().grips().forEach((grip, at) -> points.add(point(grip, at)));
+        return points;
+    }
+
+    private PlanePoint point(String grip, Spot at) {
+        String kind = grip.startsWith("point.") ? "point" : grip;
+        String said =
+                texts.text("figure.grip." + kind)
+                        + " "
+                        + Shown.point(at.x(), at.y(), texts.locale());
+        boolean centre = grip.equals(ArcFigure.CENTRE);
+        return new PlanePoint(
+                grip,
+                at.x(),
+                at.y(),
+                centre ? PlanePoint.Form.CIRCLE : PlanePoint.Form.SQUARE,
+                "",
+                texts.text("figure.keys", said));
+    }
+
+    /** What mouse and keyboard mean for the model. */
+    private final class Edits implements PlaneEdits {
+        @Override
+        public void beginDrag() {
+            model.beginDrag();
+        }
+
+        @Override
+        public void endDrag() {
+            model.endDrag();
+        }
+
+        @Override
+        public void move(String point, double x, double y) {
+            model.move(point, x, y);
+        }
+
+        @Override
+        public void add(double x, double y) {
+            model.add(x, y);
+        }
+
+        @Override
+        public void remove(String point) {
+            model.remove(point);
+        }
+    }
+}

@@ -1,0 +1,103 @@
+package rasterlab.app.line;
+
+import java.util.List;
+import java.util.Optional;
+import rasterlab.engine.circle.ArcWalk;
+import rasterlab.engine.circle.Circle;
+import rasterlab.engine.circle.CircleTopic;
+import rasterlab.engine.circle.Ellipse;
+import rasterlab.engine.circle.EllipseTopic;
+import rasterlab.engine.circle.SteppedCircle;
+import rasterlab.engine.circle.SteppedEllipse;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.naming.Named;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+
+/** The engine's topics behind the figures. */
+record FigureTopics(CircleTopic circle, EllipseTopic ellipse, LineTopic line) {
+    FigureTopics() {
+        this(new CircleTopic(), new EllipseTopic(), new LineTopic());
+    }
+
+    /** Empty where the pen draws. */
+    Optional<Topic<?, ?, ?>> of(LineMode mode) {
+        return switch (mode) {
+            case CIRCLE -> Optional.of(circle);
+            case ELLIPSE -> Optional.of(ellipse);
+            case BRIGHTNESS, SEGMENT -> Optional.of(line);
+            case PEN -> Optional.empty();
+        };
+    }
+
+    List<String> methods(LineMode mode) {
+        return of(mode).stream()
+                .flatMap(topic -> topic.methods().stream())
+                .map(Method::name)
+                .toList();
+    }
+
+    /** Those of circles and ellipses. */
+    List<? extends Hazard<?>> hazards(LineMode mode) {
+        if (mode == LineMode.CIRCLE) return circle.hazards();
+        return mode == LineMode.ELLIPSE ? ellipse.hazards() : List.of();
+    }
+
+    /**
+     * @throws IllegalArgumentException naming the hazards there are
+     */
+    ArcFigure showing(LineMode mode, String hazard) {
+        Object input =
+                Named.<Hazard<?>>find("hazard", hazard, List.copyOf(hazards(mode)), Hazard::name)
+                        .input();
+        return input instanceof Circle round ? ArcFigure.of(round) : ArcFigure.of((Ellipse) input);
+    }
+
+    PixelRecording exact(ArcFigure arc) {
+        return arc.round()
+                ? circle.exact(arc.circle(), circle.mostItems())
+                : ellipse.exact(arc.ellipse(), ellipse.mostItems());
+    }
+
+    Deviation compare(ArcFigure arc, PixelRecording exact, PixelRecording actual) {
+        return arc.round()
+                ? circle.compare(arc.circle(), exact, actual)
+                : ellipse.compare(arc.ellipse(), exact, actual);
+    }
+
+    void draw(ArcFigure arc, String method, PixelRecording out) {
+        if (arc.round())
+            circle.method(method)
+                    .implementation()
+                    .draw(arc.centreX(), arc.centreY(), arc.radiusX(), out);
+        else
+            ellipse.method(method)
+                    .implementation()
+                    .draw(arc.centreX(), arc.centreY(), arc.radiusX(), arc.radiusY(), out);
+    }
+
+    /** The walk that the method mirrors. */
+    Optional<ArcWalk> walk(ArcFigure arc, String method) {
+        Object drawing =
+                arc.round()
+                        ? circle.method(method).implementation()
+                        : ellipse.method(method).implementation();
+        if (drawing instanceof SteppedCircle stepped)
+            return Optional.of(stepped.walk(arc.radiusX()));
+        return drawing instanceof SteppedEllipse stepped
+                ? Optional.of(stepped.walk(arc.radiusX(), arc.radiusY()))
+                : Optional.empty();
+    }
+
+    /** What the decision variable of a method is, as a formula; "" for one without. */
+    static String decisionFormula(Method<?> method) {
+        if (method.implementation() instanceof SteppedCircle stepped)
+            return stepped.decisionFormula();
+        return method.implementation() instanceof SteppedEllipse stepped
+                ? stepped.decisionFormula()
+                : "";
+    }
+}

@@ -1,0 +1,97 @@
+package rasterlab.app.line;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import rasterlab.engine.surface.Pen;
+
+/**
+ * A line from point to point and the pen that draws it.
+ *
+ * @param width in pixels
+ * @param round whether ends and joins are round
+ */
+public record PenFigure(List<Spot> points, double width, boolean round, Dashes dashes)
+        implements DrawnFigure {
+    /** The picture that the pen draws into, in pixels. */
+    static final int WIDTH = 60;
+
+    static final int HEIGHT = 44;
+    static final double NARROWEST = 0.5;
+    static final double WIDEST = 12;
+    private static final int MOST = 20;
+
+    public PenFigure {
+        points = List.copyOf(points);
+    }
+
+    static PenFigure first() {
+        return new PenFigure(
+                List.of(new Spot(6, 34), new Spot(18, 8), new Spot(30, 34), new Spot(54, 16)),
+                5,
+                true,
+                Dashes.SOLID);
+    }
+
+    Pen pen() {
+        return new Pen(width, round, dashes.lengths(width));
+    }
+
+    PenFigure withWidth(double other) {
+        return new PenFigure(points, other, round, dashes);
+    }
+
+    PenFigure withRound(boolean other) {
+        return new PenFigure(points, width, other, dashes);
+    }
+
+    PenFigure withDashes(Dashes other) {
+        return new PenFigure(points, width, round, other);
+    }
+
+    private PenFigure with(List<Spot> others) {
+        return new PenFigure(others, width, round, dashes);
+    }
+
+    @Override
+    public Map<String, Spot> grips() {
+        var grips = new LinkedHashMap<String, Spot>();
+        for (int i = 0; i < points.size(); i++) grips.put("point." + i, points.get(i));
+        return grips;
+    }
+
+    private static int index(String grip) {
+        return Integer.parseInt(grip.substring("point.".length()));
+    }
+
+    @Override
+    public PenFigure moved(String grip, Spot to) {
+        var moved = new ArrayList<>(points);
+        moved.set(index(grip), clamped(to));
+        return with(moved);
+    }
+
+    /** Not so far away that no pixel is left in the picture. */
+    private static Spot clamped(Spot to) {
+        return new Spot(
+                Math.max(-WIDTH, Math.min(2 * WIDTH, to.x())),
+                Math.max(-HEIGHT, Math.min(2 * HEIGHT, to.y())));
+    }
+
+    @Override
+    public PenFigure added(Spot at) {
+        if (points.size() == MOST) return this;
+        var more = new ArrayList<>(points);
+        more.add(clamped(at));
+        return with(more);
+    }
+
+    @Override
+    public PenFigure without(String grip) {
+        if (points.size() == 2) return this;
+        var fewer = new ArrayList<>(points);
+        fewer.remove(index(grip));
+        return with(fewer);
+    }
+}

@@ -1,0 +1,23 @@
+package rasterlab.app.polygon;
+
+import java.util.Map;
+
+/** What a mode shows before any method works on it; immutable. */
+public sealed interface Figure permits InsideFigure, CutFigure, FillFigure, SeedFigure {
+    /** What can be moved, by name and place. */
+    Map<Grip, Place> grips();
+
+    Figure moved(Grip grip, Place to);
+
+    /** One corner more behind that one, or a wall at the pen. */
+    Figure grown(Grip beside);
+
+    /** Without that corner unless it is needed, or without the wall at the pen. */
+    Figure without(Grip grip);
+
+    /** After two clicks on the ground: a corner more there, the point there, or a wall there. */
+    Figure clicked(Place at);
+
+    /** The least way that a key moves a point, in the plane's units; 0 for any. */
+    double leastStep();
+}

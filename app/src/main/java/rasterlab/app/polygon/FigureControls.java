@@ -1,0 +1,81 @@
+package rasterlab.app.polygon;
+
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JCheckBox;
+import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.language.Texts;
+import rasterlab.contract.FillRule;
+
+/** What only the figure of one mode has: whole numbers, fill rule, brush, neighbours, colour. */
+final class FigureControls {
+    private final JCheckBox whole;
+    private final NameChooser rule;
+    private final NameChooser brush;
+    private final NameChooser connectivity;
+    private final NameChooser colour;
+
+    FigureControls(PolygonLabModel model, Texts texts, Inspector column) {
+        whole = checkBox("whole", texts);
+        whole.addActionListener(e -> model.inside(old -> old.withWhole(whole.isSelected())));
+        column.wide(whole);
+        rule =
+                new NameChooser(
+                        "rule",
+                        Stream.of(FillRule.values()).map(FillRule::name).toList(),
+                        name -> texts.text("rule." + name),
+                        name -> model.fill(old -> old.withRule(FillRule.valueOf(name))));
+        column.row("rule", rule);
+        brush =
+                new NameChooser(
+                        "brush",
+                        Stream.of(BrushKind.values()).map(BrushKind::code).toList(),
+                        name -> texts.text("brush." + name),
+                        name -> model.fill(old -> old.withBrush(BrushKind.coded(name))));
+        column.row("brush", brush);
+        connectivity =
+                new NameChooser(
+                        "connectivity",
+                        List.of("4", "8", "6"),
+                        name -> texts.text("connectivity." + name),
+                        name -> model.seed(old -> old.withConnectivity(Integer.parseInt(name))));
+        column.row("connectivity", connectivity);
+        colour =
+                new NameChooser(
+                        "colour",
+                        List.of("new", "same"),
+                        name -> texts.text("colour." + name),
+                        name -> model.seed(old -> old.withSame(name.equals("same"))));
+        column.row("colour", colour);
+    }
+
+    /** Named as its text, whose mnemonic it has. */
+    static JCheckBox checkBox(String key, Texts texts) {
+        var box = new JCheckBox(texts.label(key));
+        box.setName(key);
+        box.setMnemonic(texts.mnemonic(key));
+        box.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
+        box.setToolTipText(texts.text(key + ".hint"));
+        return box;
+    }
+
+    void refresh(Figure figure, Inspector column) {
+        whole.setVisible(figure instanceof InsideFigure);
+        if (figure instanceof InsideFigure inside) whole.setSelected(inside.whole());
+        boolean fill = figure instanceof FillFigure;
+        column.showRow(rule, fill);
+        column.showRow(brush, fill);
+        if (figure instanceof FillFigure filled) {
+            rule.show(filled.rule().name());
+            brush.show(filled.brush().code());
+        }
+        boolean seed = figure instanceof SeedFigure;
+        column.showRow(connectivity, seed);
+        column.showRow(colour, seed);
+        if (figure instanceof SeedFigure seeded) {
+            connectivity.show(String.valueOf(seeded.connectivity()));
+            colour.show(seeded.same() ? "same" : "new");
+        }
+    }
+}

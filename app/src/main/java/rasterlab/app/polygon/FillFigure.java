@@ -1,0 +1,95 @@
+package rasterlab.app.polygon;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import rasterlab.contract.FillRule;
+import rasterlab.engine.polygon.scan.PolygonTask;
+
+/**
+ * A polygon to be filled, in pixel coordinates.
+ *
+ * @param width of the picture, in pixels
+ * @param height of the picture, in pixels
+ */
+public record FillFigure(List<Place> corners, FillRule rule, int width, int height, BrushKind brush)
+        implements Figure {
+    public FillFigure {
+        corners = List.copyOf(corners);
+    }
+
+    /** A star drawn in one stroke, whose middle tells the rules apart. */
+    static FillFigure first() {
+        var corners = new ArrayList<Place>();
+        for (int i = 0; i < 5; i++) {
+            double angle = 2 * i * 2 * Math.PI / 5;
+            corners.add(
+                    new Place(
+                            rounded(21 + 18 * Math.sin(angle)),
+                            rounded(19 - 18 * Math.cos(angle))));
+        }
+        return new FillFigure(corners, FillRule.EVEN_ODD, 43, 36, BrushKind.SOLID);
+    }
+
+    private static double rounded(double value) {
+        return Math.rint(4 * value) / 4;
+    }
+
+    FillFigure showing(PolygonTask input) {
+        var places = new ArrayList<Place>();
+        for (int i = 0; i < input.x().length; i++)
+            places.add(new Place(input.x()[i], input.y()[i]));
+        return new FillFigure(places, input.rule(), input.width(), input.height(), brush);
+    }
+
+    PolygonTask task() {
+        return new PolygonTask(
+                corners.stream().mapToDouble(Place::x).toArray(),
+                corners.stream().mapToDouble(Place::y).toArray(),
+                rule,
+                width,
+                height);
+    }
+
+    FillFigure withRule(FillRule other) {
+        return new FillFigure(corners, other, width, height, brush);
+    }
+
+    FillFigure withBrush(BrushKind other) {
+        return new FillFigure(corners, rule, width, height, other);
+    }
+
+    private FillFigure with(List<Place> others) {
+        return new FillFigure(others, rule, width, height, brush);
+    }
+
+    @Override
+    public Map<Grip, Place> grips() {
+        return CornerList.grips(corners);
+    }
+
+    @Override
+    public FillFigure moved(Grip grip, Place to) {
+        return with(CornerList.replaced(corners, grip.index(), to));
+    }
+
+    @Override
+    public FillFigure grown(Grip beside) {
+        return with(CornerList.grown(corners, beside.index()));
+    }
+
+    @Override
+    public FillFigure without(Grip grip) {
+        return with(CornerList.removed(corners, grip.index(), 2));
+    }
+
+    @Override
+    public FillFigure clicked(Place at) {
+        return with(CornerList.joined(corners, at));
+    }
+
+    @Override
+    public double leastStep() {
+        return 0;
+    }
+}

@@ -1,0 +1,38 @@
+package rasterlab.app.polygon;
+
+import java.util.List;
+
+/**
+ * Which of the figure's points are inside.
+ *
+ * @param inside by the method, point after point; none where it refused
+ * @param exact as many as there are points
+ * @param sides what the method asked about the first point
+ */
+record InsideAnswer(List<Boolean> inside, List<Boolean> exact, List<AskedSide> sides)
+        implements Answer {
+    /**
+     * A side that a method looked at.
+     *
+     * @param from number of a corner
+     * @param to number of another one; the same where the method asks about a corner
+     * @param value what decides
+     */
+    record AskedSide(int from, int to, double value) {}
+
+    InsideAnswer {
+        inside = List.copyOf(inside);
+        exact = List.copyOf(exact);
+        sides = List.copyOf(sides);
+    }
+
+    /** Whether the method judged a point, and wrongly. */
+    boolean isWrong(int point) {
+        return point < inside.size() && !inside.get(point).equals(exact.get(point));
+    }
+
+    @Override
+    public int steps() {
+        return sides.size();
+    }
+}

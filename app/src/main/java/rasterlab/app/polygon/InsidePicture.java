@@ -1,0 +1,102 @@
+package rasterlab.app.polygon;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.BooleanSupplier;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.PlanePicture;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.engine.polygon.ExactMembership;
+import rasterlab.engine.polygon.Membership;
+import rasterlab.engine.polygon.Points;
+import rasterlab.engine.raster.PixelMark;
+
+/**
+ * What a method says of every point in sight, beside the exact answer or a second method.
+ *
+ * @param other the second method, "" for the exact answer
+ * @param step as {@link PolygonLabState#step}
+ */
+record InsidePicture(
+        PolygonTopics topics,
+        PolygonMode mode,
+        InsideFigure figure,
+        String method,
+        InsideAnswer answer,
+        String other,
+        int step,
+        Locale locale)
+        implements PlanePicture {
+    private static final double MARK = 18;
+
+    @Override
+    public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
+        var strokes = new Strokes(g, map, colours);
+        var field = new FieldPainter(g, map, colours, field(g, map, cancelled));
+        Color first = MethodColours.of(method);
+        field.paintInside(first);
+        strokes.outline(figure.corners(), colours.ink(), 1.6f);
+        boolean exact = other.isEmpty();
+        field.paintDifferences(
+                exact ? MethodColours.VERMILLION : first,
+                exact ? MethodColours.VERMILLION : MethodColours.of(other));
+        paintPoints(g, map, colours);
+        if (step > 0 && step <= answer.steps()) paintStep(strokes, colours);
+    }
+
+    private ClassificationField field(Graphics2D g, PlaneMap map, BooleanSupplier cancelled) {
+        Points corners = CornerList.points(figure.corners());
+        Membership.Judge second =
+                other.isEmpty() ? new ExactMembership(corners) : topics.judge(mode, other, corners);
+        boolean whole = figure.whole() || takesWholeOnly(method) || takesWholeOnly(other);
+        return ClassificationField.of(
+                map,
+                g.getClipBounds(),
+                whole ? 1 : 0,
+                topics.judge(mode, method, corners),
+                second,
+                cancelled);
+    }
+
+    private static boolean takesWholeOnly(String method) {
+        return method.equals("sign-int");
+    }
+
+    private void paintPoints(Graphics2D g, PlaneMap map, StageColours colours) {
+        List<Place> points = figure.points();
+        for (int i = 0; i < points.size(); i++) {
+            double x = map.viewX(points.get(i).x());
+            double y = map.viewY(points.get(i).y());
+            if (!g.getClipBounds().contains(x, y)) continue;
+            g.setColor(colours.ink());
+            if (i > 0) g.fill(new Ellipse2D.Double(x - 2.5, y - 2.5, 5, 5));
+            if (!answer.isWrong(i)) continue;
+            PixelMark mark = answer.inside().get(i) ? PixelMark.EXTRA : PixelMark.MISSING;
+            mark.paint(g, x - MARK / 2, y - MARK / 2, MARK);
+        }
+    }
+
+    private void paintStep(Strokes strokes, StageColours colours) {
+        InsideAnswer.AskedSide side = answer.sides().get(step - 1);
+        Place point = figure.points().get(0);
+        Place from = figure.corners().get(side.from());
+        Place to = figure.corners().get(side.to());
+        if (mode == PolygonMode.POLYGON)
+            strokes.dashed(point, new Place(reach(point), point.y()), colours.focus());
+        if (side.from() == side.to()) strokes.dashed(point, from, colours.focus());
+        else strokes.line(from, to, colours.focus(), 4);
+        var middle = new Place((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
+        strokes.words(PolygonReadings.value(side.value(), locale), middle, 0, 0);
+    }
+
+    /** Where the ray to the right is beyond all corners. */
+    private double reach(Place point) {
+        double most = point.x();
+        for (Place corner : figure.corners()) most = Math.max(most, corner.x());
+        return most + (most - point.x()) / 4;
+    }
+}

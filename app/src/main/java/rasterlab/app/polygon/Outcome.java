@@ -1,0 +1,31 @@
+package rasterlab.app.polygon;
+
+import rasterlab.engine.study.Deviation;
+
+/**
+ * What one method made of a figure.
+ *
+ * @param message what it said when it refused or crashed, in English; "" otherwise
+ * @param deviation from the exact answer
+ */
+public record Outcome(
+        String method, Ending ending, String message, Deviation deviation, Answer answer) {
+    /** How it came to its end. */
+    public enum Ending {
+        ENDED,
+        /** It threw for what it cannot do. */
+        REFUSED,
+        CRASHED,
+        /** It went on beyond all bounds and was stopped. */
+        ENDLESS
+    }
+
+    /** Whether it is what the exact answer is. */
+    public boolean isRight() {
+        return ending == Ending.ENDED && deviation.exact();
+    }
+
+    int steps() {
+        return answer.steps();
+    }
+}

@@ -1,0 +1,300 @@
+package rasterlab.app.polygon;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Steps;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+
+/**
+ * The lab of polygons without its window: which figure, which methods, which step.
+ *
+ * <p>Methods run on a thread of the model's own; answers and commands all run on the thread of the
+ * executor it is given. Each change publishes a new immutable {@link PolygonLabState}, first with
+ * the choice, then with what the methods made of it.
+ */
+public final class PolygonLabModel implements Steps, AutoCloseable {
+    private final PolygonTopics topics;
+    private final LatestOnly<PolygonScene, PolygonResults> works;
+    private final History<PolygonChoice> history = new History<>();
+    private final List<Consumer<PolygonLabState>> listeners = new ArrayList<>();
+    private PolygonLabState state;
+
+    /**
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what a method's work threw, on any thread
+     */
+    public PolygonLabModel(PolygonTopics topics, Executor events, Consumer<Throwable> onFailure) {
+        this.topics = topics;
+        PolygonChoice first = PolygonChoice.first();
+        PolygonResults drawn = PolygonResults.of(topics, first.scene());
+        state = new PolygonLabState(first, drawn, resultOf(drawn), Grip.corner(0), false, 0);
+        works =
+                new LatestOnly<>(
+                        "polygon work",
+                        (scene, cancelled) -> PolygonResults.of(topics, scene),
+                        (scene, answer) -> events.execute(() -> accept(answer)),
+                        onFailure);
+    }
+
+    public PolygonLabState state() {
+        return state;
+    }
+
+    PolygonTopics topics() {
+        return topics;
+    }
+
+    List<String> methods(PolygonMode mode) {
+        return topics.methods(mode);
+    }
+
+    /** The chosen method. */
+    Method<?> method() {
+        return topics.method(state.choice().mode(), state.choice().scene().method());
+    }
+
+    List<? extends Hazard<?>> hazards(PolygonMode mode) {
+        return topics.hazards(mode);
+    }
+
+    /** Tells the listener each new state from now on; the answer ends that. */
+    public Runnable listen(Consumer<PolygonLabState> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /** Shows another mode, with the scene it had. */
+    public void chooseMode(PolygonMode mode) {
+        change(state.choice().in(mode), true);
+    }
+
+    /**
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void chooseMethod(String method) {
+        PolygonScene scene = state.choice().scene();
+        edit(scene.withMethod(topics.method(scene.mode(), method).name()));
+    }
+
+    /**
+     * @param method a method's name, "" for none
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void compareWith(String method) {
+        PolygonScene scene = state.choice().scene();
+        if (!method.isEmpty()) topics.method(scene.mode(), method);
+        edit(scene.withComparison(method));
+    }
+
+    /** Shows two methods in one picture with what only one of them left, or side by side. */
+    public void showDifference(boolean shown) {
+        change(state.choice().withDifference(shown), false);
+    }
+
+    /**
+     * Brings a hazard's scene, in place of that of its mode.
+     *
+     * @throws IllegalArgumentException if the mode's topic has no such hazard
+     */
+    public void show(PolygonMode mode, String hazard) {
+        PolygonChoice choice = state.choice().in(mode);
+        PolygonScene scene = choice.scene();
+        change(choice.with(scene.with(topics.showing(scene, hazard))), true);
+    }
+
+    /**
+     * Moves a point to a place in the picture. Between {@link #beginDrag} and {@link #endDrag} all
+     * moves are one for undo.
+     */
+    public void move(Grip grip, double planeX, double planeY) {
+        edit(figure().moved(grip, new Place(planeX, planeY)));
+    }
+
+    public void beginDrag() {
+        history.beginDrag(state.choice());
+    }
+
+    public void endDrag() {
+        history.endDrag(state.choice());
+        publish(at(state.step()));
+    }
+
+    /** Shows the coordinates of another point. */
+    public void select(Grip grip) {
+        if (!grip.equals(state.selected())) publish(selecting(grip));
+    }
+
+    /** A corner more behind the selected one, or a wall at the pen. */
+    public void grow() {
+        edit(figure().grown(state.selected()));
+    }
+
+    /** Without the selected corner unless it is needed, or without the wall at the pen. */
+    public void shrink() {
+        edit(figure().without(state.selected()));
+    }
+
+    /** A corner more there, the point there, or a wall put up or taken away there. */
+    public void click(double planeX, double planeY) {
+        edit(figure().clicked(new Place(planeX, planeY)));
+    }
+
+    /** Judges the next of the figure's points step by step. */
+    public void nextPoint() {
+        inside(InsideFigure::next);
+    }
+
+    /** Changes something that only a figure with points to judge has. */
+    void inside(UnaryOperator<InsideFigure> change) {
+        if (figure() instanceof InsideFigure old) edit(change.apply(old));
+    }
+
+    /** Changes something that only a polygon to be filled has. */
+    void fill(UnaryOperator<FillFigure> change) {
+        if (figure() instanceof FillFigure old) edit(change.apply(old));
+    }
+
+    /** Changes something that only a picture to be filled from a pixel has. */
+    void seed(UnaryOperator<SeedFigure> change) {
+        if (figure() instanceof SeedFigure old) edit(change.apply(old));
+    }
+
+    private Figure figure() {
+        return state.choice().scene().figure();
+    }
+
+    public void undo() {
+        history.undo()
+                .ifPresent(
+                        choice -> {
+                            boolean other = choice.mode() != state.choice().mode();
+                            work(choice, state.arrangement() + (other ? 1 : 0));
+                        });
+    }
+
+    /** Back to the mode's first scene and method; can be undone. */
+    public void reset() {
+        PolygonScene first = PolygonScene.first(state.choice().mode());
+        change(state.choice().with(first).withDifference(false), true);
+    }
+
+    /** Waits until every choice so far is worked on or dropped. Any other thread. */
+    public void settle() throws InterruptedException {
+        works.settle();
+    }
+
+    /** Ends the thread. */
+    @Override
+    public void close() {
+        works.close();
+    }
+
+    @Override
+    public int first() {
+        return 0;
+    }
+
+    @Override
+    public int last() {
+        return resultOf(state.results());
+    }
+
+    private static int resultOf(PolygonResults results) {
+        return results.outcome().steps() + 1;
+    }
+
+    @Override
+    public int step() {
+        return state.step();
+    }
+
+    @Override
+    public void goTo(int step) {
+        int next = Math.max(first(), Math.min(last(), step));
+        if (next != state.step()) publish(at(next));
+    }
+
+    @Override
+    public boolean turnsRound() {
+        return false;
+    }
+
+    private void edit(Figure figure) {
+        edit(state.choice().scene().with(figure));
+    }
+
+    private void edit(PolygonScene scene) {
+        change(state.choice().with(scene), false);
+    }
+
+    private void change(PolygonChoice next, boolean arrange) {
+        if (next.equals(state.choice()) && !arrange) return;
+        if (!next.equals(state.choice())) history.remember(state.choice());
+        work(next, state.arrangement() + (arrange ? 1 : 0));
+    }
+
+    private void work(PolygonChoice choice, int arrangement) {
+        Grip selected = existing(choice.scene().figure(), state.selected());
+        publish(
+                new PolygonLabState(
+                        choice,
+                        state.results(),
+                        state.step(),
+                        selected,
+                        !history.isEmpty(),
+                        arrangement));
+        works.ask(choice.scene());
+    }
+
+    /** The grip, or the first one of a figure that does not have it. */
+    private static Grip existing(Figure figure, Grip grip) {
+        Set<Grip> grips = figure.grips().keySet();
+        return grips.contains(grip) || grips.isEmpty() ? grip : grips.iterator().next();
+    }
+
+    /** A step that was looked at is kept, if the other answer has it. */
+    private void accept(PolygonResults results) {
+        int last = resultOf(results);
+        int step = state.finished() ? last : Math.min(state.step(), last);
+        publish(
+                new PolygonLabState(
+                        state.choice(),
+                        results,
+                        step,
+                        state.selected(),
+                        !history.isEmpty(),
+                        state.arrangement()));
+    }
+
+    private PolygonLabState at(int step) {
+        return new PolygonLabState(
+                state.choice(),
+                state.results(),
+                step,
+                state.selected(),
+                !history.isEmpty(),
+                state.arrangement());
+    }
+
+    private PolygonLabState selecting(Grip grip) {
+        return new PolygonLabState(
+                state.choice(),
+                state.results(),
+                state.step(),
+                grip,
+                !history.isEmpty(),
+                state.arrangement());
+    }
+
+    private void publish(PolygonLabState next) {
+        state = next;
+        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+    }
+}

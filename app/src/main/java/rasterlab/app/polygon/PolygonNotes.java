@@ -1,0 +1,61 @@
+package rasterlab.app.polygon;
+
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Texts;
+
+/** One sentence over a stage where the picture alone would mislead. */
+final class PolygonNotes {
+    private PolygonNotes() {}
+
+    /** "" where there is nothing to say. */
+    static String about(Figure figure, Outcome outcome, Texts texts) {
+        String method = outcome.method();
+        return switch (outcome.ending()) {
+            case ENDLESS ->
+                    texts.text("note.endless", method, ((PixelAnswer) outcome.answer()).writes());
+            case REFUSED -> texts.text("note.refused", method, reason(figure, outcome, texts));
+            case CRASHED -> crashed(outcome, texts);
+            case ENDED -> ended(figure, outcome, texts);
+        };
+    }
+
+    private static String crashed(Outcome outcome, Texts texts) {
+        if (outcome.message().contains("StackOverflowError"))
+            return texts.text("note.overflow", outcome.method(), outcome.steps());
+        return texts.text("note.crashed", outcome.method(), outcome.message());
+    }
+
+    private static String ended(Figure figure, Outcome outcome, Texts texts) {
+        if (figure instanceof SeedFigure seed && seed.same())
+            return texts.text("note.same", outcome.method());
+        if (outcome.isRight()) return "";
+        if (figure instanceof CutFigure) {
+            double percent = outcome.deviation().worst();
+            return texts.text(
+                    "note.cut", outcome.method(), Shown.number(percent, 1, texts.locale()));
+        }
+        return "";
+    }
+
+    /** Why a method refuses the figure, in the window's language. */
+    static String reason(Figure figure, Outcome outcome, Texts texts) {
+        return texts.text("refusal." + reasonKey(figure, outcome));
+    }
+
+    private static String reasonKey(Figure figure, Outcome outcome) {
+        if (figure instanceof InsideFigure)
+            return switch (outcome.method()) {
+                case "sign-int" -> "whole";
+                case "sign-float" -> "float";
+                case "simplex" -> "area";
+                default -> "range";
+            };
+        if (figure instanceof CutFigure)
+            return outcome.method().equals("fan") ? "convex" : "simple";
+        if (figure instanceof FillFigure) return "range";
+        return ((SeedFigure) figure).connectivity() == 4
+                        || ((SeedFigure) figure).connectivity() == 8
+                ? "seed"
+                : "connectivity";
+    }
+}

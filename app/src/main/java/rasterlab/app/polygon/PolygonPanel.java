@@ -1,0 +1,110 @@
+package rasterlab.app.polygon;
+
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.Actions;
+import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Hazard;
+
+/** The lab of polygons as the window shows it, in one language. */
+public final class PolygonPanel extends LabPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient PolygonLabModel model;
+    private final transient Texts texts;
+    private final PolygonStage stage;
+    private final transient PolygonInspector inspector;
+    private final StepPlayer player;
+    private final Actions actions;
+    private final Map<PolygonMode, Chips> chips = new EnumMap<>(PolygonMode.class);
+    private final transient Runnable unsubscribe;
+
+    /**
+     * @param onFailure told what a control could not do or painting threw, on any thread
+     */
+    public PolygonPanel(PolygonLabModel model, Language language, Consumer<Throwable> onFailure) {
+        this.model = model;
+        setName("polygon");
+        texts = Texts.of("polygon", language);
+        stage = new PolygonStage(model, texts, onFailure);
+        inspector = new PolygonInspector(model, texts);
+        player = new StepPlayer(Texts.of("canvas", language), model, this::count);
+        actions = new Actions(Texts.of("canvas", language));
+        actions.add("undo", model::undo);
+        actions.add("reset", model::reset);
+        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
+        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        actions.add(
+                "copyCommand",
+                () ->
+                        PolygonCommand.of(model.state().choice().scene())
+                                .ifPresent(command -> Copying.text(command, onFailure)));
+        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        player.bindKeys(stage);
+        unsubscribe = model.listen(state -> refresh());
+        refresh();
+    }
+
+    private String count() {
+        return model.step() == model.last()
+                ? texts.text("count.result")
+                : texts.text("count", model.step(), model.last() - 1);
+    }
+
+    /** Gives the keyboard to the point that had it last. */
+    @Override
+    public void focusPicture() {
+        stage.focusPoint();
+    }
+
+    /** Stops listening and playing; the model lives on. */
+    @Override
+    public void close() {
+        player.stop();
+        unsubscribe.run();
+        stage.close();
+    }
+
+    private void refresh() {
+        PolygonMode mode = model.state().choice().mode();
+        chips.forEach((each, shown) -> shown.setVisible(each == mode));
+        stage.refresh();
+        inspector.refresh();
+        player.refresh();
+        actions.enable("undo", model.state().undoable());
+        actions.enable(
+                "copyCommand", PolygonCommand.of(model.state().choice().scene()).isPresent());
+    }
+
+    private JPanel chips() {
+        var all = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, fillx", "[grow,fill]"));
+        all.setOpaque(false);
+        Texts translations = Texts.of("polygon", "topic", texts.language());
+        for (PolygonMode mode : PolygonMode.values()) {
+            var row = new Chips(texts.text("hazards"));
+            for (Hazard<?> hazard : model.hazards(mode)) {
+                String key = "hazard." + mode.code() + "." + hazard.name();
+                row.add(
+                        hazard.name(),
+                        texts.textOr(key, hazard.name()),
+                        translations.textOr(key, hazard.description()),
+                        () -> model.show(mode, hazard.name()));
+            }
+            chips.put(mode, row);
+            all.add(row, "wmin 0, growx, wrap");
+        }
+        return all;
+    }
+}

@@ -1,0 +1,74 @@
+package rasterlab.app.polygon;
+
+import java.util.List;
+import java.util.Locale;
+import rasterlab.app.canvas.PlanePicture;
+import rasterlab.engine.raster.PixelDifference;
+import rasterlab.engine.raster.PixelRecording;
+
+/** The pictures of outcomes. */
+record PolygonPictures(PolygonTopics topics, Locale locale) {
+    /** A method beside the exact answer. */
+    PlanePicture of(PolygonScene scene, Outcome outcome, int step) {
+        Figure figure = scene.figure();
+        if (outcome.answer() instanceof InsideAnswer inside)
+            return judged(scene, outcome.method(), inside, "", step);
+        if (outcome.answer() instanceof CutAnswer cut)
+            return new CutPicture((CutFigure) figure, outcome.method(), cut, List.of(), "", step);
+        var pixels = (PixelAnswer) outcome.answer();
+        return new PixelsPicture(
+                figure,
+                outcome.method(),
+                pixels,
+                new PixelsPicture.Wrong(pixels.missing(), pixels.extra(), ""),
+                step);
+    }
+
+    /** Both methods in one picture, with where they differ. */
+    PlanePicture difference(PolygonResults results, int step) {
+        Outcome first = results.outcome();
+        Outcome second = results.other().orElseThrow();
+        Figure figure = results.scene().figure();
+        if (first.answer() instanceof InsideAnswer inside)
+            return judged(results.scene(), first.method(), inside, second.method(), step);
+        if (first.answer() instanceof CutAnswer cut)
+            return new CutPicture(
+                    (CutFigure) figure,
+                    first.method(),
+                    cut,
+                    ((CutAnswer) second.answer()).cuts(),
+                    second.method(),
+                    step);
+        var pixels = (PixelAnswer) first.answer();
+        PixelDifference difference =
+                PixelDifference.of(
+                        recording(((PixelAnswer) second.answer()).runs()),
+                        recording(pixels.runs()));
+        return new PixelsPicture(
+                figure,
+                first.method(),
+                pixels,
+                new PixelsPicture.Wrong(difference.missing(), difference.extra(), second.method()),
+                step);
+    }
+
+    private InsidePicture judged(
+            PolygonScene scene, String method, InsideAnswer answer, String other, int step) {
+        return new InsidePicture(
+                topics,
+                scene.mode(),
+                (InsideFigure) scene.figure(),
+                method,
+                answer,
+                other,
+                step,
+                locale);
+    }
+
+    private static PixelRecording recording(Runs runs) {
+        var recording = new PixelRecording(Integer.MAX_VALUE);
+        for (int run = 0; run < runs.size(); run++)
+            for (int x = runs.from(run); x < runs.to(run); x++) recording.plot(x, runs.y(run));
+        return recording;
+    }
+}

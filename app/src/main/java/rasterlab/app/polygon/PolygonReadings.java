@@ -1,0 +1,247 @@
+package rasterlab.app.polygon;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import rasterlab.app.canvas.Formula;
+import rasterlab.app.canvas.Formula.Matrix;
+import rasterlab.app.canvas.Formula.Words;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Texts;
+import rasterlab.app.polygon.CutAnswer.Cut;
+import rasterlab.app.polygon.CutAnswer.Fault;
+import rasterlab.app.polygon.InsideAnswer.AskedSide;
+import rasterlab.engine.polygon.scan.RowCrossing;
+
+/** The live numbers of a state as the inspector writes them. */
+final class PolygonReadings {
+    private static final String NONE = "–";
+    private static final String LETTERS = "ABC";
+
+    private final PolygonLabState state;
+    private final PolygonScene scene;
+    private final Outcome outcome;
+    private final Texts texts;
+
+    PolygonReadings(PolygonLabState state, Texts texts) {
+        this.state = state;
+        this.texts = texts;
+        scene = state.results().scene();
+        outcome = state.results().outcome();
+    }
+
+    /** What a point of the figure is called. */
+    static String named(PolygonMode mode, Grip grip, Texts texts) {
+        return texts.text(
+                "grip." + grip.kind().name().toLowerCase(Locale.ROOT), corner(mode, grip.index()));
+    }
+
+    /** What stands beside it. */
+    static String label(PolygonMode mode, Grip grip) {
+        return switch (grip.kind()) {
+            case CORNER -> corner(mode, grip.index());
+            case POINT -> "P";
+            case SEED -> "S";
+            case PEN -> "";
+        };
+    }
+
+    private static String corner(PolygonMode mode, int corner) {
+        return mode == PolygonMode.TRIANGLE
+                ? LETTERS.substring(corner % 3, corner % 3 + 1)
+                : String.valueOf(corner);
+    }
+
+    private Optional<AskedSide> side() {
+        return state.onAStep() && outcome.answer() instanceof InsideAnswer answer
+                ? Optional.of(answer.sides().get(state.step() - 1))
+                : Optional.empty();
+    }
+
+    private Optional<Cut> cut() {
+        return state.onAStep() && outcome.answer() instanceof CutAnswer answer
+                ? Optional.of(answer.cuts().get(state.step() - 1))
+                : Optional.empty();
+    }
+
+    /** What the step is about. */
+    String tested() {
+        if (!state.onAStep())
+            return state.finished()
+                    ? texts.text("step.result", outcome.steps())
+                    : texts.text("step.none");
+        if (side().isPresent()) return tested(side().get());
+        if (cut().isPresent())
+            return texts.text("step.cut", cut().get().a(), cut().get().b(), cut().get().c());
+        Runs runs = ((PixelAnswer) outcome.answer()).runs();
+        int run = state.step() - 1;
+        return texts.text("step.run", runs.y(run), runs.from(run), runs.to(run) - 1);
+    }
+
+    private String tested(AskedSide side) {
+        String from = corner(scene.mode(), side.from());
+        if (side.from() == side.to()) return texts.text("step.corner", from);
+        return texts.text("step.side", from, corner(scene.mode(), side.to()));
+    }
+
+    /** What decides the step. */
+    String decision() {
+        if (side().isPresent()) return value(side().get().value(), texts.locale());
+        if (cut().isPresent()) {
+            Place a = ((CutFigure) scene.figure()).corners().get(cut().get().a());
+            Place c = ((CutFigure) scene.figure()).corners().get(cut().get().c());
+            double dx = c.x() - a.x();
+            double dy = c.y() - a.y();
+            return "|ac|² = " + Shown.number(dx * dx + dy * dy, texts.locale());
+        }
+        if (!state.onAStep() || !(outcome.answer() instanceof PixelAnswer answer)) return NONE;
+        int waiting = answer.runs().waiting(state.step() - 1);
+        return texts.text("waiting." + scene.mode().code(), waiting);
+    }
+
+    /**
+     * A zero whose sign bit is set is shown with its sign: methods that look at that bit differ.
+     */
+    static String value(double value, Locale locale) {
+        boolean negativeZero = value == 0 && Math.copySign(1, value) < 0;
+        return negativeZero ? "−0.0" : Shown.number(value, locale);
+    }
+
+    /** What is said of the first point, by the method and exactly. */
+    String verdict() {
+        if (!(outcome.answer() instanceof InsideAnswer answer)) return NONE;
+        String exact = texts.text(answer.exact().get(0) ? "inside" : "outside");
+        if (answer.inside().isEmpty()) return texts.text("verdict.refused", exact);
+        String said = texts.text(answer.inside().get(0) ? "inside" : "outside");
+        return said.equals(exact)
+                ? texts.text("verdict.right", said)
+                : texts.text("verdict.wrong", said, exact);
+    }
+
+    /** How many turns of three corners were computed, or pixels read and written. */
+    String work() {
+        if (outcome.answer() instanceof CutAnswer answer) {
+            int made = Math.min(state.step(), answer.steps());
+            return made == 0 ? NONE : texts.text("turns", answer.cuts().get(made - 1).turns());
+        }
+        if (!(outcome.answer() instanceof PixelAnswer answer)) return NONE;
+        return scene.mode() == PolygonMode.SEED
+                ? texts.text("reads", answer.reads(), answer.writes())
+                : texts.text("writes", answer.writes());
+    }
+
+    String missing() {
+        return count(outcome.deviation().missing());
+    }
+
+    String extra() {
+        return count(outcome.deviation().extra());
+    }
+
+    /** How many triangles are wrong by themselves, and in which way. */
+    String faulty() {
+        if (!(outcome.answer() instanceof CutAnswer answer) || answer.steps() == 0) return NONE;
+        var kinds = new ArrayList<String>();
+        for (Fault fault : Fault.values()) {
+            long count = answer.cuts().stream().filter(cut -> cut.fault() == fault).count();
+            if (fault != Fault.NONE && count > 0)
+                kinds.add(texts.text("faulty." + fault.name().toLowerCase(Locale.ROOT), count));
+        }
+        return kinds.isEmpty()
+                ? texts.text("faulty.count", 0, answer.steps())
+                : String.join(", ", kinds);
+    }
+
+    private String count(long items) {
+        if (outcome.ending() == Outcome.Ending.REFUSED) return NONE;
+        return texts.text("items." + scene.mode().code(), items);
+    }
+
+    String worst() {
+        if (outcome.ending() == Outcome.Ending.REFUSED) return NONE;
+        return texts.text(
+                "worst." + scene.mode().code(),
+                Shown.number(outcome.deviation().worst(), texts.locale()));
+    }
+
+    /** The second method beside the exact answer in one line; "" when none is compared. */
+    String other() {
+        return state.results().other().map(this::other).orElse("");
+    }
+
+    private String other(Outcome second) {
+        if (second.ending() != Outcome.Ending.ENDED)
+            return texts.text("ending." + second.ending().name().toLowerCase(Locale.ROOT));
+        return texts.text("other.wrong", second.deviation().missing(), second.deviation().extra());
+    }
+
+    String selected() {
+        return named(state.choice().mode(), state.selected(), texts);
+    }
+
+    /** What the step computes, with its numbers. */
+    List<Formula> formulas() {
+        if (side().isPresent() && outcome.method().startsWith("sign-"))
+            return List.of(determinant(side().get()));
+        if (cut().isPresent()) return List.of(doubledArea(cut().get()));
+        if (!state.onAStep() || !(outcome.answer() instanceof PixelAnswer answer)) return List.of();
+        int row = answer.runs().y(state.step() - 1);
+        List<RowCrossing> crossings = answer.crossings().getOrDefault(row, List.of());
+        return crossings.isEmpty() ? List.of() : List.of(table(crossings));
+    }
+
+    private Formula determinant(AskedSide side) {
+        var figure = (InsideFigure) scene.figure();
+        Place p = figure.corners().get(side.from());
+        Place q = figure.corners().get(side.to());
+        Place at = figure.points().get(0);
+        return Formula.of(
+                new Words("det"),
+                new Matrix(
+                        List.of(
+                                numbers(q.x() - p.x(), q.y() - p.y()),
+                                numbers(at.x() - p.x(), at.y() - p.y()))),
+                new Words("= " + value(side.value(), texts.locale())));
+    }
+
+    private Formula doubledArea(Cut cut) {
+        List<Place> corners = ((CutFigure) scene.figure()).corners();
+        Place a = corners.get(cut.a());
+        Place b = corners.get(cut.b());
+        Place c = corners.get(cut.c());
+        double ux = b.x() - a.x();
+        double uy = b.y() - a.y();
+        double vx = c.x() - a.x();
+        double vy = c.y() - a.y();
+        return Formula.of(
+                new Words("D = det"),
+                new Matrix(List.of(numbers(ux, uy), numbers(vx, vy))),
+                new Words("= " + Shown.number(ux * vy - uy * vx, texts.locale())));
+    }
+
+    private List<String> numbers(double one, double other) {
+        return List.of(Shown.number(one, texts.locale()), Shown.number(other, texts.locale()));
+    }
+
+    /** The row's edges: where each crosses, from which column on it counts, what it adds. */
+    private Formula table(List<RowCrossing> crossings) {
+        var rows = new ArrayList<List<String>>();
+        rows.add(List.of("X", texts.text("table.column"), "±1", "Σ"));
+        int sum = 0;
+        for (RowCrossing each : crossings) {
+            sum += each.winding();
+            rows.add(
+                    List.of(
+                            Shown.number(each.x(), 3, texts.locale()),
+                            String.valueOf(each.column()),
+                            signed(each.winding()),
+                            signed(sum)));
+        }
+        return Formula.of(new Matrix(rows));
+    }
+
+    private static String signed(int number) {
+        return number > 0 ? "+" + number : number == 0 ? "0" : "−" + -number;
+    }
+}

@@ -1,0 +1,30 @@
+package rasterlab.app.polygon;
+
+import java.util.Optional;
+
+/**
+ * What was found for one scene.
+ *
+ * @param outcome of the chosen method
+ * @param other of the second method, if one is compared
+ */
+public record PolygonResults(PolygonScene scene, Outcome outcome, Optional<Outcome> other) {
+    static PolygonResults of(PolygonTopics topics, PolygonScene scene) {
+        Optional<Outcome> other =
+                scene.comparison().isEmpty()
+                        ? Optional.empty()
+                        : Optional.of(outcome(topics, scene.withMethod(scene.comparison())));
+        return new PolygonResults(scene, outcome(topics, scene), other);
+    }
+
+    private static Outcome outcome(PolygonTopics topics, PolygonScene scene) {
+        Figure figure = scene.figure();
+        if (figure instanceof InsideFigure inside)
+            return Judging.of(topics, scene.mode(), inside, scene.method());
+        if (figure instanceof CutFigure cut)
+            return Cutting.of(topics.triangulation(), cut, scene.method());
+        if (figure instanceof FillFigure fill)
+            return ScanFilling.of(topics.fill(), fill, scene.method());
+        return SeedFilling.of(topics.seed(), (SeedFigure) figure, scene.method());
+    }
+}

@@ -1,0 +1,31 @@
+package rasterlab.app.polygon;
+
+/**
+ * A figure and what works on it: all that an answer depends on.
+ *
+ * @param comparison a second method, "" for none
+ */
+public record PolygonScene(PolygonMode mode, Figure figure, String method, String comparison) {
+    static PolygonScene first(PolygonMode mode) {
+        return switch (mode) {
+            case TRIANGLE ->
+                    new PolygonScene(mode, InsideFigure.firstTriangle(), "sign-double", "");
+            case POLYGON -> new PolygonScene(mode, InsideFigure.firstPolygon(), "ray", "");
+            case TRIANGULATION -> new PolygonScene(mode, CutFigure.first(), "ear-clipping", "");
+            case FILL -> new PolygonScene(mode, FillFigure.first(), "scanline", "");
+            case SEED -> new PolygonScene(mode, SeedFigure.first(), "span", "");
+        };
+    }
+
+    PolygonScene with(Figure other) {
+        return new PolygonScene(mode, other, method, comparison);
+    }
+
+    PolygonScene withMethod(String other) {
+        return new PolygonScene(mode, figure, other, comparison);
+    }
+
+    PolygonScene withComparison(String other) {
+        return new PolygonScene(mode, figure, method, other);
+    }
+}

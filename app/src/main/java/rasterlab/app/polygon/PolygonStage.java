@@ -1,0 +1,205 @@
+package rasterlab.app.polygon;
+
+import java.awt.CardLayout;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import rasterlab.app.canvas.PicturePair;
+import rasterlab.app.canvas.PlaneAxes;
+import rasterlab.app.canvas.PlaneEdits;
+import rasterlab.app.canvas.PlanePicture;
+import rasterlab.app.canvas.PlanePoint;
+import rasterlab.app.canvas.PlaneView;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Texts;
+
+/** The picture of the chosen method, and beside it that of a second one. */
+final class PolygonStage extends JPanel implements AutoCloseable {
+    private static final long serialVersionUID = 1L;
+
+    private static final String PLANE = "plane";
+    private static final String PIXELS = "pixels";
+
+    private final transient PolygonLabModel model;
+    private final transient Texts texts;
+    private final CardLayout cards = new CardLayout();
+    private final PicturePair plane;
+    private final PicturePair pixels;
+    private final transient PolygonPictures pictures;
+
+    /**
+     * @param onFailure told what painting threw, on any thread
+     */
+    PolygonStage(PolygonLabModel model, Texts texts, Consumer<Throwable> onFailure) {
+        this.model = model;
+        this.texts = texts;
+        pictures = new PolygonPictures(model.topics(), texts.locale());
+        setLayout(cards);
+        setOpaque(false);
+        plane = pair(PlaneAxes.GEOMETRY, onFailure);
+        pixels = pair(PlaneAxes.RASTER, onFailure);
+        add(plane, PLANE);
+        add(pixels, PIXELS);
+        refresh();
+    }
+
+    private PicturePair pair(PlaneAxes axes, Consumer<Throwable> onFailure) {
+        return new PicturePair(
+                view("stage", axes, onFailure), view("stage.other", axes, onFailure));
+    }
+
+    private PlaneView view(String name, PlaneAxes axes, Consumer<Throwable> onFailure) {
+        var view =
+                new PlaneView(
+                        axes,
+                        Texts.of("canvas", texts.language()),
+                        texts.text(name),
+                        new Edits(),
+                        model::settle,
+                        onFailure);
+        view.setName(name);
+        return view;
+    }
+
+    /** Gives the keyboard to the point that had it last. */
+    void focusPoint() {
+        shown().chosen().focusPoint();
+    }
+
+    String svg() {
+        return shown().chosen().svg();
+    }
+
+    private PicturePair shown() {
+        return model.state().results().scene().mode().raster() ? pixels : plane;
+    }
+
+    /** Ends the threads that paint. */
+    @Override
+    public void close() {
+        plane.close();
+        pixels.close();
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        PolygonLabState state = model.state();
+        PolygonResults results = state.results();
+        // Another mode's figure is shown when its answer is there.
+        if (results.scene().mode() != state.choice().mode()) return;
+        PicturePair pair = shown();
+        cards.show(this, pair == pixels ? PIXELS : PLANE);
+        boolean together = state.choice().difference();
+        Optional<Outcome> second = together ? Optional.empty() : results.other();
+        Figure chosen = state.choice().scene().figure();
+        Rectangle2D all = PolygonFraming.of(chosen);
+        pair.arrange(all, second.isPresent());
+        pair.chosen().stepAtLeast(chosen.leastStep());
+        PlanePicture first =
+                together && results.other().isPresent()
+                        ? pictures.difference(results, state.step())
+                        : pictures.of(results.scene(), results.outcome(), state.step());
+        pair.chosen()
+                .show(
+                        first,
+                        points(state.choice().scene()),
+                        note(results.outcome(), state.finished(), second.isPresent()),
+                        all,
+                        state.arrangement());
+        second.ifPresent(outcome -> showOther(pair, outcome, all));
+    }
+
+    private void showOther(PicturePair pair, Outcome outcome, Rectangle2D all) {
+        PolygonLabState state = model.state();
+        int step = state.finished() ? outcome.steps() + 1 : state.step();
+        pair.other()
+                .show(
+                        pictures.of(state.results().scene(), outcome, step),
+                        List.of(),
+                        note(outcome, step > outcome.steps(), true),
+                        all,
+                        state.arrangement());
+    }
+
+    /** What the picture alone would not tell; of two pictures also whose each is. */
+    private String note(Outcome outcome, boolean finished, boolean named) {
+        Figure figure = model.state().results().scene().figure();
+        String note = finished ? PolygonNotes.about(figure, outcome, texts) : "";
+        return note.isEmpty() && named ? outcome.method() : note;
+    }
+
+    /** At the places that the user chose last, though the picture may not be there yet. */
+    private List<PlanePoint> points(PolygonScene scene) {
+        var points = new ArrayList<PlanePoint>();
+        scene.figure()
+                .grips()
+                .forEach(
+                        (grip, at) -> {
+                            if (at.isFinite()) points.add(point(scene.mode(), grip, at));
+                        });
+        return points;
+    }
+
+    private PlanePoint point(PolygonMode mode, Grip grip, Place at) {
+        String said =
+                PolygonReadings.named(mode, grip, texts)
+                        + " "
+                        + Shown.point(at.x(), at.y(), texts.locale());
+        PlanePoint.Form form =
+                switch (grip.kind()) {
+                    case CORNER -> PlanePoint.Form.DIAMOND;
+                    case POINT, SEED -> PlanePoint.Form.CIRCLE;
+                    case PEN -> PlanePoint.Form.SQUARE;
+                };
+        return new PlanePoint(
+                grip.componentName(),
+                at.x(),
+                at.y(),
+                form,
+                PolygonReadings.label(mode, grip),
+                texts.text("grip.keys", said));
+    }
+
+    /** What mouse and keyboard mean for the model. */
+    private final class Edits implements PlaneEdits {
+        @Override
+        public void beginDrag() {
+            model.beginDrag();
+        }
+
+        @Override
+        public void endDrag() {
+            model.endDrag();
+        }
+
+        @Override
+        public void move(String point, double x, double y) {
+            grip(point).ifPresent(grip -> model.move(grip, x, y));
+        }
+
+        @Override
+        public void add(double x, double y) {
+            model.click(x, y);
+        }
+
+        @Override
+        public void select(String point) {
+            grip(point).ifPresent(model::select);
+        }
+
+        @Override
+        public void remove(String point) {
+            grip(point).ifPresent(model::select);
+            model.shrink();
+        }
+
+        private Optional<Grip> grip(String name) {
+            return model.state().choice().scene().figure().grips().keySet().stream()
+                    .filter(each -> each.componentName().equals(name))
+                    .findFirst();
+        }
+    }
+}

@@ -1,0 +1,118 @@
+package rasterlab.app.polygon;
+
+import java.util.List;
+import rasterlab.contract.PointInPolygon;
+import rasterlab.contract.PointInTriangle;
+import rasterlab.engine.fill.FillTask;
+import rasterlab.engine.fill.FillTopic;
+import rasterlab.engine.fill.TracedFill;
+import rasterlab.engine.naming.Named;
+import rasterlab.engine.polygon.Membership;
+import rasterlab.engine.polygon.Points;
+import rasterlab.engine.polygon.ShapeAndPoints;
+import rasterlab.engine.polygon.inside.PointInPolygonTopic;
+import rasterlab.engine.polygon.inside.SteppedPolygonTest;
+import rasterlab.engine.polygon.scan.PolygonFillTopic;
+import rasterlab.engine.polygon.scan.PolygonTask;
+import rasterlab.engine.polygon.triangle.PointInTriangleTopic;
+import rasterlab.engine.polygon.triangle.SteppedTriangleTest;
+import rasterlab.engine.polygon.triangulation.SteppedTriangulator;
+import rasterlab.engine.polygon.triangulation.TriangulateTopic;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+
+/** The engine's topics that the lab shows, one for each mode. */
+public record PolygonTopics(
+        PointInTriangleTopic triangle,
+        PointInPolygonTopic polygon,
+        TriangulateTopic triangulation,
+        PolygonFillTopic fill,
+        FillTopic seed) {
+    public PolygonTopics() {
+        this(
+                new PointInTriangleTopic(),
+                new PointInPolygonTopic(),
+                new TriangulateTopic(),
+                new PolygonFillTopic(),
+                new FillTopic());
+    }
+
+    Topic<?, ?, ?> of(PolygonMode mode) {
+        return switch (mode) {
+            case TRIANGLE -> triangle;
+            case POLYGON -> polygon;
+            case TRIANGULATION -> triangulation;
+            case FILL -> fill;
+            case SEED -> seed;
+        };
+    }
+
+    List<String> methods(PolygonMode mode) {
+        return of(mode).methods().stream().map(Method::name).toList();
+    }
+
+    /**
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    Method<?> method(PolygonMode mode, String name) {
+        return of(mode).method(name);
+    }
+
+    List<? extends Hazard<?>> hazards(PolygonMode mode) {
+        return of(mode).hazards();
+    }
+
+    /**
+     * The figure with a hazard's input in the place of its own.
+     *
+     * @throws IllegalArgumentException naming the hazards there are
+     */
+    Figure showing(PolygonScene scene, String hazard) {
+        Object input =
+                Named.<Hazard<?>>find(
+                                "hazard", hazard, List.copyOf(hazards(scene.mode())), Hazard::name)
+                        .input();
+        Figure figure = scene.figure();
+        if (figure instanceof InsideFigure old) return old.showing((ShapeAndPoints) input);
+        if (figure instanceof CutFigure) return new CutFigure(CornerList.of((Points) input));
+        if (figure instanceof FillFigure old) return old.showing((PolygonTask) input);
+        return ((SeedFigure) figure).showing((FillTask) input);
+    }
+
+    /**
+     * What tells where a point is by that method of one of the modes that judge.
+     *
+     * @param corners three for a triangle
+     */
+    Membership.Judge judge(PolygonMode mode, String method, Points corners) {
+        if (mode == PolygonMode.POLYGON) {
+            PointInPolygon test = polygon.method(method).implementation();
+            double[] polygonX = corners.xs();
+            double[] polygonY = corners.ys();
+            return (x, y) -> test.contains(polygonX, polygonY, x, y);
+        }
+        PointInTriangle test = triangle.method(method).implementation();
+        double[] cornerX = corners.xs();
+        double[] cornerY = corners.ys();
+        return (x, y) ->
+                test.contains(
+                        cornerX[0],
+                        cornerY[0],
+                        cornerX[1],
+                        cornerY[1],
+                        cornerX[2],
+                        cornerY[2],
+                        x,
+                        y);
+    }
+
+    /** What decides a method's steps, as a formula or in words; "" for one without steps. */
+    static String decisionFormula(Method<?> method) {
+        Object implementation = method.implementation();
+        if (implementation instanceof SteppedTriangleTest test) return test.valueFormula();
+        if (implementation instanceof SteppedPolygonTest test) return test.countFormula();
+        if (implementation instanceof SteppedTriangulator cutter) return cutter.choice();
+        return implementation instanceof TracedFill fill ? fill.waitingMeans() : "";
+    }
+}

@@ -1,0 +1,144 @@
+package rasterlab.app.polygon;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import rasterlab.engine.fill.FillTask;
+
+/**
+ * A picture to be filled from a pixel.
+ *
+ * @param rows of characters, the top one first, all of one length; {@value #WALL} is a wall
+ * @param seed the pixel to fill from
+ * @param pen where a wall is put up or taken away
+ * @param same whether the new colour is the one that the seed has already
+ */
+public record SeedFigure(List<String> rows, Place seed, Place pen, int connectivity, boolean same)
+        implements Figure {
+    static final char WALL = '#';
+    static final char FREE = '.';
+    static final char NEW = '*';
+
+    public SeedFigure {
+        rows = List.copyOf(rows);
+    }
+
+    /** Two rooms with holes, joined by a diagonal gap. */
+    static SeedFigure first() {
+        var rows =
+                List.of(
+                        "............................",
+                        ".############.############..",
+                        ".#...........#...........#..",
+                        ".#...........#...####....#..",
+                        ".#..######...#...#..#....#..",
+                        ".#..#....#...#...####....#..",
+                        ".#..#....#..#............#..",
+                        ".#..######..#.......##...#..",
+                        ".#..........#.......##...#..",
+                        ".#..........#............#..",
+                        ".#...###....#.....#......#..",
+                        ".#...#.#....#....#.#.....#..",
+                        ".#...###....#.....#......#..",
+                        ".#..........#............#..",
+                        ".#########################..",
+                        "............................");
+        return new SeedFigure(rows, new Place(3, 3), new Place(12, 5), 4, false);
+    }
+
+    SeedFigure showing(FillTask input) {
+        boolean inside =
+                input.y() >= 0
+                        && input.y() < input.rows().size()
+                        && input.x() >= 0
+                        && input.x() < input.rows().get(input.y()).length();
+        boolean old = inside && input.rows().get(input.y()).charAt(input.x()) == input.with();
+        return new SeedFigure(
+                input.rows(),
+                new Place(input.x(), input.y()),
+                new Place(input.rows().get(0).length() - 1.0, input.rows().size() - 1.0),
+                input.connectivity(),
+                old);
+    }
+
+    FillTask task() {
+        int with = same && isInside(seed) ? at(seed) : NEW;
+        return new FillTask(rows, (int) seed.x(), (int) seed.y(), with, connectivity);
+    }
+
+    int width() {
+        return rows.get(0).length();
+    }
+
+    int height() {
+        return rows.size();
+    }
+
+    private boolean isInside(Place pixel) {
+        return pixel.x() >= 0 && pixel.x() < width() && pixel.y() >= 0 && pixel.y() < height();
+    }
+
+    private char at(Place pixel) {
+        return rows.get((int) pixel.y()).charAt((int) pixel.x());
+    }
+
+    private Place clamped(Place place) {
+        return new Place(
+                Math.max(0, Math.min(width() - 1, Math.rint(place.x()))),
+                Math.max(0, Math.min(height() - 1, Math.rint(place.y()))));
+    }
+
+    SeedFigure withConnectivity(int other) {
+        return new SeedFigure(rows, seed, pen, other, same);
+    }
+
+    SeedFigure withSame(boolean old) {
+        return new SeedFigure(rows, seed, pen, connectivity, old);
+    }
+
+    private SeedFigure walled(Place at, char cell) {
+        var changed = new ArrayList<>(rows);
+        var row = new StringBuilder(rows.get((int) at.y()));
+        row.setCharAt((int) at.x(), cell);
+        changed.set((int) at.y(), row.toString());
+        return new SeedFigure(changed, seed, at, connectivity, same);
+    }
+
+    @Override
+    public Map<Grip, Place> grips() {
+        var grips = new LinkedHashMap<Grip, Place>();
+        grips.put(Grip.SEED, seed);
+        grips.put(Grip.PEN, pen);
+        return grips;
+    }
+
+    @Override
+    public SeedFigure moved(Grip grip, Place to) {
+        Place pixel = clamped(to);
+        return grip.kind() == Grip.Kind.SEED
+                ? new SeedFigure(rows, pixel, pen, connectivity, same)
+                : new SeedFigure(rows, seed, pixel, connectivity, same);
+    }
+
+    @Override
+    public SeedFigure grown(Grip beside) {
+        return walled(pen, WALL);
+    }
+
+    @Override
+    public SeedFigure without(Grip grip) {
+        return walled(pen, FREE);
+    }
+
+    @Override
+    public SeedFigure clicked(Place at) {
+        if (!isInside(at.whole())) return this;
+        return walled(clamped(at), at(clamped(at)) == WALL ? FREE : WALL);
+    }
+
+    @Override
+    public double leastStep() {
+        return 1;
+    }
+}

@@ -1,0 +1,96 @@
+package rasterlab.app.polygon;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.util.List;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.Plates;
+import rasterlab.app.canvas.StageColours;
+
+/** Lines of a figure on the stage. */
+final class Strokes {
+    /** Beyond so many view units Java2D's own clipping loses precision. */
+    private static final double FAR = 1e6;
+
+    private final Graphics2D g;
+    private final PlaneMap map;
+    private final StageColours colours;
+
+    Strokes(Graphics2D g, PlaneMap map, StageColours colours) {
+        this.g = g;
+        this.map = map;
+        this.colours = colours;
+    }
+
+    private double x(Place place) {
+        return Math.max(-FAR, Math.min(FAR, map.viewX(place.x())));
+    }
+
+    private double y(Place place) {
+        return Math.max(-FAR, Math.min(FAR, map.viewY(place.y())));
+    }
+
+    /** Through the places in turn and back to the first one; those that are nowhere left out. */
+    Path2D closed(List<Place> places) {
+        var path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
+        for (Place place : places) {
+            if (!place.isFinite()) continue;
+            if (path.getCurrentPoint() == null) path.moveTo(x(place), y(place));
+            else path.lineTo(x(place), y(place));
+        }
+        if (path.getCurrentPoint() != null) path.closePath();
+        return path;
+    }
+
+    void outline(List<Place> places, Color colour, float width) {
+        g.setColor(colour);
+        g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.draw(closed(places));
+    }
+
+    void line(Place from, Place to, Color colour, float width) {
+        g.setColor(colour);
+        g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.draw(new Line2D.Double(x(from), y(from), x(to), y(to)));
+    }
+
+    void dashed(Place from, Place to, Color colour) {
+        g.setColor(colour);
+        g.setStroke(
+                new BasicStroke(
+                        1.6f,
+                        BasicStroke.CAP_BUTT,
+                        BasicStroke.JOIN_ROUND,
+                        10,
+                        new float[] {5, 4},
+                        0));
+        g.draw(new Line2D.Double(x(from), y(from), x(to), y(to)));
+    }
+
+    void area(List<Place> places, Color colour, int alpha) {
+        g.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha));
+        g.fill(closed(places));
+    }
+
+    /** Words with their middle at a place, moved by so many view units. */
+    void words(String words, Place at, double right, double down) {
+        Color ground = colours.ground();
+        int wide = g.getFontMetrics().stringWidth(words);
+        Plates.plate(
+                g,
+                words,
+                (int) (x(at) + right - wide / 2.0),
+                (int) (y(at) + down + g.getFontMetrics().getAscent() / 2.0),
+                new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 225),
+                colours.ink());
+    }
+
+    /** Between the ink of words and that of the grid. */
+    Color faint() {
+        return MethodColours.mix(colours.axis(), colours.ink(), 0.3);
+    }
+}

@@ -1,0 +1,102 @@
+package rasterlab.app.polygon;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import javax.accessibility.AccessibleRole;
+import javax.swing.UIManager;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.SelfDrawn;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Texts;
+
+/** How many places wait on a method's stack, step after step, and the present step. */
+final class WaitingChart extends SelfDrawn {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Texts texts;
+    private transient Runs runs = new Runs();
+    private Color colour = Color.GRAY;
+    private int step;
+
+    WaitingChart(Texts texts) {
+        super(AccessibleRole.ICON);
+        this.texts = texts;
+        setName("waitingChart");
+    }
+
+    /**
+     * @param present as {@link PolygonLabState#step}
+     */
+    void show(Runs shown, String method, int present) {
+        runs = shown;
+        colour = MethodColours.of(method);
+        step = Math.min(present, shown.size());
+        getAccessibleContext()
+                .setAccessibleName(texts.text("waiting.most", runs.mostWaiting(), runs.size()));
+        setToolTipText(texts.text("waiting.hint"));
+        repaint();
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(UIScale.scale(200), UIScale.scale(84));
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        var g = (Graphics2D) graphics.create();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(
+                RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        StageColours colours = StageColours.now();
+        g.setColor(colours.ground());
+        g.fillRect(0, 0, getWidth() - 1, getHeight() - 1);
+        g.setFont(UIManager.getFont("small.font"));
+        FontMetrics metrics = g.getFontMetrics();
+        int top = metrics.getHeight() + 4;
+        paintCurve(g, top, colours);
+        g.setColor(colours.ink());
+        String most = texts.text("waiting.most", runs.mostWaiting(), runs.size());
+        g.drawString(most, 6, metrics.getAscent() + 3);
+        g.setColor(UIManager.getColor("Component.borderColor"));
+        g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
+        g.dispose();
+    }
+
+    private void paintCurve(Graphics2D g, int top, StageColours colours) {
+        if (runs.size() == 0) return;
+        double height = getHeight() - top - 5;
+        double most = Math.max(1, runs.mostWaiting());
+        double bottom = top + height;
+        var curve = new Path2D.Double();
+        curve.moveTo(1, bottom);
+        // Of the many steps that one column stands for, the one with the most that wait.
+        int wide = getWidth() - 2;
+        for (int column = 0; column < wide; column++) {
+            int from = (int) ((long) column * runs.size() / wide);
+            int to = Math.max(from + 1, (int) ((column + 1L) * runs.size() / wide));
+            int waiting = 0;
+            for (int run = from; run < to; run++) waiting = Math.max(waiting, runs.waiting(run));
+            curve.lineTo(1 + column, bottom - height * waiting / most);
+            curve.lineTo(2 + column, bottom - height * waiting / most);
+        }
+        curve.lineTo(1 + wide, bottom);
+        g.setColor(MethodColours.mix(colours.ground(), colour, 0.35));
+        g.fill(curve);
+        g.setColor(MethodColours.edgeOn(colours.ground(), colour));
+        g.setStroke(new BasicStroke(1.4f));
+        g.draw(curve);
+        double x = 1 + (double) wide * step / runs.size();
+        g.setColor(colours.focus());
+        g.setStroke(new BasicStroke(2));
+        g.draw(new Line2D.Double(x, top, x, bottom));
+    }
+}

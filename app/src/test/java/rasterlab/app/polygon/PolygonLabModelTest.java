@@ -1,0 +1,254 @@
+package rasterlab.app.polygon;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.contract.FillRule;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+
+@Timeout(120)
+class PolygonLabModelTest {
+    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final PolygonLabModel model =
+            new PolygonLabModel(new PolygonTopics(), events::add, failures::add);
+
+    @AfterEach
+    void close() {
+        model.close();
+        assertEquals(List.of(), failures);
+    }
+
+    /** Waits for the answers and hands them to the model. */
+    private void settle() {
+        try {
+            model.settle();
+        } catch (InterruptedException e) {
+            throw new AssertionError("the test was interrupted", e);
+        }
+        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+    }
+
+    private Outcome outcome() {
+        settle();
+        return model.state().results().outcome();
+    }
+
+    private InsideFigure inside() {
+        return (InsideFigure) model.state().choice().scene().figure();
+    }
+
+    private SeedFigure seed() {
+        return (SeedFigure) model.state().choice().scene().figure();
+    }
+
+    @ParameterizedTest(name = "a mode opens without steps or with a failure: {0}")
+    @EnumSource
+    void opensWithStepsToLookAt(PolygonMode mode) {
+        model.chooseMode(mode);
+        Outcome opened = outcome();
+        assertEquals(Outcome.Ending.ENDED, opened.ending());
+        assertTrue(opened.steps() > 1);
+        assertTrue(model.state().finished());
+        assertEquals(opened.steps() + 1, model.last());
+    }
+
+    @ParameterizedTest(name = "lab and recorded verdict differ: {0}")
+    @EnumSource
+    void everyHazardEndsAsItIsRecorded(PolygonMode mode) {
+        for (Hazard<?> hazard : model.hazards(mode))
+            for (String method : model.methods(mode)) {
+                model.chooseMode(mode);
+                model.chooseMethod(method);
+                model.show(mode, hazard.name());
+                assertEquals(
+                        expected(hazard.recorded().get(method)),
+                        said(outcome()),
+                        hazard.name() + ", " + method);
+            }
+    }
+
+    private static String expected(Verdict.Kind kind) {
+        return switch (kind) {
+            case EXACT -> "right";
+            case DEGRADED, WRONG -> "wrong";
+            case REFUSED, ENDLESS, CRASHED -> kind.name();
+        };
+    }
+
+    private static String said(Outcome outcome) {
+        if (outcome.ending() != Outcome.Ending.ENDED) return outcome.ending().name();
+        return outcome.isRight() ? "right" : "wrong";
+    }
+
+    @Test
+    void dragIsOneChangeForUndo() {
+        PolygonChoice before = model.state().choice();
+        model.beginDrag();
+        for (int x = 0; x < 9; x++) model.move(Grip.corner(1), x, 4);
+        model.endDrag();
+        assertEquals(new Place(8, 4), inside().corners().get(1));
+        model.undo();
+        assertEquals(before, model.state().choice());
+        assertFalse(model.state().undoable());
+    }
+
+    @Test
+    void resetLeavesTheOtherModesAlone() {
+        model.move(Grip.POINT, 3, 3);
+        model.chooseMode(PolygonMode.SEED);
+        model.move(Grip.SEED, 20, 3);
+        model.reset();
+        assertEquals(SeedFigure.first(), seed());
+        model.chooseMode(PolygonMode.TRIANGLE);
+        assertEquals(new Place(3, 3), inside().points().get(0));
+    }
+
+    @Test
+    void clickAddsACornerBetweenTheEndsOfTheNearestEdge() {
+        model.chooseMode(PolygonMode.POLYGON);
+        int corners = inside().corners().size();
+        model.click(6.2, 6);
+        assertEquals(corners + 1, inside().corners().size());
+        assertEquals(new Place(6.2, 6), inside().corners().get(5));
+        model.select(Grip.corner(5));
+        model.shrink();
+        assertEquals(corners, inside().corners().size());
+    }
+
+    @Test
+    void triangleKeepsItsThreeCorners() {
+        model.select(Grip.corner(0));
+        model.shrink();
+        model.grow();
+        model.click(5, 2);
+        assertEquals(3, inside().corners().size());
+        assertEquals(new Place(5, 2), inside().points().get(0));
+    }
+
+    @Test
+    void pointsOfWholeNumbersSnap() {
+        model.inside(old -> old.withWhole(true));
+        model.move(Grip.POINT, 3.4, 2.6);
+        assertEquals(new Place(3, 3), inside().points().get(0));
+    }
+
+    @Test
+    void seedStaysInThePictureAndOnAPixel() {
+        model.chooseMode(PolygonMode.SEED);
+        model.move(Grip.SEED, -7, 3.3);
+        assertEquals(new Place(0, 3), seed().seed());
+        model.move(Grip.SEED, 1e9, 1e9);
+        assertEquals(new Place(seed().width() - 1, seed().height() - 1), seed().seed());
+    }
+
+    @Test
+    void wallIsPutUpAndTakenAwayAtThePen() {
+        model.chooseMode(PolygonMode.SEED);
+        model.move(Grip.PEN, 5, 2);
+        model.grow();
+        assertEquals(SeedFigure.WALL, seed().rows().get(2).charAt(5));
+        model.shrink();
+        assertEquals(SeedFigure.FREE, seed().rows().get(2).charAt(5));
+        model.click(5.2, 1.8);
+        assertEquals(SeedFigure.WALL, seed().rows().get(2).charAt(5));
+        model.click(-3, 50);
+        assertEquals(SeedFigure.WALL, seed().rows().get(2).charAt(5));
+    }
+
+    @Test
+    void eightNeighboursLeakThroughTheDiagonalGap() {
+        model.chooseMode(PolygonMode.SEED);
+        model.chooseMethod("stack");
+        long four = ((PixelAnswer) outcome().answer()).writes();
+        model.seed(old -> old.withConnectivity(8));
+        long eight = ((PixelAnswer) outcome().answer()).writes();
+        assertTrue(eight > four + 50, four + " pixels, then " + eight);
+        assertTrue(model.state().results().outcome().isRight());
+    }
+
+    @Test
+    void fillRuleDecidesTheMiddleOfTheStar() {
+        model.chooseMode(PolygonMode.FILL);
+        long evenOdd = ((PixelAnswer) outcome().answer()).writes();
+        model.fill(old -> old.withRule(FillRule.NON_ZERO));
+        long nonZero = ((PixelAnswer) outcome().answer()).writes();
+        assertTrue(nonZero > evenOdd + 50, evenOdd + " pixels, then " + nonZero);
+    }
+
+    @Test
+    void rowsTableSumsToNothingBeyondTheLastCrossing() {
+        model.chooseMode(PolygonMode.FILL);
+        var answer = (PixelAnswer) outcome().answer();
+        assertFalse(answer.crossings().isEmpty());
+        answer.crossings()
+                .forEach(
+                        (row, crossings) -> {
+                            int sum = 0;
+                            double before = Double.NEGATIVE_INFINITY;
+                            for (var each : crossings) {
+                                sum += each.winding();
+                                assertTrue(each.x() >= before, "row " + row);
+                                before = each.x();
+                            }
+                            assertEquals(0, sum, "row " + row);
+                        });
+    }
+
+    @Test
+    void faultyTrianglesAreToldApart() {
+        model.show(PolygonMode.TRIANGULATION, "corner-in-the-ear");
+        model.chooseMethod("shortest-diagonal-textbook");
+        var cuts = ((CutAnswer) outcome().answer()).cuts();
+        assertEquals(CutAnswer.Fault.HOLDS_A_CORNER, cuts.get(0).fault());
+        assertEquals(CutAnswer.Fault.CLOCKWISE, cuts.get(1).fault());
+        model.chooseMethod("ear-clipping");
+        ((CutAnswer) outcome().answer())
+                .cuts()
+                .forEach(cut -> assertEquals(CutAnswer.Fault.NONE, cut.fault()));
+    }
+
+    @Test
+    void pointOnASideIsWronglyJudgedOutside() {
+        assertTrue(((InsideAnswer) outcome().answer()).isWrong(0));
+        model.move(Grip.POINT, 4, 2);
+        assertFalse(((InsideAnswer) outcome().answer()).isWrong(0));
+    }
+
+    @Test
+    void comparesTwoMethods() {
+        model.compareWith("robust");
+        settle();
+        Outcome other = model.state().results().other().orElseThrow();
+        assertEquals("robust", other.method());
+        assertTrue(other.isRight());
+        assertFalse(model.state().results().outcome().isRight());
+    }
+
+    @Test
+    void unknownNamesAreRefused() {
+        assertThrows(IllegalArgumentException.class, () -> model.chooseMethod("guess"));
+        assertThrows(IllegalArgumentException.class, () -> model.show(PolygonMode.FILL, "no-such"));
+    }
+
+    @Test
+    void nextPointOfAHazardIsJudgedStepByStep() {
+        model.show(PolygonMode.TRIANGLE, "past-2-15");
+        Place second = inside().points().get(1);
+        int points = inside().points().size();
+        model.nextPoint();
+        assertEquals(second, inside().points().get(0));
+        assertEquals(points, inside().points().size());
+    }
+}

@@ -1,0 +1,119 @@
+package rasterlab.app.polygon;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.image.BufferedImage;
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PlaneAxes;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.PlanePicture;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.engine.study.Hazard;
+
+@Timeout(120)
+class PolygonPictureTest {
+    private static final int WIDTH = 260;
+    private static final int HEIGHT = 200;
+
+    private final PolygonTopics topics = new PolygonTopics();
+    private final PolygonPictures pictures = new PolygonPictures(topics, Locale.ENGLISH);
+
+    private PolygonScene scene(PolygonMode mode, String hazard, String method, String second) {
+        PolygonScene first = PolygonScene.first(mode).withMethod(method).withComparison(second);
+        return hazard.isEmpty() ? first : first.with(topics.showing(first, hazard));
+    }
+
+    private static Set<Integer> colours(PolygonScene scene, PlanePicture picture) {
+        var image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setColor(Color.WHITE);
+        var view = new Rectangle(0, 0, WIDTH, HEIGHT);
+        g.fill(view);
+        g.setClip(view);
+        PlaneAxes axes = scene.mode().raster() ? PlaneAxes.RASTER : PlaneAxes.GEOMETRY;
+        PlaneMap map = PlaneMap.fitting(PolygonFraming.of(scene.figure()), view, axes);
+        picture.paint(g, map, StageColours.LIGHT, () -> false);
+        g.dispose();
+        var colours = new HashSet<Integer>();
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) colours.add(image.getRGB(x, y));
+        return colours;
+    }
+
+    private Set<Integer> result(PolygonScene scene) {
+        PolygonResults results = PolygonResults.of(topics, scene);
+        int step = results.outcome().steps() + 1;
+        return colours(scene, pictures.of(scene, results.outcome(), step));
+    }
+
+    @ParameterizedTest(name = "{1} of {0}: {2} is marked as wrong: {3}")
+    @CsvSource({
+        "TRIANGLE, '', sign-double, true",
+        "TRIANGLE, '', robust, false",
+        "POLYGON, ray-through-a-corner, ray-naive, true",
+        "POLYGON, covered-twice, robust, false",
+        "TRIANGULATION, corner-in-the-ear, shortest-diagonal-textbook, true",
+        "TRIANGULATION, corner-in-the-ear, ear-clipping, false",
+        "FILL, valley-in-a-row, naive, true",
+        "FILL, valley-in-a-row, scanline, false",
+        "SEED, last-column-behind, recursive-textbook, true",
+        "SEED, last-column-behind, span, false"
+    })
+    void marksWhatIsWrongAndNothingElse(
+            PolygonMode mode, String hazard, String method, boolean wrong) {
+        Set<Integer> colours = result(scene(mode, hazard, method, ""));
+        assertEquals(wrong, colours.contains(MethodColours.VERMILLION.getRGB()));
+    }
+
+    @ParameterizedTest(name = "a hazard cannot be drawn: {0}")
+    @EnumSource
+    void drawsEachStepOfEachHazard(PolygonMode mode) {
+        for (Hazard<?> hazard : topics.hazards(mode))
+            for (String method : topics.methods(mode)) {
+                PolygonScene scene = scene(mode, hazard.name(), method, "");
+                PolygonResults results = PolygonResults.of(topics, scene);
+                for (int step : new int[] {1, results.outcome().steps() + 1})
+                    assertFalse(
+                            colours(scene, pictures.of(scene, results.outcome(), step)).isEmpty(),
+                            hazard.name());
+            }
+    }
+
+    @Test
+    void differenceOfTwoMethodsHasTheirColours() {
+        PolygonScene scene = scene(PolygonMode.FILL, "corners-on-centres", "naive", "scanline");
+        PolygonResults results = PolygonResults.of(topics, scene);
+        PlanePicture difference = pictures.difference(results, results.outcome().steps() + 1);
+        assertTrue(colours(scene, difference).contains(MethodColours.of("naive").getRGB()));
+        scene = scene(PolygonMode.POLYGON, "covered-twice", "winding", "ray");
+        results = PolygonResults.of(topics, scene);
+        difference = pictures.difference(results, 0);
+        assertTrue(colours(scene, difference).contains(MethodColours.of("winding").getRGB()));
+        assertTrue(colours(scene, difference).contains(MethodColours.of("ray").getRGB()));
+    }
+
+    @Test
+    void hatchLeavesPixelsBetweenItsLines() {
+        PolygonScene solid = scene(PolygonMode.FILL, "", "scanline", "");
+        PolygonScene hatched =
+                solid.with(((FillFigure) solid.figure()).withBrush(BrushKind.DIAGONAL_CROSS));
+        int between = MethodColours.mix(Color.WHITE, MethodColours.of("scanline"), 0.12).getRGB();
+        assertFalse(result(solid).contains(between));
+        assertTrue(result(hatched).contains(between));
+    }
+}
