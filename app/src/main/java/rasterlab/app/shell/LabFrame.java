@@ -47,6 +47,7 @@ public final class LabFrame extends JFrame {
         this.settings = settings;
         this.file = file;
         this.onFailure = onFailure;
+        models.exercises().keepIn(file.folder());
         setName("lab");
         setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
         setMinimumSize(UIScale.scale(LEAST));

@@ -4,15 +4,21 @@ import java.awt.EventQueue;
 import java.util.function.Consumer;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipTopics;
+import rasterlab.app.exercise.ExerciseLabModel;
 import rasterlab.app.line.LineLabModel;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.visibility.VisibilityLabModel;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.exercises.catalogue.Catalogue;
 
 /** The labs' models, which outlive the panels that show them; used on the event thread. */
 public record LabModels(
-        LineLabModel line, ClipLabModel clip, VisibilityLabModel visibility, SplineLabModel spline)
+        LineLabModel line,
+        ClipLabModel clip,
+        VisibilityLabModel visibility,
+        SplineLabModel spline,
+        ExerciseLabModel exercises)
         implements AutoCloseable {
     /**
      * Every lab as it opens.
@@ -25,7 +31,9 @@ public record LabModels(
                 new LineLabModel(new LineTopic(), EventQueue::invokeLater, onFailure),
                 new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
-                new SplineLabModel(EventQueue::invokeLater, onFailure));
+                new SplineLabModel(EventQueue::invokeLater, onFailure),
+                new ExerciseLabModel(
+                        () -> Catalogue.builtIn().all(), EventQueue::invokeLater, onFailure));
     }
 
     /** Ends background work. */
@@ -35,5 +43,6 @@ public record LabModels(
         clip.close();
         visibility.close();
         spline.close();
+        exercises.close();
     }
 }

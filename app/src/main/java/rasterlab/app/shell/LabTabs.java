@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.clip.ClipPanel;
+import rasterlab.app.exercise.ExercisePanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LinePanel;
@@ -18,10 +19,12 @@ import rasterlab.engine.naming.Named;
 public final class LabTabs implements AutoCloseable {
     private final Language language;
     private final List<LabTab> tabs;
+    private final LabOpening opening;
 
-    private LabTabs(Language language, List<LabTab> tabs) {
+    private LabTabs(Language language, List<LabTab> tabs, LabOpening opening) {
         this.language = language;
         this.tabs = List.copyOf(tabs);
+        this.opening = opening;
     }
 
     /**
@@ -35,16 +38,25 @@ public final class LabTabs implements AutoCloseable {
         var tabs = new ArrayList<LabTab>();
         BiConsumer<String, Supplier<LabPanel>> add =
                 (name, made) -> tabs.add(new LabTab(name, texts.text("tab." + name), made));
+        var opening = new LabOpening(models);
         add.accept("line", () -> new LinePanel(models.line(), language, onFailure));
         add.accept("clip", () -> new ClipPanel(models.clip(), language, onFailure));
         add.accept(
                 "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));
         add.accept("spline", () -> new SplinePanel(models.spline(), language, onFailure));
-        return new LabTabs(language, tabs);
+        add.accept(
+                "exercises",
+                () -> new ExercisePanel(models.exercises(), opening, language, onFailure));
+        return new LabTabs(language, tabs, opening);
     }
 
     public Language language() {
         return language;
+    }
+
+    /** What shows inputs in their tabs. */
+    LabOpening opening() {
+        return opening;
     }
 
     public List<LabTab> all() {
