@@ -22,9 +22,9 @@ record Account(URI server, String token) {
      * @throws IllegalArgumentException with the address, where it is none
      */
     static URI server(String typed) {
-        String address = typed.strip().replaceFirst("/+$", "");
+        String address = typed.strip();
         if (!address.contains("://")) address = "http://" + address;
-        URI server = URI.create(address);
+        URI server = URI.create(address.replaceFirst("/+$", ""));
         boolean web = "http".equals(server.getScheme()) || "https".equals(server.getScheme());
         if (!web || server.getHost() == null || server.getRawQuery() != null)
             throw new IllegalArgumentException(typed);

@@ -18,7 +18,6 @@ import javax.imageio.ImageIO;
 import javax.swing.Timer;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Texts;
 
 /** A case's pictures, each with its name below: side by side, alone, or in turn. */
@@ -41,7 +40,6 @@ final class CasePicture extends SelfDrawn {
     private transient Optional<TriedCase.Pictures> pictures = Optional.empty();
     private transient List<Shown> decoded = List.of();
     private String view = VIEWS.get(0);
-    private String otherwise = "";
     private boolean second;
 
     /**
@@ -55,11 +53,7 @@ final class CasePicture extends SelfDrawn {
         getAccessibleContext().setAccessibleName(texts.text("case.picture"));
     }
 
-    /**
-     * @param otherwise what is said where there is no picture
-     */
-    void show(Optional<TriedCase.Pictures> next, String otherwise) {
-        this.otherwise = otherwise;
+    void show(Optional<TriedCase.Pictures> next) {
         if (!next.equals(pictures)) {
             pictures = next;
             decoded = next.map(this::decoded).orElse(List.of());
@@ -123,32 +117,27 @@ final class CasePicture extends SelfDrawn {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setRenderingHint(
-                RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
         g.setFont(UIManager.getFont("Label.font"));
-        if (decoded.isEmpty()) paintWords(g);
-        else paintPictures(g);
+        if (!decoded.isEmpty()) paintPictures(g);
         g.dispose();
     }
 
-    private void paintWords(Graphics2D g) {
-        g.setColor(UIManager.getColor("Label.disabledForeground"));
-        FontMetrics metrics = g.getFontMetrics();
-        int y = metrics.getAscent() + UIScale.scale(4);
-        for (String line : Wrapping.lines(otherwise, getWidth(), metrics::stringWidth)) {
-            g.drawString(line, 0, y);
-            y += metrics.getHeight();
-        }
-    }
-
     private void paintPictures(Graphics2D g) {
-        List<Shown> seen =
-                view.equals("together")
-                        ? decoded
-                        : decoded.stream().filter(one -> one.key().equals(seen())).toList();
         int gap = UIScale.scale(GAP);
+        String alone = view.equals("together") && !fit(g.getFontMetrics()) ? "difference" : seen();
+        List<Shown> seen =
+                alone.equals("together")
+                        ? decoded
+                        : decoded.stream().filter(one -> one.key().equals(alone)).toList();
         int width = (getWidth() - gap * (seen.size() - 1)) / seen.size();
         for (int i = 0; i < seen.size(); i++) paint(g, seen.get(i), i * (width + gap), width);
+    }
+
+    /** Whether all pictures have room for their names beside each other. */
+    private boolean fit(FontMetrics metrics) {
+        int width = getWidth() / decoded.size() - UIScale.scale(GAP);
+        return decoded.stream()
+                .allMatch(one -> metrics.stringWidth(texts.text("view." + one.key())) <= width);
     }
 
     /** One picture at the top of its column, with a frame and its name. */
@@ -161,6 +150,11 @@ final class CasePicture extends SelfDrawn {
                         (double) height / one.picture().getHeight());
         int w = Math.max(1, (int) (one.picture().getWidth() * scale));
         int h = Math.max(1, (int) (one.picture().getHeight() * scale));
+        g.setRenderingHint(
+                RenderingHints.KEY_INTERPOLATION,
+                scale < 1
+                        ? RenderingHints.VALUE_INTERPOLATION_BICUBIC
+                        : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
         g.drawImage(one.picture(), left, 0, w, h, null);
         Color line = UIManager.getColor("Component.borderColor");
         g.setColor(line);

@@ -3,11 +3,13 @@ package rasterlab.app.exercise;
 import java.awt.Component;
 import java.util.List;
 import java.util.Optional;
+import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableCellRenderer;
+import javax.swing.table.TableColumn;
 import rasterlab.app.language.Texts;
 
 /** The cases of a result, one in each row. */
@@ -16,8 +18,12 @@ final class CaseTable extends JTable {
 
     private static final List<String> COLUMNS = List.of("sign", "case", "points", "verdict");
 
+    /** From how many letters on the verdict is written out. */
+    private static final int ROOMY = 30;
+
     private final transient Texts texts;
     private final transient Rows rows = new Rows();
+    private final TableColumn verdict;
 
     /**
      * @param chosen run when another case is chosen
@@ -31,17 +37,29 @@ final class CaseTable extends JTable {
         setShowVerticalLines(false);
         setFillsViewportHeight(true);
         getTableHeader().setReorderingAllowed(false);
+        if (getTableHeader().getDefaultRenderer() instanceof JLabel head)
+            head.setHorizontalAlignment(JLabel.LEADING);
         var metrics = getFontMetrics(getFont());
         setRowHeight(metrics.getHeight() + 6);
         width(0, metrics.stringWidth("✓") + 18);
         width(2, Math.max(metrics.stringWidth("10/10"), metrics.stringWidth(head(2))) + 20);
         getColumnModel().getColumn(1).setPreferredWidth(260);
-        getColumnModel().getColumn(3).setPreferredWidth(120);
+        verdict = getColumnModel().getColumn(3);
+        verdict.setPreferredWidth(120);
         getSelectionModel()
                 .addListSelectionListener(
                         e -> {
                             if (!e.getValueIsAdjusting()) chosen.run();
                         });
+    }
+
+    /** Without the verdict in words where there is no room for it: the sign tells it too. */
+    @Override
+    public void doLayout() {
+        boolean roomy = getWidth() >= getFontMetrics(getFont()).charWidth('m') * ROOMY;
+        if (roomy && getColumnCount() < COLUMNS.size()) addColumn(verdict);
+        if (!roomy && getColumnCount() == COLUMNS.size()) removeColumn(verdict);
+        super.doLayout();
     }
 
     private void width(int column, int width) {

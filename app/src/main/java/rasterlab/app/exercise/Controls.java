@@ -1,5 +1,6 @@
 package rasterlab.app.exercise;
 
+import java.awt.Insets;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -9,6 +10,9 @@ import rasterlab.app.language.Texts;
 
 /** Buttons and labels of the tab, named after the keys of their texts. */
 final class Controls {
+    /** Narrower than usual, so that a row of buttons fits beside the statement. */
+    private static final Insets MARGIN = new Insets(2, 10, 2, 10);
+
     private Controls() {}
 
     /** A button with its mnemonic and, where there is one, its hint {@code KEY.hint}. */
@@ -20,6 +24,8 @@ final class Controls {
             button.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
         }
         if (texts.has(key + ".hint")) button.setToolTipText(texts.text(key + ".hint"));
+        button.setMargin(MARGIN);
+        button.putClientProperty("FlatLaf.style", "minimumWidth: 0");
         button.addActionListener(e -> action.run());
         return button;
     }

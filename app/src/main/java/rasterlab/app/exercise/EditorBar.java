@@ -6,8 +6,7 @@ import java.time.format.FormatStyle;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JPanel;
-import javax.swing.JProgressBar;
-import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.language.Texts;
 
 /** The buttons above the editor: try, hand in, begin anew, undo. */
@@ -24,14 +23,13 @@ final class EditorBar extends JPanel {
     private final JButton undo;
     private final JButton redo;
     private final JButton draft;
-    private final JProgressBar progress = new JProgressBar();
     private int points;
 
     /**
      * @param points of the editor's text at first
      */
     EditorBar(ExerciseLabModel model, SourceEditor editor, Texts texts, int points) {
-        super(new MigLayout("insets 0, gap 6 6, hidemode 3", "[][][][][grow,fill]"));
+        super(new FlowRows(6));
         this.model = model;
         this.editor = editor;
         this.texts = texts;
@@ -43,28 +41,18 @@ final class EditorBar extends JPanel {
         undo = Controls.button("undo", texts, editor::undo);
         redo = Controls.button("redo", texts, editor::redo);
         draft = Controls.button("draft", texts, this::takeDraft);
-        check.putClientProperty("JButton.buttonType", "default");
-        progress.setName("progress");
-        progress.setStringPainted(true);
-        progress.getAccessibleContext().setAccessibleName(texts.text("progress"));
         add(check);
         add(submit);
         add(server);
         add(cancel);
-        add(progress, "wmin 40, hmin 20, wrap");
-        add(tools(), "span, growx, wmin 0");
+        add(Controls.button("starter", texts, model::restoreStarter));
+        add(undo);
+        add(redo);
+        add(Controls.button("smaller", texts, () -> size(this.points - 1)));
+        add(Controls.button("larger", texts, () -> size(this.points + 1)));
+        add(draft);
+        FlowRows.keepWrapped(this);
         editor.setPoints(points);
-    }
-
-    private JPanel tools() {
-        var tools = new JPanel(new MigLayout("insets 0, gap 6, hidemode 3", "[][][][][][]"));
-        tools.add(Controls.button("starter", texts, model::restoreStarter));
-        tools.add(undo);
-        tools.add(redo);
-        tools.add(Controls.button("smaller", texts, () -> size(points - 1)));
-        tools.add(Controls.button("larger", texts, () -> size(points + 1)));
-        tools.add(draft);
-        return tools;
     }
 
     /**
@@ -84,19 +72,9 @@ final class EditorBar extends JPanel {
         cancel.setEnabled(running);
         undo.setEnabled(editor.canUndo());
         redo.setEnabled(editor.canRedo());
-        progress.setVisible(running);
-        if (running) show(state.work());
         List<DraftFile.Other> others = state.otherDrafts();
         draft.setVisible(!others.isEmpty());
         if (!others.isEmpty()) draft.setToolTipText(texts.text("draft.hint", when(others.get(0))));
-    }
-
-    private void show(Work work) {
-        progress.setIndeterminate(work.of() == 0);
-        progress.setMaximum(Math.max(1, work.of()));
-        progress.setValue(work.done());
-        String phase = work.phase().name().toLowerCase(java.util.Locale.ROOT);
-        progress.setString(texts.text("phase." + phase, work.done(), work.of()));
     }
 
     private String when(DraftFile.Other draft) {

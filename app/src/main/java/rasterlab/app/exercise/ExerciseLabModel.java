@@ -224,7 +224,6 @@ public final class ExerciseLabModel implements AutoCloseable {
 
     /** Submits with a token that the student has already. */
     void signIn(String address, String token) {
-        state();
         try {
             use(new Account(Account.server(address), token.strip()));
         } catch (IllegalArgumentException e) {
@@ -295,7 +294,7 @@ public final class ExerciseLabModel implements AutoCloseable {
     }
 
     private void begin(Work first, Background.Task task, Consumer<IOException> failed) {
-        if (state.work().running()) return;
+        if (state().work().running()) return;
         publish(changed().work(first).notice(Notice.NONE));
         background.begin(task, () -> publish(changed().work(Work.NONE)), failed);
     }
@@ -351,7 +350,7 @@ public final class ExerciseLabModel implements AutoCloseable {
     }
 
     private ExerciseStateChange changed() {
-        return new ExerciseStateChange(state);
+        return new ExerciseStateChange(state());
     }
 
     private void publish(ExerciseStateChange change) {

@@ -2,6 +2,7 @@ package rasterlab.app.exercise;
 
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.text.BadLocationException;
 import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
 import org.fife.ui.rsyntaxtextarea.parser.AbstractParser;
 import org.fife.ui.rsyntaxtextarea.parser.DefaultParseResult;
@@ -35,12 +36,24 @@ final class RemarkNotices extends AbstractParser {
 
     private DefaultParserNotice notice(Outcome.Remark remark, RSyntaxDocument document) {
         var line = document.getDefaultRootElement().getElement(remark.line() - 1);
-        int first = line.getStartOffset() + Math.max(0, remark.column() - 1);
         int end = Math.min(line.getEndOffset() - 1, document.getLength());
+        int first =
+                remark.column() > 0
+                        ? line.getStartOffset() + remark.column() - 1
+                        : firstSign(document, line.getStartOffset(), end);
         String said = remark.said().in(language);
-        if (remark.column() == 0 || first >= end)
-            return new DefaultParserNotice(this, said, remark.line() - 1);
+        if (first >= end) return new DefaultParserNotice(this, said, remark.line() - 1);
         return new DefaultParserNotice(this, said, remark.line() - 1, first, end - first);
+    }
+
+    /** Where the line's indentation ends. */
+    private static int firstSign(RSyntaxDocument document, int start, int end) {
+        try {
+            String text = document.getText(start, end - start);
+            return start + text.length() - text.stripLeading().length();
+        } catch (BadLocationException e) {
+            throw new AssertionError("from " + start + " to " + end, e);
+        }
     }
 
     /** The messages of each line, for the strip beside the text. */

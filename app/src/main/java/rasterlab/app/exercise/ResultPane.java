@@ -1,6 +1,7 @@
 package rasterlab.app.exercise;
 
 import java.awt.CardLayout;
+import java.awt.Dimension;
 import java.awt.Font;
 import java.util.List;
 import java.util.Locale;
@@ -9,10 +10,12 @@ import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.language.Texts;
@@ -29,6 +32,7 @@ final class ResultPane extends JPanel {
     private final JLabel verdict = new JLabel(" ");
     private final JLabel points = new JLabel(" ");
     private final JLabel where = new JLabel(" ");
+    private final JProgressBar progress = new JProgressBar();
     private final CardLayout cards = new CardLayout();
     private final JPanel answer = new JPanel(cards);
     private final CaseTable table;
@@ -47,7 +51,7 @@ final class ResultPane extends JPanel {
             OpenInLab lab,
             Consumer<Outcome.Remark> toLine,
             Consumer<Throwable> onFailure) {
-        super(new MigLayout("insets 0, gap 10 6", "[][][grow]", "[][grow,fill]"));
+        super(new MigLayout("insets 0, gap 10 6, hidemode 3", "[][][grow]", "[][grow,fill]"));
         this.texts = texts;
         this.lab = lab;
         table = new CaseTable(texts, this::showChosen);
@@ -66,6 +70,10 @@ final class ResultPane extends JPanel {
         where.setForeground(UIManager.getColor("Label.disabledForeground"));
         add(verdict);
         add(points);
+        progress.setName("progress");
+        progress.setStringPainted(true);
+        progress.getAccessibleContext().setAccessibleName(texts.text("progress"));
+        add(progress, "split 2, growx, wmin 40, hmin 20");
         add(where, "wmin 0, wrap");
         answer.add(cases(), "cases");
         var list = new JScrollPane(remarks);
@@ -80,19 +88,23 @@ final class ResultPane extends JPanel {
         var detail =
                 new JPanel(
                         new MigLayout(
-                                "insets 0, gap 8 6, hidemode 3",
-                                "[][grow,fill][]",
-                                "[][][grow,fill]"));
-        detail.add(reason, "span, growx, wmin 0, wrap");
-        detail.add(Controls.label("view", texts, view));
-        detail.add(view, "wmin 0");
-        detail.add(open, "wrap");
-        detail.add(picture, "span, grow, wmin 0, hmin 0");
+                                "insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][][grow,fill]"));
+        var controls = new JPanel(new FlowRows(6));
+        JLabel label = Controls.label("view", texts, view);
+        label.setPreferredSize(
+                new Dimension(label.getPreferredSize().width, view.getPreferredSize().height));
+        controls.add(label);
+        controls.add(view);
+        controls.add(open);
+        FlowRows.keepWrapped(controls);
+        detail.add(reason, "wmin 0");
+        detail.add(controls, "wmin 0");
+        detail.add(picture, "wmin 0, hmin 0");
         var both =
                 new JPanel(
                         new MigLayout(
                                 "insets 0, gap 12 0",
-                                "[grow 50,fill,50%][grow 50,fill]",
+                                "[grow,fill,56%][grow,fill,44%]",
                                 "[grow,fill]"));
         both.add(scroll, "wmin 0, hmin 0");
         both.add(detail, "wmin 0, hmin 0");
@@ -129,7 +141,18 @@ final class ResultPane extends JPanel {
         return all;
     }
 
+    private void show(Work work) {
+        progress.setVisible(work.running());
+        progress.setIndeterminate(work.of() == 0);
+        progress.setMaximum(Math.max(1, work.of()));
+        progress.setValue(work.done());
+        String phase = work.phase().name().toLowerCase(Locale.ROOT);
+        if (work.running())
+            progress.setString(texts.text("phase." + phase, work.done(), work.of()));
+    }
+
     private void sayHead(ExerciseState state, Optional<Outcome> outcome) {
+        show(state.work());
         if (outcome.isEmpty()) {
             verdict.setText(texts.text(state.work().running() ? "result.running" : "result.none"));
             verdict.setForeground(UIManager.getColor("Label.foreground"));
@@ -185,11 +208,10 @@ final class ResultPane extends JPanel {
                 shown.flatMap(Outcome::smallestCounterexample)
                         .filter(one -> chosen.filter(one::equals).isPresent())
                         .isPresent();
-        reason.setText(smallest ? texts.text("smallest", said) : said);
-        reason.setVisible(!reason.getText().isEmpty());
-        picture.show(chosen.flatMap(TriedCase::pictures), otherwise(chosen));
-        boolean drawn = chosen.flatMap(TriedCase::pictures).isPresent();
-        view.setEnabled(drawn);
+        String words = smallest ? texts.text("smallest", said) : said;
+        reason.setText(words.isEmpty() ? hint(chosen) : words);
+        picture.show(chosen.flatMap(TriedCase::pictures));
+        view.setEnabled(chosen.flatMap(TriedCase::pictures).isPresent());
         Optional<MethodCase> scene = chosen.flatMap(ResultPane::scene);
         boolean opens = scene.filter(one -> lab.showsInputs(one.topic())).isPresent();
         open.setEnabled(opens);
@@ -199,7 +221,7 @@ final class ResultPane extends JPanel {
                         : texts.text("open.hint"));
     }
 
-    private String otherwise(Optional<TriedCase> chosen) {
+    private String hint(Optional<TriedCase> chosen) {
         if (chosen.isEmpty()) return texts.text("hint.choose");
         if (chosen.get().verdict().isEmpty()) return texts.text("hint.untried");
         if (chosen.get().right()) return texts.text("hint.right");

@@ -3,6 +3,8 @@ package rasterlab.app.exercise;
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.BorderLayout;
 import java.awt.Font;
+import java.awt.Graphics;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -26,7 +28,7 @@ final class SourceEditor extends JPanel {
 
     private final transient Texts texts;
     private final transient RemarkNotices notices;
-    private final RSyntaxTextArea area = new RSyntaxTextArea(20, 60);
+    private final RSyntaxTextArea area = new Area();
     private final RTextScrollPane scroll = new RTextScrollPane(area);
     private final transient Icon mark = UIManager.getIcon("OptionPane.errorIcon");
     private transient List<Outcome.Remark> shown = List.of();
@@ -84,6 +86,23 @@ final class SourceEditor extends JPanel {
             return Theme.load(in);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Measures its type off the screen too, where a component has no graphics of its own. */
+    private static final class Area extends RSyntaxTextArea {
+        private static final long serialVersionUID = 1L;
+
+        Area() {
+            super(20, 60);
+        }
+
+        @Override
+        public Graphics getGraphics() {
+            Graphics own = super.getGraphics();
+            return own != null
+                    ? own
+                    : new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
         }
     }
 

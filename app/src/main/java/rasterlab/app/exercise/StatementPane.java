@@ -23,6 +23,7 @@ final class StatementPane extends JEditorPane {
     StatementPane(String accessibleName) {
         setName("statement");
         setEditable(false);
+        setBackground(StageColours.now().ground());
         getAccessibleContext().setAccessibleName(accessibleName);
         var kit = new HTMLEditorKit();
         kit.setStyleSheet(style(kit.getStyleSheet()));
@@ -43,9 +44,14 @@ final class StatementPane extends JEditorPane {
         style.addRule("p { margin: 4 0 6 0 }");
         style.addRule("ul { margin-left: 18; margin-top: 2; margin-bottom: 4 }");
         style.addRule("li { margin: 2 0 2 0 }");
-        style.addRule("code { font-family: Monospaced; background-color: " + code + " }");
+        style.addRule("body { font-size: " + size + "pt }");
+        style.addRule("code { font-family: Monospaced; font-size: " + (size - 1) + "pt; background-color: " + code + " }");
         style.addRule(
-                "pre { font-family: Monospaced; background-color: " + code + "; padding: 6 }");
+                "pre { font-family: Monospaced; font-size: "
+                        + (size - 2)
+                        + "pt; background-color: "
+                        + code
+                        + "; padding: 6 }");
         style.addRule("td { border: 1px solid " + line + "; vertical-align: top }");
         style.addRule("th { border: 1px solid " + line + "; text-align: left }");
         return style;
