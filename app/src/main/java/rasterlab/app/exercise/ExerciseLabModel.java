@@ -18,6 +18,7 @@ import java.util.UUID;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import rasterlab.app.canvas.Background;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.naming.Named;
 import rasterlab.exercises.Exercise;

@@ -62,6 +62,8 @@ public final class ExercisePanel extends LabPanel {
                         lab,
                         remark -> editor.goTo(remark.line(), remark.column()),
                         onFailure);
+        notice.getAccessibleContext().setAccessibleName(texts.text("notice"));
+        unsaved.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.setForeground(VerdictLook.colour("wrong"));
         add(split());
         keys();
@@ -78,6 +80,7 @@ public final class ExercisePanel extends LabPanel {
     }
 
     private void keys() {
+        editor.bind(KeyStroke.getKeyStroke("ctrl ENTER"), model::check);
         KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl ENTER"), model::check);
         KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::cancel);
     }
@@ -91,8 +94,9 @@ public final class ExercisePanel extends LabPanel {
         return both;
     }
 
-    private static void divide(JSplitPane pane, double share, String name) {
+    private void divide(JSplitPane pane, double share, String name) {
         pane.setName(name);
+        pane.getAccessibleContext().setAccessibleName(texts.text(name));
         pane.setBorder(null);
         pane.setResizeWeight(share);
         pane.getLeftComponent().setMinimumSize(UIScale.scale(new java.awt.Dimension(200, 140)));

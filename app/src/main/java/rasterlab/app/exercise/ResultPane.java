@@ -64,6 +64,7 @@ final class ResultPane extends JPanel {
                         key -> texts.text("view." + key),
                         picture::choose);
         open = Controls.button("open", texts, () -> openChosen(onFailure));
+        reason.getAccessibleContext().setAccessibleName(texts.text("reason"));
         verdict.setName("result.verdict");
         verdict.setFont(verdict.getFont().deriveFont(Font.BOLD));
         points.setName("result.points");

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.Icon;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
@@ -20,6 +21,7 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.SyntaxConstants;
 import org.fife.ui.rsyntaxtextarea.Theme;
 import org.fife.ui.rtextarea.RTextScrollPane;
+import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.language.Texts;
 
 /** The editor of a Java source, with messages at its lines. */
@@ -172,6 +174,11 @@ final class SourceEditor extends JPanel {
 
     void focus() {
         area.requestFocusInWindow();
+    }
+
+    /** While the editor has the keyboard, before it uses the key itself. */
+    void bind(KeyStroke key, Runnable action) {
+        KeyBinding.whenFocused(area, key, action);
     }
 
     void undo() {

@@ -24,10 +24,10 @@ final class StatementPane extends JEditorPane {
         setName("statement");
         setEditable(false);
         setBackground(StageColours.now().ground());
-        getAccessibleContext().setAccessibleName(accessibleName);
         var kit = new HTMLEditorKit();
         kit.setStyleSheet(style(kit.getStyleSheet()));
         setEditorKit(kit);
+        getAccessibleContext().setAccessibleName(accessibleName);
         putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
         setBorder(javax.swing.BorderFactory.createEmptyBorder(4, 12, 8, 12));
     }
@@ -45,7 +45,12 @@ final class StatementPane extends JEditorPane {
         style.addRule("ul { margin-left: 18; margin-top: 2; margin-bottom: 4 }");
         style.addRule("li { margin: 2 0 2 0 }");
         style.addRule("body { font-size: " + size + "pt }");
-        style.addRule("code { font-family: Monospaced; font-size: " + (size - 1) + "pt; background-color: " + code + " }");
+        style.addRule(
+                "code { font-family: Monospaced; font-size: "
+                        + (size - 1)
+                        + "pt; background-color: "
+                        + code
+                        + " }");
         style.addRule(
                 "pre { font-family: Monospaced; font-size: "
                         + (size - 2)

@@ -7,7 +7,9 @@ import rasterlab.app.clip.ClipTopics;
 import rasterlab.app.exercise.ExerciseLabModel;
 import rasterlab.app.line.LineLabModel;
 import rasterlab.app.spline.SplineLabModel;
+import rasterlab.app.study.StudyLabModel;
 import rasterlab.app.visibility.VisibilityLabModel;
+import rasterlab.engine.Topics;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -18,6 +20,7 @@ public record LabModels(
         ClipLabModel clip,
         VisibilityLabModel visibility,
         SplineLabModel spline,
+        StudyLabModel study,
         ExerciseLabModel exercises)
         implements AutoCloseable {
     /**
@@ -32,6 +35,7 @@ public record LabModels(
                 new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
                 new SplineLabModel(EventQueue::invokeLater, onFailure),
+                new StudyLabModel(Topics.all(), EventQueue::invokeLater, onFailure),
                 new ExerciseLabModel(
                         () -> Catalogue.builtIn().all(), EventQueue::invokeLater, onFailure));
     }
@@ -43,6 +47,7 @@ public record LabModels(
         clip.close();
         visibility.close();
         spline.close();
+        study.close();
         exercises.close();
     }
 }

@@ -12,6 +12,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LinePanel;
 import rasterlab.app.spline.SplinePanel;
+import rasterlab.app.study.StudyPanel;
 import rasterlab.app.visibility.VisibilityPanel;
 import rasterlab.engine.naming.Named;
 
@@ -44,6 +45,7 @@ public final class LabTabs implements AutoCloseable {
         add.accept(
                 "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));
         add.accept("spline", () -> new SplinePanel(models.spline(), language, onFailure));
+        add.accept("study", () -> new StudyPanel(models.study(), opening, language, onFailure));
         add.accept(
                 "exercises",
                 () -> new ExercisePanel(models.exercises(), opening, language, onFailure));

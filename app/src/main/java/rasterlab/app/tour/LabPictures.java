@@ -28,7 +28,9 @@ final class LabPictures implements TourPart {
                     new Shot(
                             "function",
                             "spline",
-                            models -> models.spline().show(SplineMode.FUNCTION)));
+                            models -> models.spline().show(SplineMode.FUNCTION)),
+                    new Shot("study", "study", models -> {}),
+                    new Shot("exercises", "exercises", models -> {}));
 
     @Override
     public String key() {

@@ -32,7 +32,8 @@ class AccountTest {
     }
 
     @ParameterizedTest(name = "an address that is none is taken: {0}")
-    @ValueSource(strings = {"", "ftp://example.org", "http://", "a b", "http://h/?q=1", "file:///x"})
+    @ValueSource(
+            strings = {"", "ftp://example.org", "http://", "a b", "http://h/?q=1", "file:///x"})
     void refusesWhatIsNone(String typed) {
         assertThrows(IllegalArgumentException.class, () -> Account.server(typed));
     }
@@ -46,7 +47,8 @@ class AccountTest {
 
     @Test
     void isReadByItsOwnerOnly() throws IOException {
-        assumeTrue(Files.getFileStore(folder).supportsFileAttributeView("posix"), "no POSIX rights");
+        assumeTrue(
+                Files.getFileStore(folder).supportsFileAttributeView("posix"), "no POSIX rights");
         new AccountFile(folder).save(new Account(URI.create("http://localhost"), "t"));
         new AccountFile(folder).save(new Account(URI.create("http://localhost"), "u"));
         assertEquals(
@@ -58,8 +60,7 @@ class AccountTest {
     @Test
     void brokenFileIsNamed() throws IOException {
         Files.writeString(folder.resolve("grader.properties"), "server=ftp\\://x\ntoken=t\n");
-        IOException broken =
-                assertThrows(IOException.class, () -> new AccountFile(folder).load());
+        IOException broken = assertThrows(IOException.class, () -> new AccountFile(folder).load());
         assertTrue(broken.getMessage().contains("grader.properties"), broken.getMessage());
     }
 

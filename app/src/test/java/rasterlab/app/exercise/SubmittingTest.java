@@ -89,8 +89,7 @@ class SubmittingTest {
                 assertEquals("joined", trial.state().notice().key());
             }
             try (var again = new Trial(folder)) {
-                assertEquals(
-                        server.address(), again.state().account().orElseThrow().toString());
+                assertEquals(server.address(), again.state().account().orElseThrow().toString());
             }
         }
     }
@@ -166,7 +165,11 @@ class SubmittingTest {
         var connections = new AtomicInteger();
         try (var server = server();
                 var trial = joined(server, Duration.ofSeconds(20))) {
-            server.on(RESULT, 200, DONE.replace("\"verdict\":\"wrong\",\"points\":{", "\"verdict\":null,\"points\":{"));
+            server.on(
+                    RESULT,
+                    200,
+                    DONE.replace(
+                            "\"verdict\":\"wrong\",\"points\":{", "\"verdict\":null,\"points\":{"));
             server.on(
                     EVENTS,
                     exchange -> {

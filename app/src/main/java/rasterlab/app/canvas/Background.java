@@ -1,6 +1,7 @@
-package rasterlab.app.exercise;
+package rasterlab.app.canvas;
 
 import java.io.IOException;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -11,10 +12,10 @@ import java.util.function.Consumer;
  * One piece of work at a time on a thread of its own, which can be given up; used on the event
  * thread.
  */
-final class Background implements AutoCloseable {
+public final class Background implements AutoCloseable {
     /** Work that may be interrupted. */
     @FunctionalInterface
-    interface Task {
+    public interface Task {
         /**
          * @param tell runs what it is given on the event thread, unless the work is given up
          * @return what is to be done with the result, on the event thread
@@ -40,7 +41,7 @@ final class Background implements AutoCloseable {
     /**
      * @param onFailure told what is neither an answer nor a failure of input or output
      */
-    Background(Executor events, Consumer<Throwable> onFailure) {
+    public Background(Executor events, Consumer<Throwable> onFailure) {
         this.events = events;
         this.onFailure = onFailure;
     }
@@ -49,7 +50,7 @@ final class Background implements AutoCloseable {
      * @param failed told that the work could not be done; on the event thread
      * @param ended run on the event thread before the result is used, whatever it is
      */
-    void begin(Task task, Runnable ended, Consumer<IOException> failed) {
+    public void begin(Task task, Runnable ended, Consumer<IOException> failed) {
         int mine = ++number;
         running = worker.submit(() -> run(task, mine, ended, failed));
     }
@@ -60,7 +61,7 @@ final class Background implements AutoCloseable {
             after = task.run(news -> tell(mine, news));
         } catch (IOException e) {
             after = () -> failed.accept(e);
-        } catch (InterruptedException givenUp) {
+        } catch (InterruptedException | CancellationException givenUp) {
             return;
         } catch (RuntimeException | Error e) {
             onFailure.accept(e);
@@ -82,7 +83,7 @@ final class Background implements AutoCloseable {
     }
 
     /** Gives up the work; nothing more is heard of it. */
-    void cancel() {
+    public void cancel() {
         number++;
         if (running != null) running.cancel(true);
     }
@@ -92,7 +93,7 @@ final class Background implements AutoCloseable {
      *
      * @param last run when the work has ended
      */
-    void close(Runnable last) {
+    public void close(Runnable last) {
         cancel();
         worker.execute(last);
         worker.shutdown();
