@@ -123,7 +123,11 @@ class WindowTest extends WindowHarness {
         "1280, 720, clip",
         "2560, 1440, clip",
         "900, 600, polygon",
-        "1280, 720, polygon"
+        "1280, 720, polygon",
+        "900, 600, exercises",
+        "1280, 720, exercises",
+        "900, 600, study",
+        "1280, 720, study"
     })
     void noTextIsCutInRussian(int width, int height, String tab) {
         GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
@@ -135,7 +139,7 @@ class WindowTest extends WindowHarness {
 
     @Test
     void everyControlCanBeNamedByAssistiveTechnology() {
-        for (String tab : List.of("coordinates", "line", "polygon", "clip", "visibility", "spline")) {
+        for (String tab : List.of("coordinates", "line", "polygon", "clip", "visibility", "spline", "study", "exercises")) {
             show(tab);
             List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
             assertEquals(List.of(), nameless, tab);

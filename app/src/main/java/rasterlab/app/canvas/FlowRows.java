@@ -4,16 +4,30 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.LayoutManager;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import javax.swing.JComponent;
 
 /** Rows from left to right that wrap at the container's width and ask for the height they need. */
-final class FlowRows implements LayoutManager {
+public final class FlowRows implements LayoutManager {
     private final int gap;
 
     /**
      * @param gap view units between components and between rows
      */
-    FlowRows(int gap) {
+    public FlowRows(int gap) {
         this.gap = gap;
+    }
+
+    /** Lays the container's surroundings out again whenever its width changes. */
+    public static void keepWrapped(JComponent container) {
+        container.addComponentListener(
+                new ComponentAdapter() {
+                    @Override
+                    public void componentResized(ComponentEvent e) {
+                        container.revalidate();
+                    }
+                });
     }
 
     @Override

@@ -47,6 +47,7 @@ public final class LabContent extends JPanel {
                     texts.text("tab.tip", digit));
             pane.setMnemonicAt(pane.getTabCount() - 1, KeyEvent.VK_0 + digit);
         }
+        labs.opening().showTabsBy(this::show);
         show(shown);
         fill();
         pane.putClientProperty("JTabbedPane.leadingComponent", brand());

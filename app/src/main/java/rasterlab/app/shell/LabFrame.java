@@ -52,6 +52,7 @@ public final class LabFrame extends JFrame {
         this.file = file;
         this.labsFile = labsFile;
         this.onFailure = onFailure;
+        models.exercises().keepIn(file.folder());
         setName("lab");
         setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
         setMinimumSize(UIScale.scale(LEAST));

@@ -8,13 +8,17 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipTopics;
 import rasterlab.app.coordinates.CoordinatesLabModel;
+import rasterlab.app.exercise.ExerciseLabModel;
 import rasterlab.app.line.LineLabModel;
 import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonTopics;
 import rasterlab.app.spline.SplineLabModel;
+import rasterlab.app.study.StudyLabModel;
 import rasterlab.app.visibility.VisibilityLabModel;
+import rasterlab.engine.Topics;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.exercises.catalogue.Catalogue;
 
 /** The labs' models, which outlive the panels that show them; used on the event thread. */
 public record LabModels(
@@ -23,7 +27,9 @@ public record LabModels(
         PolygonLabModel polygon,
         ClipLabModel clip,
         VisibilityLabModel visibility,
-        SplineLabModel spline)
+        SplineLabModel spline,
+        StudyLabModel study,
+        ExerciseLabModel exercises)
         implements AutoCloseable {
     /**
      * Every lab as it opens.
@@ -38,7 +44,10 @@ public record LabModels(
                 new PolygonLabModel(new PolygonTopics(), EventQueue::invokeLater, onFailure),
                 new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
-                new SplineLabModel(EventQueue::invokeLater, onFailure));
+                new SplineLabModel(EventQueue::invokeLater, onFailure),
+                new StudyLabModel(Topics.all(), EventQueue::invokeLater, onFailure),
+                new ExerciseLabModel(
+                        () -> Catalogue.builtIn().all(), EventQueue::invokeLater, onFailure));
     }
 
     /** What opens as it was left, by the name under which it is kept. */
@@ -62,5 +71,7 @@ public record LabModels(
         clip.close();
         visibility.close();
         spline.close();
+        study.close();
+        exercises.close();
     }
 }

@@ -8,11 +8,13 @@ import java.util.function.Supplier;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.clip.ClipPanel;
 import rasterlab.app.coordinates.CoordinatesPanel;
+import rasterlab.app.exercise.ExercisePanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LinePanel;
 import rasterlab.app.polygon.PolygonPanel;
 import rasterlab.app.spline.SplinePanel;
+import rasterlab.app.study.StudyPanel;
 import rasterlab.app.visibility.VisibilityPanel;
 import rasterlab.engine.naming.Named;
 
@@ -20,10 +22,12 @@ import rasterlab.engine.naming.Named;
 public final class LabTabs implements AutoCloseable {
     private final Language language;
     private final List<LabTab> tabs;
+    private final LabOpening opening;
 
-    private LabTabs(Language language, List<LabTab> tabs) {
+    private LabTabs(Language language, List<LabTab> tabs, LabOpening opening) {
         this.language = language;
         this.tabs = List.copyOf(tabs);
+        this.opening = opening;
     }
 
     /**
@@ -37,6 +41,7 @@ public final class LabTabs implements AutoCloseable {
         var tabs = new ArrayList<LabTab>();
         BiConsumer<String, Supplier<LabPanel>> add =
                 (name, made) -> tabs.add(new LabTab(name, texts.text("tab." + name), made));
+        var opening = new LabOpening(models);
         add.accept(
                 "coordinates",
                 () -> new CoordinatesPanel(models.coordinates(), language, onFailure));
@@ -46,11 +51,20 @@ public final class LabTabs implements AutoCloseable {
         add.accept(
                 "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));
         add.accept("spline", () -> new SplinePanel(models.spline(), language, onFailure));
-        return new LabTabs(language, tabs);
+        add.accept("study", () -> new StudyPanel(models.study(), opening, language, onFailure));
+        add.accept(
+                "exercises",
+                () -> new ExercisePanel(models.exercises(), opening, language, onFailure));
+        return new LabTabs(language, tabs, opening);
     }
 
     public Language language() {
         return language;
+    }
+
+    /** What shows inputs in their tabs. */
+    LabOpening opening() {
+        return opening;
     }
 
     public List<LabTab> all() {

@@ -56,6 +56,11 @@ public final class SettingsFile {
         return folder.resolve("rasterlab").resolve("window.properties");
     }
 
+    /** Where the file is, and other files of the user's beside it. */
+    Path folder() {
+        return file.toAbsolutePath().getParent();
+    }
+
     /** What the file holds; the given settings where it holds nothing or nonsense. */
     public LabSettings load(LabSettings otherwise) {
         if (!Files.exists(file)) return otherwise;

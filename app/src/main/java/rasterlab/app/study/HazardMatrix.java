@@ -33,11 +33,18 @@ public record HazardMatrix(
      * @param longest wall time that a method may take for one hazard
      */
     public static HazardMatrix judged(Topic<?, ?, ?> topic, Duration longest) {
+        return of(topic, HazardTrial.table(topic, longest));
+    }
+
+    /**
+     * @param cells one for each pair, or the first of them
+     */
+    static HazardMatrix of(Topic<?, ?, ?> topic, List<Cell> cells) {
         return new HazardMatrix(
                 topic.name(),
                 topic.methods().stream().map(Method::name).toList(),
                 topic.hazards().stream().map(Hazard::name).toList(),
-                HazardTrial.table(topic, longest));
+                cells);
     }
 
     /** Whether every verdict is the recorded one. */

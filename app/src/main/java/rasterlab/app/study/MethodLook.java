@@ -38,6 +38,13 @@ public record MethodLook(Color colour, Marker marker) {
         return looks;
     }
 
+    /** The same in a colour that stands out from the ground. */
+    MethodLook on(Color ground) {
+        return ground.equals(Color.WHITE)
+                ? this
+                : new MethodLook(MethodColours.edgeOn(ground, colour), marker);
+    }
+
     private static Marker marker(int number) {
         return MARKERS.get(number % MARKERS.size());
     }

@@ -39,8 +39,14 @@ final class SizeLabels extends Annotation {
     private final List<Point> points = new ArrayList<>();
     private final List<Label> labels = new ArrayList<>();
 
-    SizeLabels() {
+    private final Color ground;
+
+    /**
+     * @param ground behind the chart
+     */
+    SizeLabels(Color ground) {
         super(false);
+        this.ground = ground;
     }
 
     /** A point that no label may hide. */
@@ -94,8 +100,8 @@ final class SizeLabels extends Annotation {
         return new Rectangle(left, top, right - left, bottom - top).contains(box);
     }
 
-    private static void draw(Graphics2D graphics, Label label, Rectangle box) {
-        graphics.setColor(MethodColours.edgeOn(Color.WHITE, label.colour()));
+    private void draw(Graphics2D graphics, Label label, Rectangle box) {
+        graphics.setColor(MethodColours.edgeOn(ground, label.colour()));
         graphics.drawString(label.text(), box.x, box.y + box.height - 2);
     }
 

@@ -42,20 +42,28 @@ public final class StudyChart {
     }
 
     static XYChart chart(Study study, StudyWords words) {
+        return chart(study, words, Color.WHITE, Color.BLACK);
+    }
+
+    /**
+     * @param ground behind the chart
+     * @param ink of its words
+     */
+    static XYChart chart(Study study, StudyWords words, Color ground, Color ink) {
         var costs = CostAxis.over(points(study));
         var errors = ErrorAxis.over(points(study));
-        var sizes = new SizeLabels();
+        var sizes = new SizeLabels(ground);
         XYChart chart = empty(study, words);
-        style(chart.getStyler());
+        style(chart.getStyler(), ground, ink);
         style(chart.getStyler(), costs, errors, words);
-        chart.addAnnotation(new ChartGrid(costs, errors));
+        chart.addAnnotation(new ChartGrid(costs, errors, ink));
         List<String> methods =
                 study.measurements().stream().map(Measurement::method).distinct().toList();
         MethodLook.of(methods)
                 .forEach(
                         (method, look) -> {
                             for (List<Measurement> line : lines(method, points(study))) {
-                                add(chart, method, look, line, errors);
+                                add(chart, method, look.on(ground), line, errors);
                                 label(sizes, look, line, errors);
                             }
                         });
@@ -84,20 +92,23 @@ public final class StudyChart {
         styler.setYAxisTickLabelsFormattingFunction(value -> errors.label(value, words.exact()));
     }
 
-    private static void style(XYStyler styler) {
+    private static void style(XYStyler styler, Color ground, Color ink) {
         styler.setLegendPosition(LegendPosition.OutsideE);
         styler.setLocale(Locale.ROOT);
         styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
         styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
         styler.setChartTitleBoxVisible(false);
-        styler.setChartBackgroundColor(Color.WHITE);
-        styler.setPlotBackgroundColor(Color.WHITE);
+        styler.setChartBackgroundColor(ground);
+        styler.setPlotBackgroundColor(ground);
+        styler.setLegendBackgroundColor(ground);
+        styler.setChartFontColor(ink);
+        styler.setAxisTickLabelsColor(ink);
         styler.setPlotGridLinesVisible(false).setAxisTicksMarksVisible(false);
         styler.setMarkerSize(11);
     }
 
     /** A method that refused, crashed or did not end has no cost, hence no place on the chart. */
-    private static List<Measurement> points(Study study) {
+    static List<Measurement> points(Study study) {
         return study.measurements().stream().filter(measured -> measured.cost().timed()).toList();
     }
 

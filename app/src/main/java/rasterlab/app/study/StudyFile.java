@@ -61,7 +61,7 @@ public enum StudyFile {
                                                 + String.join(", ", extensions())));
     }
 
-    private static List<String> extensions() {
+    static List<String> extensions() {
         return Arrays.stream(values()).map(StudyFile::extension).toList();
     }
 

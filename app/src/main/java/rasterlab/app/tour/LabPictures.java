@@ -41,7 +41,9 @@ final class LabPictures implements TourPart {
                     new Shot(
                             "function",
                             "spline",
-                            models -> models.spline().show(SplineMode.FUNCTION)));
+                            models -> models.spline().show(SplineMode.FUNCTION)),
+                    new Shot("study", "study", models -> {}),
+                    new Shot("exercises", "exercises", models -> {}));
 
     private static Shot coordinates(String name, CoordinatesMode mode) {
         return new Shot(name, "coordinates", models -> models.coordinates().show(mode));

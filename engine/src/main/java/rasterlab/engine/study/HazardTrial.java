@@ -3,6 +3,9 @@ package rasterlab.engine.study;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /**
  * Gives a method its verdict on one input: runs it under guard and compares with the exact answer.
@@ -28,14 +31,33 @@ public final class HazardTrial {
 
     /** Every method on every hazard, hazard by hazard. */
     public static <C, I, O> List<Cell> table(Topic<C, I, O> topic, Duration wallLimit) {
+        return table(topic, wallLimit, cell -> {}, () -> false);
+    }
+
+    /**
+     * The same, told as it grows.
+     *
+     * @param judged told each cell, on the caller's thread
+     * @param cancelled asked before each cell
+     * @throws CancellationException when {@code cancelled} says so or the thread is interrupted
+     */
+    public static <C, I, O> List<Cell> table(
+            Topic<C, I, O> topic,
+            Duration wallLimit,
+            Consumer<Cell> judged,
+            BooleanSupplier cancelled) {
         var cells = new ArrayList<Cell>();
         for (Hazard<I> hazard : topic.hazards()) {
             Answer<O> answer = Answer.to(topic, hazard.input());
             for (Method<C> method : topic.methods()) {
+                if (cancelled.getAsBoolean())
+                    throw new CancellationException(
+                            "hazards of '" + topic.name() + "' were cancelled");
                 Verdict verdict = judge(topic, method, hazard.input(), answer, wallLimit);
                 Verdict.Kind recorded =
                         hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT);
                 cells.add(new Cell(hazard.name(), method.name(), verdict, recorded));
+                judged.accept(cells.get(cells.size() - 1));
             }
         }
         return cells;

@@ -131,6 +131,17 @@ public final class JsonFields {
         };
     }
 
+    /** So many whole numbers. */
+    public int[] integers(String field, int count) {
+        JsonNode value = required(field);
+        if (!value.isArray() || value.size() != count)
+            throw wrong(field, "must have " + count + " whole numbers, got " + shown(value));
+        int[] numbers = new int[count];
+        for (int i = 0; i < count; i++)
+            numbers[i] = integer(field, value.get(i), Integer.MIN_VALUE, Integer.MAX_VALUE);
+        return numbers;
+    }
+
     public List<String> texts(String field) {
         JsonNode value = required(field);
         List<String> texts = new ArrayList<>();

@@ -17,11 +17,11 @@ import java.util.stream.Stream;
  *
  * @param token empty for somebody who has none
  */
-record GraderClient(HttpClient http, URI address, String token) {
+public record GraderClient(HttpClient http, URI address, String token) {
     private static final Duration LIMIT = Duration.ofSeconds(60);
     private static final ObjectMapper JSON = new ObjectMapper();
 
-    static GraderClient of(URI address, String token) {
+    public static GraderClient of(URI address, String token) {
         return new GraderClient(HttpClient.newHttpClient(), address, token);
     }
 
@@ -39,7 +39,7 @@ record GraderClient(HttpClient http, URI address, String token) {
         return token.isEmpty() ? request : request.header("Authorization", "Bearer " + token);
     }
 
-    JsonNode post(String path, String json) throws IOException, InterruptedException {
+    public JsonNode post(String path, String json) throws IOException, InterruptedException {
         var response =
                 send(
                         request(path)

@@ -17,12 +17,12 @@ import java.util.concurrent.TimeUnit;
  * @param address where it listens
  * @param token of the instructor; empty when the data folder was not new
  */
-record ServerProcess(Process process, URI address, String token, Path log)
+public record ServerProcess(Process process, URI address, String token, Path log)
         implements AutoCloseable {
     private static final String LISTENING = "listening on ";
     private static final String TOKEN = "instructor token: ";
 
-    static ServerProcess start(Path data) throws IOException {
+    public static ServerProcess start(Path data) throws IOException {
         var isNew = !Files.exists(data);
         var log = Files.createTempFile("rasterlab-server", ".log");
         var process =

@@ -1,0 +1,33 @@
+package rasterlab.app.exercise;
+
+import java.net.URI;
+
+/**
+ * A student's place at a grading server.
+ *
+ * @param server such as http://127.0.0.1:8080
+ * @param token the student's secret
+ */
+record Account(URI server, String token) {
+    /** Without the token, which is nobody else's business. */
+    @Override
+    public String toString() {
+        return server.toString();
+    }
+
+    /**
+     * The server of that address.
+     *
+     * @param typed as a user types it; http where no scheme is given
+     * @throws IllegalArgumentException with the address, where it is none
+     */
+    static URI server(String typed) {
+        String address = typed.strip();
+        if (!address.contains("://")) address = "http://" + address;
+        URI server = URI.create(address.replaceFirst("/+$", ""));
+        boolean web = "http".equals(server.getScheme()) || "https".equals(server.getScheme());
+        if (!web || server.getHost() == null || server.getRawQuery() != null)
+            throw new IllegalArgumentException(typed);
+        return server;
+    }
+}

@@ -1,0 +1,159 @@
+package rasterlab.app.exercise;
+
+import java.awt.Component;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JLabel;
+import javax.swing.JTable;
+import javax.swing.ListSelectionModel;
+import javax.swing.table.AbstractTableModel;
+import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.TableCellRenderer;
+import javax.swing.table.TableColumn;
+import rasterlab.app.language.Texts;
+
+/** The cases of a result, one in each row. */
+final class CaseTable extends JTable {
+    private static final long serialVersionUID = 1L;
+
+    private static final List<String> COLUMNS = List.of("sign", "case", "points", "verdict");
+
+    /** From how many letters on the verdict is written out. */
+    private static final int ROOMY = 30;
+
+    private final transient Texts texts;
+    private final transient Rows rows = new Rows();
+    private final TableColumn verdict;
+
+    /**
+     * @param chosen run when another case is chosen
+     */
+    CaseTable(Texts texts, Runnable chosen) {
+        this.texts = texts;
+        setModel(rows);
+        setName("cases");
+        getAccessibleContext().setAccessibleName(texts.text("cases"));
+        setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        setShowVerticalLines(false);
+        setFillsViewportHeight(true);
+        getTableHeader().setReorderingAllowed(false);
+        if (getTableHeader().getDefaultRenderer() instanceof JLabel head)
+            head.setHorizontalAlignment(JLabel.LEADING);
+        var metrics = getFontMetrics(getFont());
+        setRowHeight(metrics.getHeight() + 6);
+        width(0, metrics.stringWidth("✓") + 18);
+        width(2, Math.max(metrics.stringWidth("10/10"), metrics.stringWidth(head(2))) + 20);
+        getColumnModel().getColumn(1).setPreferredWidth(260);
+        verdict = getColumnModel().getColumn(3);
+        verdict.setPreferredWidth(120);
+        getSelectionModel()
+                .addListSelectionListener(
+                        e -> {
+                            if (!e.getValueIsAdjusting()) chosen.run();
+                        });
+    }
+
+    /** Without the verdict in words where there is no room for it: the sign tells it too. */
+    @Override
+    public void doLayout() {
+        boolean roomy = getWidth() >= getFontMetrics(getFont()).charWidth('m') * ROOMY;
+        if (roomy && getColumnCount() < COLUMNS.size()) addColumn(verdict);
+        if (!roomy && getColumnCount() == COLUMNS.size()) removeColumn(verdict);
+        super.doLayout();
+    }
+
+    private void width(int column, int width) {
+        var shape = getColumnModel().getColumn(column);
+        shape.setMinWidth(width);
+        shape.setMaxWidth(width);
+    }
+
+    private String head(int column) {
+        return column == 0 ? "" : texts.text("column." + COLUMNS.get(column));
+    }
+
+    /** Shows other cases; the chosen one stays chosen if there is one of its name. */
+    void show(List<TriedCase> cases) {
+        if (cases.equals(rows.cases)) return;
+        String chosen = chosen().map(TriedCase::name).orElse("");
+        rows.cases = List.copyOf(cases);
+        rows.fireTableDataChanged();
+        choose(chosen);
+    }
+
+    /** Chooses the case of that name; one that is not there leaves none chosen. */
+    void choose(String name) {
+        for (int i = 0; i < rows.cases.size(); i++)
+            if (rows.cases.get(i).name().equals(name)) {
+                setRowSelectionInterval(i, i);
+                scrollRectToVisible(getCellRect(i, 0, true));
+            }
+    }
+
+    Optional<TriedCase> chosen() {
+        int row = getSelectedRow();
+        return row < 0 || row >= rows.cases.size()
+                ? Optional.empty()
+                : Optional.of(rows.cases.get(row));
+    }
+
+    @Override
+    public TableCellRenderer getCellRenderer(int row, int column) {
+        return new Cell(rows.cases.get(row));
+    }
+
+    private final class Cell extends DefaultTableCellRenderer {
+        private static final long serialVersionUID = 1L;
+
+        private final transient TriedCase shown;
+
+        Cell(TriedCase shown) {
+            this.shown = shown;
+        }
+
+        @Override
+        public Component getTableCellRendererComponent(
+                JTable table, Object value, boolean on, boolean focused, int row, int column) {
+            super.getTableCellRendererComponent(table, value, on, focused, row, column);
+            boolean coloured = !on && !shown.verdict().isEmpty() && column != 1 && column != 2;
+            if (coloured) setForeground(VerdictLook.colour(shown.verdict()));
+            else if (!on) setForeground(table.getForeground());
+            String said = shown.said().in(texts.language());
+            setToolTipText(said.isEmpty() ? shown.name() : said);
+            setHorizontalAlignment(column == 0 || column == 2 ? CENTER : LEADING);
+            return this;
+        }
+    }
+
+    private final class Rows extends AbstractTableModel {
+        private static final long serialVersionUID = 1L;
+
+        private transient List<TriedCase> cases = List.of();
+
+        @Override
+        public int getRowCount() {
+            return cases.size();
+        }
+
+        @Override
+        public int getColumnCount() {
+            return COLUMNS.size();
+        }
+
+        @Override
+        public String getColumnName(int column) {
+            return head(column);
+        }
+
+        @Override
+        public Object getValueAt(int row, int column) {
+            TriedCase one = cases.get(row);
+            return switch (column) {
+                case 0 -> VerdictLook.sign(one.verdict());
+                case 1 -> one.name();
+                case 2 -> one.verdict().isEmpty() ? one.of() : one.points() + "/" + one.of();
+                default -> texts.textOr("verdict." + one.verdict(), one.verdict());
+            };
+        }
+    }
+}

@@ -1,0 +1,133 @@
+package rasterlab.app.exercise;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpRequest.BodyPublishers;
+import java.net.http.HttpResponse;
+import java.net.http.HttpResponse.BodyHandlers;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.Map;
+
+/**
+ * Talks to a grading server as a student does. Every call ends within some seconds or with the
+ * thread's interruption.
+ */
+final class CourseServer {
+    /** How long the server may keep silent. */
+    record Patience(Duration connecting, Duration answering, Duration quiet) {
+        /** Events come at least each 15 seconds, if only to say that there is nothing new. */
+        static final Patience USUAL =
+                new Patience(Duration.ofSeconds(5), Duration.ofSeconds(20), Duration.ofSeconds(45));
+    }
+
+    private final URI server;
+    private final Patience patience;
+    private final HttpClient http;
+    private final ObjectMapper json = new ObjectMapper();
+
+    CourseServer(URI server, Patience patience) {
+        this.server = server;
+        this.patience = patience;
+        http = HttpClient.newBuilder().connectTimeout(patience.connecting()).build();
+    }
+
+    /**
+     * Joins a course.
+     *
+     * @param key makes repeating the call give the same student; hard to guess
+     */
+    Account join(String code, String name, String key) throws IOException, InterruptedException {
+        byte[] body = json.writeValueAsBytes(Map.of("course", code, "name", name));
+        HttpRequest request =
+                request("/api/v1/join")
+                        .header("Content-Type", "application/json")
+                        .header("Idempotency-Key", key)
+                        .POST(BodyPublishers.ofByteArray(body))
+                        .build();
+        String token = tree(answered(request)).path("token").asText();
+        if (token.isEmpty()) throw new IOException("no token in the answer to /api/v1/join");
+        return new Account(server, token);
+    }
+
+    /**
+     * Hands in a source.
+     *
+     * @param key makes repeating the call give the same submission
+     * @return the submission's id
+     */
+    String submit(String token, String exercise, String source, String key)
+            throws IOException, InterruptedException {
+        HttpRequest request =
+                request("/api/v1/exercises/" + exercise + "/submissions", token)
+                        .header("Content-Type", "text/x-java-source")
+                        .header("Idempotency-Key", key)
+                        .POST(BodyPublishers.ofByteArray(source.getBytes(StandardCharsets.UTF_8)))
+                        .build();
+        String id = tree(answered(request)).path("id").asText();
+        if (!id.matches("[A-Za-z0-9_-]+"))
+            throw new IOException("the server's id of the submission is '" + id + "'");
+        return id;
+    }
+
+    /**
+     * @param language "en" or "ru"
+     */
+    JsonNode submission(String token, String id, String language)
+            throws IOException, InterruptedException {
+        return tree(get("/api/v1/submissions/" + id + "?lang=" + language, token));
+    }
+
+    byte[] get(String path, String token) throws IOException, InterruptedException {
+        return answered(request(path, token).GET().build());
+    }
+
+    /** The events of a submission from its beginning; to be closed. */
+    EventLines events(String token, String id) {
+        HttpRequest request =
+                HttpRequest.newBuilder(URI.create(server + "/api/v1/submissions/" + id + "/events"))
+                        .header("Authorization", "Bearer " + token)
+                        .header("Accept", "text/event-stream")
+                        .GET()
+                        .build();
+        return EventLines.open(http, request, patience.quiet());
+    }
+
+    JsonNode tree(byte[] body) throws IOException {
+        try {
+            return json.readTree(body);
+        } catch (JsonProcessingException e) {
+            throw new IOException(server + " answers something that is no JSON", e);
+        }
+    }
+
+    private HttpRequest.Builder request(String path) {
+        return HttpRequest.newBuilder(URI.create(server + path)).timeout(patience.answering());
+    }
+
+    private HttpRequest.Builder request(String path, String token) {
+        return request(path).header("Authorization", "Bearer " + token);
+    }
+
+    private byte[] answered(HttpRequest request) throws IOException, InterruptedException {
+        HttpResponse<byte[]> response = http.send(request, BodyHandlers.ofByteArray());
+        if (response.statusCode() / 100 == 2) return response.body();
+        throw new ServerRefusal(response.statusCode(), detail(response));
+    }
+
+    /** The server's words; for an answer that has none, what it is. */
+    private String detail(HttpResponse<byte[]> response) {
+        try {
+            String said = json.readTree(response.body()).path("detail").asText();
+            if (!said.isEmpty()) return said;
+        } catch (IOException noJson) {
+            return "status " + response.statusCode() + ", not from a grading server";
+        }
+        return "status " + response.statusCode();
+    }
+}

@@ -1,0 +1,146 @@
+package rasterlab.app.exercise;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.WholeFile;
+
+/**
+ * The sources as they are typed: each change is written to the disk on a thread of its own, of
+ * several quick ones the last.
+ *
+ * <p>Where nothing can be written the text stays in memory, every change tries again, and the
+ * reason is told.
+ */
+final class Drafts implements AutoCloseable {
+    private final Path folder;
+    private final Consumer<Saving> told;
+    private final Thread writer = new Thread(this::writeAll, "drafts");
+    private final Map<String, DraftFile> files = new HashMap<>();
+    private final Map<String, String> waiting = new LinkedHashMap<>();
+    private boolean writing;
+    private boolean closed;
+
+    /**
+     * How a change fared.
+     *
+     * @param problem why it is not on the disk; empty when it is
+     */
+    record Saving(String exercise, String problem) {}
+
+    /**
+     * @param told each change's fate, on the writer's thread
+     */
+    Drafts(Path folder, Consumer<Saving> told) {
+        this.folder = folder;
+        this.told = told;
+        writer.setDaemon(true);
+        writer.start();
+    }
+
+    /** What was kept of that exercise; empty where nothing was or it cannot be read. */
+    synchronized Optional<String> open(String exercise) {
+        try {
+            return file(exercise).found();
+        } catch (IOException e) {
+            told.accept(new Saving(exercise, problem(e)));
+            return Optional.empty();
+        }
+    }
+
+    /** What other windows wrote to that exercise. */
+    synchronized List<DraftFile.Other> others(String exercise) {
+        DraftFile file = files.get(exercise);
+        return file == null ? List.of() : file.others();
+    }
+
+    synchronized void save(String exercise, String text) {
+        waiting.put(exercise, text);
+        notifyAll();
+    }
+
+    /** Waits until every change so far is written or told to be impossible. */
+    synchronized void settle() throws InterruptedException {
+        while (writing || !waiting.isEmpty()) wait();
+    }
+
+    /** Writes what waits and lets other windows have the files. */
+    @Override
+    public void close() {
+        synchronized (this) {
+            closed = true;
+            notifyAll();
+        }
+        try {
+            writer.join();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        for (DraftFile file : files.values()) {
+            try {
+                file.close();
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+    }
+
+    private void writeAll() {
+        for (Saving next = next(); next != null; next = next()) told.accept(next);
+    }
+
+    /** Writes one change and says how it fared; null when closed and all is written. */
+    private Saving next() {
+        String exercise;
+        String text;
+        synchronized (this) {
+            writing = false;
+            notifyAll();
+            try {
+                while (waiting.isEmpty() && !closed) wait();
+            } catch (InterruptedException e) {
+                closed = true;
+            }
+            if (waiting.isEmpty()) return null;
+            exercise = waiting.keySet().iterator().next();
+            text = waiting.remove(exercise);
+            writing = true;
+        }
+        return new Saving(exercise, written(exercise, text));
+    }
+
+    private String written(String exercise, String text) {
+        try {
+            DraftFile file;
+            synchronized (this) {
+                file = file(exercise);
+            }
+            file.write(text);
+            return "";
+        } catch (IOException e) {
+            return problem(e);
+        } catch (Complaint e) {
+            return e.getMessage();
+        }
+    }
+
+    private DraftFile file(String exercise) throws IOException {
+        DraftFile file = files.get(exercise);
+        if (file == null) {
+            file = DraftFile.hold(folder, exercise);
+            files.put(exercise, file);
+        }
+        return file;
+    }
+
+    private String problem(IOException e) {
+        return folder + ": " + WholeFile.reason(e);
+    }
+}

@@ -1,0 +1,100 @@
+package rasterlab.app.exercise;
+
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.time.format.FormatStyle;
+import java.util.List;
+import javax.swing.JButton;
+import javax.swing.JPanel;
+import rasterlab.app.canvas.FlowRows;
+import rasterlab.app.language.Texts;
+
+/** The buttons above the editor: try, hand in, begin anew, undo. */
+final class EditorBar extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient ExerciseLabModel model;
+    private final transient SourceEditor editor;
+    private final transient Texts texts;
+    private final JButton check;
+    private final JButton submit;
+    private final JButton server;
+    private final JButton cancel;
+    private final JButton undo;
+    private final JButton redo;
+    private final JButton draft;
+    private int points;
+
+    /**
+     * @param points of the editor's text at first
+     */
+    EditorBar(ExerciseLabModel model, SourceEditor editor, Texts texts, int points) {
+        super(new FlowRows(6));
+        this.model = model;
+        this.editor = editor;
+        this.texts = texts;
+        this.points = points;
+        check = Controls.button("check", texts, model::check);
+        submit = Controls.button("submit", texts, this::submit);
+        server = Controls.button("server", texts, this::askServer);
+        cancel = Controls.button("cancel", texts, model::cancel);
+        undo = Controls.button("undo", texts, editor::undo);
+        redo = Controls.button("redo", texts, editor::redo);
+        draft = Controls.button("draft", texts, this::takeDraft);
+        add(check);
+        add(submit);
+        add(server);
+        add(cancel);
+        add(Controls.button("starter", texts, model::restoreStarter));
+        add(undo);
+        add(redo);
+        add(Controls.button("smaller", texts, () -> size(this.points - 1)));
+        add(Controls.button("larger", texts, () -> size(this.points + 1)));
+        add(draft);
+        FlowRows.keepWrapped(this);
+        editor.setPoints(points);
+    }
+
+    /**
+     * @param next held to what can be read
+     */
+    void size(int next) {
+        points = Math.max(8, Math.min(40, next));
+        editor.setPoints(points);
+    }
+
+    void refresh() {
+        ExerciseState state = model.state();
+        boolean running = state.work().running();
+        check.setEnabled(!running);
+        submit.setEnabled(!running);
+        server.setEnabled(!running);
+        cancel.setEnabled(running);
+        undo.setEnabled(editor.canUndo());
+        redo.setEnabled(editor.canRedo());
+        List<DraftFile.Other> others = state.otherDrafts();
+        draft.setVisible(!others.isEmpty());
+        if (!others.isEmpty()) draft.setToolTipText(texts.text("draft.hint", when(others.get(0))));
+    }
+
+    private String when(DraftFile.Other draft) {
+        return DateTimeFormatter.ofLocalizedDateTime(FormatStyle.SHORT)
+                .withLocale(texts.locale())
+                .withZone(ZoneId.systemDefault())
+                .format(draft.changed());
+    }
+
+    private void takeDraft() {
+        List<DraftFile.Other> others = model.state().otherDrafts();
+        if (!others.isEmpty()) model.takeDraft(others.get(0));
+    }
+
+    private void submit() {
+        if (model.state().account().isEmpty()) askServer();
+        else model.submit();
+    }
+
+    private void askServer() {
+        new JoinForm(texts, model.state().account()).ask(this, model);
+    }
+}

@@ -1,0 +1,361 @@
+package rasterlab.app.exercise;
+
+import static rasterlab.app.exercise.Work.Phase.CHECKING;
+import static rasterlab.app.exercise.Work.Phase.GRADING;
+import static rasterlab.app.exercise.Work.Phase.JOINING;
+import static rasterlab.app.exercise.Work.Phase.SENDING;
+import static rasterlab.app.exercise.Work.Phase.WAITING;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.UUID;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import rasterlab.app.canvas.Background;
+import rasterlab.app.outcome.WholeFile;
+import rasterlab.engine.naming.Named;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.score.Disclosure;
+
+/**
+ * The tab of exercises without its window: which exercise, its source, what was said to it.
+ *
+ * <p>Checks and talks with a server run on a thread of the model's own; commands and news all run
+ * on the thread of the executor it is given. Nothing is read before the state is first asked for.
+ */
+public final class ExerciseLabModel implements AutoCloseable {
+    private final Supplier<List<Exercise>> catalogue;
+    private final CourseServer.Patience patience;
+    private final Executor events;
+    private final Background background;
+    private final Checking checking = new Checking();
+    private final List<Consumer<ExerciseState>> listeners = new ArrayList<>();
+    private final Map<String, String> sources = new HashMap<>();
+    private final Map<String, Outcome> outcomes = new HashMap<>();
+
+    /** What each submission that is not graded yet is called, by exercise and source. */
+    private final Map<String, String> keys = new HashMap<>();
+
+    private Optional<Path> folder = Optional.empty();
+    private Optional<Drafts> drafts = Optional.empty();
+    private List<Exercise> exercises = List.of();
+    private ExerciseState state;
+
+    /**
+     * @param catalogue read when the tab is first shown
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what a check threw, on any thread
+     */
+    public ExerciseLabModel(
+            Supplier<List<Exercise>> catalogue, Executor events, Consumer<Throwable> onFailure) {
+        this(catalogue, CourseServer.Patience.USUAL, events, onFailure);
+    }
+
+    ExerciseLabModel(
+            Supplier<List<Exercise>> catalogue,
+            CourseServer.Patience patience,
+            Executor events,
+            Consumer<Throwable> onFailure) {
+        this.catalogue = catalogue;
+        this.patience = patience;
+        this.events = events;
+        background = new Background(events, onFailure);
+    }
+
+    /**
+     * Keeps sources and the account in that folder; without one they end with the window.
+     *
+     * @throws IllegalStateException when the state was asked for before
+     */
+    public void keepIn(Path folder) {
+        if (state != null) throw new IllegalStateException("sources are kept elsewhere already");
+        this.folder = Optional.of(folder);
+    }
+
+    ExerciseState state() {
+        if (state == null) open();
+        return state;
+    }
+
+    private void open() {
+        exercises = catalogue.get();
+        drafts =
+                folder.map(
+                        kept ->
+                                new Drafts(
+                                        kept.resolve("drafts"),
+                                        saving -> events.execute(() -> accept(saving))));
+        Exercise first = exercises.get(0);
+        state =
+                new ExerciseState(
+                        first,
+                        source(first),
+                        List.of(),
+                        Optional.empty(),
+                        Work.NONE,
+                        Notice.NONE,
+                        Notice.NONE,
+                        Optional.empty());
+        state = changed().otherDrafts(others(first)).made();
+        folder.ifPresent(this::loadAccount);
+    }
+
+    private void loadAccount(Path kept) {
+        try {
+            state = changed().account(new AccountFile(kept).load()).made();
+        } catch (IOException e) {
+            state = changed().notice(Notice.of("account.unreadable", e.getMessage())).made();
+        }
+    }
+
+    List<Exercise> exercises() {
+        state();
+        return exercises;
+    }
+
+    /** The open cases of the chosen exercise, none of them tried. */
+    List<TriedCase> untried() {
+        return state().exercise().cases().stream()
+                .filter(one -> one.visibility() == Disclosure.OPEN)
+                .map(
+                        one ->
+                                new TriedCase(
+                                        one.name(),
+                                        "",
+                                        0,
+                                        one.points(),
+                                        Said.NOTHING,
+                                        Optional.empty(),
+                                        ""))
+                .toList();
+    }
+
+    /** Tells the listener each new state from now on; the answer ends that. */
+    Runnable listen(Consumer<ExerciseState> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /**
+     * Shows another exercise; work on the one that was shown is given up.
+     *
+     * @throws IllegalArgumentException naming the exercises there are
+     */
+    public void choose(String id) {
+        Exercise chosen = Named.find("exercise", id, exercises(), Exercise::id);
+        if (chosen.equals(state.exercise())) return;
+        cancel();
+        publish(
+                changed()
+                        .exercise(chosen, source(chosen))
+                        .otherDrafts(others(chosen))
+                        .outcome(Optional.ofNullable(outcomes.get(chosen.id())))
+                        .notice(Notice.NONE));
+    }
+
+    /** Takes the text as the user has just left it, and keeps it. */
+    public void type(String source) {
+        if (source.equals(state().source())) return;
+        String id = state.exercise().id();
+        sources.put(id, source);
+        drafts.ifPresent(kept -> kept.save(id, source));
+        publish(changed().source(source));
+    }
+
+    /** Begins anew with the exercise's own text. */
+    public void restoreStarter() {
+        type(state().exercise().starter());
+    }
+
+    /** Goes on with what another window wrote. */
+    void takeDraft(DraftFile.Other draft) {
+        type(draft.text());
+        publish(changed().otherDrafts(others(state.exercise())));
+    }
+
+    /** Tries the source on the open cases on this machine. */
+    public void check() {
+        Exercise exercise = state().exercise();
+        String source = state.source();
+        int of = untried().size() + 1;
+        begin(
+                new Work(CHECKING, 0, of, List.of()),
+                tell -> {
+                    Outcome outcome =
+                            checking.outcome(
+                                    exercise,
+                                    source,
+                                    cases -> tell.accept(() -> judged(CHECKING, cases, of)));
+                    return () -> accept(exercise, outcome);
+                },
+                failure -> publish(changed().notice(Notice.of("failed", failure.toString()))));
+    }
+
+    /**
+     * Joins a course, to submit to it from now on.
+     *
+     * @param address of the server
+     * @param code of the course
+     * @param name of the student
+     */
+    void join(String address, String code, String name) {
+        URI server;
+        try {
+            server = Account.server(address);
+        } catch (IllegalArgumentException e) {
+            publish(changed().notice(Notice.of("server.address", address)));
+            return;
+        }
+        String key = keys.computeIfAbsent(server + "\n" + code + "\n" + name, this::newKey);
+        begin(
+                Work.of(JOINING),
+                tell -> {
+                    var account = new CourseServer(server, patience).join(code, name, key);
+                    return () -> use(account);
+                },
+                failure -> publish(changed().notice(ServerNotices.of(server, failure))));
+    }
+
+    /** Submits with a token that the student has already. */
+    void signIn(String address, String token) {
+        try {
+            use(new Account(Account.server(address), token.strip()));
+        } catch (IllegalArgumentException e) {
+            publish(changed().notice(Notice.of("server.address", address)));
+        }
+    }
+
+    private void use(Account account) {
+        Notice notice = Notice.of("joined", account.toString());
+        try {
+            if (folder.isPresent()) new AccountFile(folder.get()).save(account);
+        } catch (IOException e) {
+            notice =
+                    Notice.of(
+                            "account.unsaved",
+                            account.toString(),
+                            folder.orElseThrow() + ": " + WholeFile.reason(e));
+        }
+        publish(changed().account(Optional.of(account)).notice(notice));
+    }
+
+    /** Hands the source in and follows its grading; needs an account. */
+    public void submit() {
+        if (state().account().isEmpty()) {
+            publish(changed().notice(Notice.of("noAccount")));
+            return;
+        }
+        Account account = state.account().get();
+        Exercise exercise = state.exercise();
+        String source = state.source();
+        String about = account.server() + "\n" + exercise.id() + "\n" + source;
+        String key = keys.computeIfAbsent(about, this::newKey);
+        var submitting =
+                new Submitting(new CourseServer(account.server(), patience), account.token());
+        begin(
+                Work.of(SENDING),
+                tell -> {
+                    Outcome outcome = submitting.result(exercise.id(), source, key, follower(tell));
+                    return () -> {
+                        keys.remove(about);
+                        accept(exercise, outcome);
+                    };
+                },
+                failure -> publish(changed().notice(ServerNotices.of(account.server(), failure))));
+    }
+
+    private Submitting.Follower follower(Consumer<Runnable> tell) {
+        return new Submitting.Follower() {
+            @Override
+            public void waits(int position) {
+                var waiting = new Work(WAITING, position, 0, List.of());
+                tell.accept(() -> publish(changed().work(waiting)));
+            }
+
+            @Override
+            public void judged(List<TriedCase> cases) {
+                tell.accept(() -> ExerciseLabModel.this.judged(GRADING, cases, 0));
+            }
+        };
+    }
+
+    private String newKey(String about) {
+        return UUID.randomUUID().toString();
+    }
+
+    private void judged(Work.Phase phase, List<TriedCase> cases, int of) {
+        publish(changed().work(new Work(phase, cases.size(), of, cases)));
+    }
+
+    private void begin(Work first, Background.Task task, Consumer<IOException> failed) {
+        if (state().work().running()) return;
+        publish(changed().work(first).notice(Notice.NONE));
+        background.begin(task, () -> publish(changed().work(Work.NONE)), failed);
+    }
+
+    /** Gives up what runs. */
+    public void cancel() {
+        if (!state().work().running()) return;
+        background.cancel();
+        boolean handedIn = state.work().phase() == WAITING || state.work().phase() == GRADING;
+        publish(
+                changed()
+                        .work(Work.NONE)
+                        .notice(Notice.of(handedIn ? "cancelled.handedIn" : "cancelled")));
+    }
+
+    private void accept(Exercise exercise, Outcome outcome) {
+        outcomes.put(exercise.id(), outcome);
+        if (exercise.equals(state.exercise())) publish(changed().outcome(Optional.of(outcome)));
+    }
+
+    private void accept(Drafts.Saving saving) {
+        boolean shown = state != null && saving.exercise().equals(state.exercise().id());
+        Notice unsaved =
+                saving.problem().isEmpty()
+                        ? Notice.NONE
+                        : Notice.of("draft.unsaved", saving.problem());
+        if (shown && !unsaved.equals(state.unsaved())) publish(changed().unsaved(unsaved));
+    }
+
+    private String source(Exercise exercise) {
+        return sources.computeIfAbsent(
+                exercise.id(),
+                id -> drafts.flatMap(kept -> kept.open(id)).orElse(exercise.starter()));
+    }
+
+    private List<DraftFile.Other> others(Exercise exercise) {
+        String own = source(exercise);
+        return drafts.map(kept -> kept.others(exercise.id())).orElse(List.of()).stream()
+                .filter(other -> !other.text().equals(own))
+                .toList();
+    }
+
+    /** Waits until every change so far is on the disk or told not to be. Any other thread. */
+    void settle() throws InterruptedException {
+        if (drafts.isPresent()) drafts.get().settle();
+    }
+
+    /** Gives up what runs, and writes what is not written yet. */
+    @Override
+    public void close() {
+        background.close(checking::close);
+        drafts.ifPresent(Drafts::close);
+    }
+
+    private ExerciseStateChange changed() {
+        return new ExerciseStateChange(state());
+    }
+
+    private void publish(ExerciseStateChange change) {
+        state = change.made();
+        List.copyOf(listeners).forEach(listener -> listener.accept(state));
+    }
+}

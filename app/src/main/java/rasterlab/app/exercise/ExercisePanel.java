@@ -1,0 +1,170 @@
+package rasterlab.app.exercise;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.util.function.Consumer;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import javax.swing.JTextArea;
+import javax.swing.KeyStroke;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.exercises.Exercise;
+
+/** The exercises as the window shows them, in one language. */
+public final class ExercisePanel extends LabPanel {
+    private static final long serialVersionUID = 1L;
+
+    private static final int FIRST_POINTS = 13;
+
+    private final transient ExerciseLabModel model;
+    private final transient Texts texts;
+    private final NameChooser exercise;
+    private final StatementPane statement;
+    private final SourceEditor editor;
+    private final EditorBar bar;
+    private final JTextArea notice = Controls.words("notice");
+    private final JTextArea unsaved = Controls.words("unsaved");
+    private final ResultPane result;
+    private final transient Runnable unsubscribe;
+
+    /**
+     * @param lab shows a case in its topic's tab
+     * @param onFailure told what a control could not do, on any thread
+     */
+    public ExercisePanel(
+            ExerciseLabModel model,
+            OpenInLab lab,
+            Language language,
+            Consumer<Throwable> onFailure) {
+        this.model = model;
+        setName("exercises");
+        texts = Texts.of("exercise", language);
+        exercise =
+                new NameChooser(
+                        "exercise",
+                        model.exercises().stream().map(Exercise::id).toList(),
+                        this::title,
+                        model::choose);
+        statement = new StatementPane(texts.text("statement"));
+        editor = new SourceEditor(texts, model::type);
+        bar = new EditorBar(model, editor, texts, FIRST_POINTS);
+        result =
+                new ResultPane(
+                        texts,
+                        lab,
+                        remark -> editor.goTo(remark.line(), remark.column()),
+                        onFailure);
+        notice.getAccessibleContext().setAccessibleName(texts.text("notice"));
+        unsaved.getAccessibleContext().setAccessibleName(texts.text("notice"));
+        unsaved.setForeground(VerdictLook.colour("wrong"));
+        add(split());
+        keys();
+        unsubscribe = model.listen(state -> refresh());
+        refresh();
+    }
+
+    private String title(String id) {
+        return model.exercises().stream()
+                .filter(one -> one.id().equals(id))
+                .map(one -> one.title(texts.locale().getLanguage()))
+                .findFirst()
+                .orElse(id);
+    }
+
+    private void keys() {
+        editor.bind(KeyStroke.getKeyStroke("ctrl ENTER"), model::check);
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl ENTER"), model::check);
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::cancel);
+    }
+
+    private JComponent split() {
+        var right = new JSplitPane(JSplitPane.VERTICAL_SPLIT, work(), result);
+        divide(right, 0.56, "split.result");
+        result.setBorder(BorderFactory.createEmptyBorder(6, 6, 8, 10));
+        var both = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, task(), right);
+        divide(both, 0.38, "split.statement");
+        return both;
+    }
+
+    private void divide(JSplitPane pane, double share, String name) {
+        pane.setName(name);
+        pane.getAccessibleContext().setAccessibleName(texts.text(name));
+        pane.setBorder(null);
+        pane.setResizeWeight(share);
+        pane.getLeftComponent().setMinimumSize(UIScale.scale(new java.awt.Dimension(200, 140)));
+        pane.getRightComponent().setMinimumSize(UIScale.scale(new java.awt.Dimension(300, 140)));
+        pane.getLeftComponent().setPreferredSize(scaled(share));
+        pane.getRightComponent().setPreferredSize(scaled(1 - share));
+    }
+
+    /** Sizes in the ratio of the shares, so that the first layout divides by them too. */
+    private static java.awt.Dimension scaled(double share) {
+        return UIScale.scale(new java.awt.Dimension((int) (1250 * share), (int) (700 * share)));
+    }
+
+    private JPanel task() {
+        var scroll = new JScrollPane(statement);
+        scroll.setName("statement.scroll");
+        var task =
+                new JPanel(
+                        new MigLayout(
+                                "insets 8 10 8 6, gap 8 8", "[][grow,fill]", "[][grow,fill]"));
+        task.add(Controls.label("exercise", texts, exercise));
+        task.add(exercise, "wmin 0, wrap");
+        task.add(scroll, "span, grow, wmin 0, hmin 0");
+        return task;
+    }
+
+    private JPanel work() {
+        var work =
+                new JPanel(
+                        new MigLayout(
+                                "insets 8 6 4 10, gap 0 6, wrap 1, hidemode 3",
+                                "[grow,fill]",
+                                "[][grow,fill][][]"));
+        work.add(bar, "wmin 0");
+        work.add(editor, "wmin 0, hmin 0");
+        work.add(notice, "wmin 0");
+        work.add(unsaved, "wmin 0");
+        return work;
+    }
+
+    /** Gives the keyboard to the editor. */
+    @Override
+    public void focusPicture() {
+        editor.focus();
+    }
+
+    /** Stops listening; work that runs goes on in the model. */
+    @Override
+    public void close() {
+        unsubscribe.run();
+        result.close();
+    }
+
+    private void refresh() {
+        ExerciseState state = model.state();
+        exercise.show(state.exercise().id());
+        statement.show(state.exercise().statement(texts.locale().getLanguage()));
+        editor.show(state.exercise().id(), state.source());
+        editor.remark(
+                state.upToDate() ? state.outcome().orElseThrow().remarks() : java.util.List.of());
+        bar.refresh();
+        say(notice, state.notice());
+        say(unsaved, state.unsaved());
+        result.show(state, model.untried());
+    }
+
+    private void say(JTextArea place, Notice said) {
+        place.setText(said.in(texts));
+        place.setVisible(!said.isEmpty());
+    }
+}

@@ -1,0 +1,34 @@
+package rasterlab.app.exercise;
+
+import java.util.List;
+import java.util.Optional;
+import rasterlab.exercises.Exercise;
+
+/**
+ * What the tab of exercises shows.
+ *
+ * @param source the text of the chosen exercise
+ * @param otherDrafts what other windows wrote to it, and differs
+ * @param outcome of the last check or submission of it
+ * @param notice of the last thing that was done
+ * @param unsaved why the source is not on the disk; {@link Notice#NONE} when it is
+ * @param account where to submit; empty before a course is joined
+ */
+record ExerciseState(
+        Exercise exercise,
+        String source,
+        List<DraftFile.Other> otherDrafts,
+        Optional<Outcome> outcome,
+        Work work,
+        Notice notice,
+        Notice unsaved,
+        Optional<Account> account) {
+    ExerciseState {
+        otherDrafts = List.copyOf(otherDrafts);
+    }
+
+    /** Whether the outcome speaks of the text as it is now. */
+    boolean upToDate() {
+        return outcome.filter(one -> one.source().equals(source)).isPresent();
+    }
+}

@@ -1,0 +1,60 @@
+package rasterlab.app.exercise;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.Report;
+
+/**
+ * What a check or a server answered to one source.
+ *
+ * @param source the text that was tried
+ * @param attempt the server's number of the submission; 0 for a check on this machine
+ * @param verdict a code, as in the HTTP API
+ * @param isolation how the method was shut in
+ * @param nanosPerItem 0 where not measured or not told
+ */
+record Outcome(
+        String source,
+        int attempt,
+        String verdict,
+        Points points,
+        List<TriedCase> cases,
+        List<Remark> remarks,
+        Said isolation,
+        double nanosPerItem) {
+    /**
+     * A message about a place in the source.
+     *
+     * @param line from 1; 0 where none is known
+     * @param column from 1; 0 where none is known
+     */
+    record Remark(int line, int column, Said said) {}
+
+    Outcome {
+        cases = List.copyOf(cases);
+        remarks = List.copyOf(remarks);
+    }
+
+    static Outcome checked(String source, Report report) {
+        return new Outcome(
+                source,
+                0,
+                report.verdict().code(),
+                report.points(),
+                report.cases().stream().map(TriedCase::of).toList(),
+                report.diagnostics().stream()
+                        .map(one -> new Remark(one.line(), one.column(), Said.of(one::message)))
+                        .toList(),
+                Said.of(report::isolation),
+                report.nanosPerItem());
+    }
+
+    /** Of the cases that went wrong and can be drawn, the one with the smallest picture. */
+    Optional<TriedCase> smallestCounterexample() {
+        return cases.stream()
+                .filter(one -> !one.right() && one.pictures().isPresent())
+                .min(Comparator.comparingInt(one -> one.pictures().orElseThrow().size()));
+    }
+}

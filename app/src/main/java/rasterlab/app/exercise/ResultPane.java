@@ -1,0 +1,253 @@
+package rasterlab.app.exercise;
+
+import java.awt.CardLayout;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.UIManager;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.FlowRows;
+import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.language.Texts;
+import rasterlab.exercises.scene.MethodCase;
+import rasterlab.exercises.scene.SceneFile;
+import rasterlab.exercises.score.Points;
+
+/** What was said to the source: verdict, points, every case with its reason and pictures. */
+final class ResultPane extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Texts texts;
+    private final transient OpenInLab lab;
+    private final JLabel verdict = new JLabel(" ");
+    private final JLabel points = new JLabel(" ");
+    private final JLabel where = new JLabel(" ");
+    private final JProgressBar progress = new JProgressBar();
+    private final CardLayout cards = new CardLayout();
+    private final JPanel answer = new JPanel(cards);
+    private final CaseTable table;
+    private final RemarkList remarks;
+    private final JTextArea reason = Controls.words("reason");
+    private final NameChooser view;
+    private final CasePicture picture;
+    private final JButton open;
+    private transient Optional<Outcome> shown = Optional.empty();
+
+    /**
+     * @param toLine told the remark whose line the user wants to see
+     */
+    ResultPane(
+            Texts texts,
+            OpenInLab lab,
+            Consumer<Outcome.Remark> toLine,
+            Consumer<Throwable> onFailure) {
+        super(new MigLayout("insets 0, gap 10 6, hidemode 3", "[][][grow]", "[][grow,fill]"));
+        this.texts = texts;
+        this.lab = lab;
+        table = new CaseTable(texts, this::showChosen);
+        remarks = new RemarkList(texts, toLine);
+        picture = new CasePicture(texts, onFailure);
+        view =
+                new NameChooser(
+                        "view",
+                        CasePicture.VIEWS,
+                        key -> texts.text("view." + key),
+                        picture::choose);
+        open = Controls.button("open", texts, () -> openChosen(onFailure));
+        reason.getAccessibleContext().setAccessibleName(texts.text("reason"));
+        verdict.setName("result.verdict");
+        verdict.setFont(verdict.getFont().deriveFont(Font.BOLD));
+        points.setName("result.points");
+        where.setForeground(UIManager.getColor("Label.disabledForeground"));
+        add(verdict);
+        add(points);
+        progress.setName("progress");
+        progress.setStringPainted(true);
+        progress.getAccessibleContext().setAccessibleName(texts.text("progress"));
+        add(progress, "split 2, growx, wmin 40, hmin 20");
+        add(where, "wmin 0, wrap");
+        answer.add(cases(), "cases");
+        var list = new JScrollPane(remarks);
+        list.setName("remarks.scroll");
+        answer.add(list, "remarks");
+        add(answer, "span, grow, wmin 0, hmin 0");
+    }
+
+    private JPanel cases() {
+        var scroll = new JScrollPane(table);
+        scroll.setName("cases.scroll");
+        var detail =
+                new JPanel(
+                        new MigLayout(
+                                "insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][][grow,fill]"));
+        var controls = new JPanel(new FlowRows(6));
+        JLabel label = Controls.label("view", texts, view);
+        label.setPreferredSize(
+                new Dimension(label.getPreferredSize().width, view.getPreferredSize().height));
+        controls.add(label);
+        controls.add(view);
+        controls.add(open);
+        FlowRows.keepWrapped(controls);
+        detail.add(reason, "wmin 0");
+        detail.add(controls, "wmin 0");
+        detail.add(picture, "wmin 0, hmin 0");
+        var both =
+                new JPanel(
+                        new MigLayout(
+                                "insets 0, gap 12 0",
+                                "[grow,fill,56%][grow,fill,44%]",
+                                "[grow,fill]"));
+        both.add(scroll, "wmin 0, hmin 0");
+        both.add(detail, "wmin 0, hmin 0");
+        return both;
+    }
+
+    /**
+     * @param untried what is shown before there is a result
+     */
+    void show(ExerciseState state, List<TriedCase> untried) {
+        boolean running = !state.work().cases().isEmpty();
+        Optional<Outcome> outcome = state.work().running() ? Optional.empty() : state.outcome();
+        List<TriedCase> judged = outcome.map(Outcome::cases).orElse(state.work().cases());
+        boolean sourceRefused =
+                outcome.filter(one -> one.cases().isEmpty() && !one.remarks().isEmpty())
+                        .isPresent();
+        table.show(outcome.isPresent() || running ? merged(judged, untried) : untried);
+        remarks.show(outcome.map(Outcome::remarks).orElse(List.of()));
+        cards.show(answer, sourceRefused ? "remarks" : "cases");
+        sayHead(state, outcome);
+        if (!outcome.equals(shown)) {
+            shown = outcome;
+            outcome.flatMap(Outcome::smallestCounterexample)
+                    .ifPresent(smallest -> table.choose(smallest.name()));
+        }
+        showChosen();
+    }
+
+    /** The judged cases first, then those that were not. */
+    private static List<TriedCase> merged(List<TriedCase> judged, List<TriedCase> untried) {
+        var all = new java.util.ArrayList<>(judged);
+        for (TriedCase one : untried)
+            if (judged.stream().noneMatch(other -> other.name().equals(one.name()))) all.add(one);
+        return all;
+    }
+
+    private void show(Work work) {
+        progress.setVisible(work.running());
+        progress.setIndeterminate(work.of() == 0);
+        progress.setMaximum(Math.max(1, work.of()));
+        progress.setValue(work.done());
+        String phase = work.phase().name().toLowerCase(Locale.ROOT);
+        if (work.running())
+            progress.setString(texts.text("phase." + phase, work.done(), work.of()));
+    }
+
+    private void sayHead(ExerciseState state, Optional<Outcome> outcome) {
+        show(state.work());
+        if (outcome.isEmpty()) {
+            verdict.setText(texts.text(state.work().running() ? "result.running" : "result.none"));
+            verdict.setForeground(UIManager.getColor("Label.foreground"));
+            points.setText("");
+            where.setText("");
+            return;
+        }
+        Outcome said = outcome.get();
+        verdict.setText(
+                VerdictLook.sign(said.verdict())
+                        + " "
+                        + texts.textOr("verdict." + said.verdict(), said.verdict()));
+        verdict.setForeground(VerdictLook.colour(said.verdict()));
+        points.setText(points(said));
+        where.setText(where(state, said));
+        where.setToolTipText(said.isolation().in(texts.language()));
+    }
+
+    private String points(Outcome said) {
+        Points earned = said.points();
+        return texts.text(
+                "result.points",
+                earned.total(),
+                earned.of(),
+                earned.accuracy(),
+                earned.stability(),
+                earned.speed());
+    }
+
+    private String where(ExerciseState state, Outcome said) {
+        String place =
+                said.attempt() == 0
+                        ? texts.text("result.here", said.isolation().in(texts.language()))
+                        : texts.text("result.attempt", said.attempt());
+        String cost =
+                said.nanosPerItem() > 0
+                        ? ", "
+                                + texts.text(
+                                        "result.cost",
+                                        String.format(numbers(), "%.2f", said.nanosPerItem()))
+                        : "";
+        return place + cost + (state.upToDate() ? "" : ", " + texts.text("result.old"));
+    }
+
+    private Locale numbers() {
+        return texts.locale();
+    }
+
+    private void showChosen() {
+        Optional<TriedCase> chosen = table.chosen();
+        String said = chosen.map(one -> one.said().in(texts.language())).orElse("");
+        boolean smallest =
+                shown.flatMap(Outcome::smallestCounterexample)
+                        .filter(one -> chosen.filter(one::equals).isPresent())
+                        .isPresent();
+        String words = smallest ? texts.text("smallest", said) : said;
+        reason.setText(words.isEmpty() ? hint(chosen) : words);
+        picture.show(chosen.flatMap(TriedCase::pictures));
+        view.setEnabled(chosen.flatMap(TriedCase::pictures).isPresent());
+        Optional<MethodCase> scene = chosen.flatMap(ResultPane::scene);
+        boolean opens = scene.filter(one -> lab.showsInputs(one.topic())).isPresent();
+        open.setEnabled(opens);
+        open.setToolTipText(
+                scene.isPresent() && !opens
+                        ? texts.text("open.noTab", scene.get().topic())
+                        : texts.text("open.hint"));
+    }
+
+    private String hint(Optional<TriedCase> chosen) {
+        if (chosen.isEmpty()) return texts.text("hint.choose");
+        if (chosen.get().verdict().isEmpty()) return texts.text("hint.untried");
+        if (chosen.get().right()) return texts.text("hint.right");
+        return texts.text("hint.noPicture");
+    }
+
+    /** The case's input, where it has one that a lab can be given. */
+    private static Optional<MethodCase> scene(TriedCase one) {
+        if (one.scene().isEmpty()) return Optional.empty();
+        return SceneFile.read(one.scene()) instanceof MethodCase found
+                ? Optional.of(found)
+                : Optional.empty();
+    }
+
+    private void openChosen(Consumer<Throwable> onFailure) {
+        MethodCase scene = table.chosen().flatMap(ResultPane::scene).orElseThrow();
+        try {
+            lab.showInput(scene.topic(), scene.input(), scene.method().orElse(""));
+        } catch (IllegalArgumentException e) {
+            onFailure.accept(e);
+        }
+    }
+
+    /** Stops what blinks. */
+    void close() {
+        picture.close();
+    }
+}

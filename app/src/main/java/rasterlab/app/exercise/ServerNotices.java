@@ -1,0 +1,41 @@
+package rasterlab.app.exercise;
+
+import java.io.IOException;
+import java.net.ConnectException;
+import java.net.URI;
+import java.net.UnknownHostException;
+import java.net.http.HttpConnectTimeoutException;
+import java.net.http.HttpTimeoutException;
+
+/** What a failed talk with a server means to the user. */
+final class ServerNotices {
+    private static final int UNAUTHORIZED = 401;
+    private static final int TOO_MANY = 429;
+
+    private ServerNotices() {}
+
+    static Notice of(URI server, IOException failure) {
+        String address = server.toString();
+        if (failure instanceof ServerRefusal refusal) return refused(address, refusal);
+        if (failure instanceof HttpConnectTimeoutException
+                || failure instanceof ConnectException
+                || failure instanceof UnknownHostException)
+            return Notice.of("server.down", address);
+        if (failure instanceof HttpTimeoutException) return Notice.of("server.slow", address);
+        String reason = failure.getMessage();
+        return Notice.of("server.failed", address, reason == null ? failure.toString() : reason);
+    }
+
+    private static Notice refused(String address, ServerRefusal refusal) {
+        return switch (refusal.status()) {
+            case UNAUTHORIZED -> Notice.of("server.token", address);
+            case TOO_MANY -> Notice.of("server.tooMany", refusal.getMessage());
+            default ->
+                    Notice.of(
+                            "server.refused",
+                            address,
+                            refusal.getMessage(),
+                            String.valueOf(refusal.status()));
+        };
+    }
+}

@@ -1,0 +1,209 @@
+package rasterlab.app.exercise;
+
+import com.formdev.flatlaf.FlatLaf;
+import java.awt.BorderLayout;
+import java.awt.Font;
+import java.awt.Graphics;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.Icon;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import javax.swing.UIManager;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import javax.swing.text.BadLocationException;
+import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
+import org.fife.ui.rsyntaxtextarea.SyntaxConstants;
+import org.fife.ui.rsyntaxtextarea.Theme;
+import org.fife.ui.rtextarea.RTextScrollPane;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.language.Texts;
+
+/** The editor of a Java source, with messages at its lines. */
+final class SourceEditor extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Texts texts;
+    private final transient RemarkNotices notices;
+    private final RSyntaxTextArea area = new Area();
+    private final RTextScrollPane scroll = new RTextScrollPane(area);
+    private final transient Icon mark = UIManager.getIcon("OptionPane.errorIcon");
+    private transient List<Outcome.Remark> shown = List.of();
+    private String exercise = "";
+    private boolean refreshing;
+
+    /**
+     * @param typed told the text whenever the user has changed it
+     */
+    SourceEditor(Texts texts, Consumer<String> typed) {
+        super(new BorderLayout());
+        this.texts = texts;
+        notices = new RemarkNotices(texts.language());
+        area.setName("source");
+        area.getAccessibleContext().setAccessibleName(texts.text("source"));
+        area.setSyntaxEditingStyle(SyntaxConstants.SYNTAX_STYLE_JAVA);
+        area.setTabSize(4);
+        area.setTabsEmulated(true);
+        area.setAntiAliasingEnabled(true);
+        area.setPopupMenu(null);
+        area.addParser(notices);
+        theme().apply(area);
+        scroll.setIconRowHeaderEnabled(true);
+        scroll.setName("source.scroll");
+        area.getDocument()
+                .addDocumentListener(
+                        new DocumentListener() {
+                            @Override
+                            public void insertUpdate(DocumentEvent e) {
+                                tell();
+                            }
+
+                            @Override
+                            public void removeUpdate(DocumentEvent e) {
+                                tell();
+                            }
+
+                            @Override
+                            public void changedUpdate(DocumentEvent e) {
+                                // styles only
+                            }
+
+                            private void tell() {
+                                if (!refreshing) typed.accept(area.getText());
+                            }
+                        });
+        add(scroll);
+    }
+
+    private static Theme theme() {
+        String name = FlatLaf.isLafDark() ? "dark" : "idea";
+        try (InputStream in =
+                Theme.class.getResourceAsStream(
+                        "/org/fife/ui/rsyntaxtextarea/themes/" + name + ".xml")) {
+            return Theme.load(in);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** Measures its type off the screen too, where a component has no graphics of its own. */
+    private static final class Area extends RSyntaxTextArea {
+        private static final long serialVersionUID = 1L;
+
+        Area() {
+            super(20, 60);
+        }
+
+        @Override
+        public Graphics getGraphics() {
+            Graphics own = super.getGraphics();
+            return own != null
+                    ? own
+                    : new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+        }
+    }
+
+    /**
+     * Shows an exercise's text. Another text of the same exercise can be undone.
+     *
+     * @param id of the exercise
+     */
+    void show(String id, String text) {
+        refreshing = true;
+        if (!id.equals(exercise)) {
+            area.setText(text);
+            area.setCaretPosition(0);
+            area.discardAllEdits();
+            exercise = id;
+        } else if (!text.equals(area.getText())) {
+            area.beginAtomicEdit();
+            area.replaceRange(text, 0, area.getDocument().getLength());
+            area.endAtomicEdit();
+            area.setCaretPosition(0);
+        }
+        refreshing = false;
+    }
+
+    /** Marks the lines that something is said about. */
+    void remark(List<Outcome.Remark> remarks) {
+        if (remarks.equals(shown)) return;
+        shown = remarks;
+        notices.show(remarks);
+        area.forceReparsing(notices);
+        scroll.getGutter().removeAllTrackingIcons();
+        for (int line : RemarkNotices.lines(remarks)) mark(line, remarks);
+    }
+
+    private void mark(int line, List<Outcome.Remark> remarks) {
+        if (line > area.getLineCount()) return;
+        String said =
+                remarks.stream()
+                        .filter(one -> one.line() == line)
+                        .map(one -> one.said().in(texts.language()))
+                        .findFirst()
+                        .orElse("");
+        try {
+            scroll.getGutter().addLineTrackingIcon(line - 1, new SmallIcon(mark), said);
+        } catch (BadLocationException e) {
+            throw new AssertionError("line " + line + " of " + area.getLineCount(), e);
+        }
+    }
+
+    /**
+     * Puts the caret there and gives the editor the keyboard.
+     *
+     * @param line from 1; one beyond the end is the last
+     * @param column from 1; 0 for the line's beginning
+     */
+    void goTo(int line, int column) {
+        int index = Math.max(0, Math.min(line, area.getLineCount()) - 1);
+        try {
+            int start = area.getLineStartOffset(index);
+            int end = area.getLineEndOffset(index);
+            area.setCaretPosition(Math.min(start + Math.max(0, column - 1), end));
+        } catch (BadLocationException e) {
+            throw new AssertionError("line " + index + " of " + area.getLineCount(), e);
+        }
+        focus();
+    }
+
+    void focus() {
+        area.requestFocusInWindow();
+    }
+
+    /** While the editor has the keyboard, before it uses the key itself. */
+    void bind(KeyStroke key, Runnable action) {
+        KeyBinding.whenFocused(area, key, action);
+    }
+
+    void undo() {
+        area.undoLastAction();
+    }
+
+    void redo() {
+        area.redoLastAction();
+    }
+
+    boolean canUndo() {
+        return area.canUndo();
+    }
+
+    boolean canRedo() {
+        return area.canRedo();
+    }
+
+    /**
+     * @param points of the text
+     */
+    void setPoints(int points) {
+        Font font = new Font(Font.MONOSPACED, Font.PLAIN, points);
+        if (font.equals(area.getFont())) return;
+        area.setFont(font);
+        scroll.getGutter().setLineNumberFont(font);
+    }
+}

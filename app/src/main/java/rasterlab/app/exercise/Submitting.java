@@ -1,0 +1,172 @@
+package rasterlab.app.exercise;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.StreamSupport;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Points;
+
+/** Hands a source in and follows it to its result. */
+final class Submitting {
+    /** Connections that may break off, one after the other, before that is told. */
+    private static final int MOST_BREAKS = 3;
+
+    /** Told how a submission gets on, on the thread that follows it. */
+    interface Follower {
+        /**
+         * @param position in the queue, 1 being the next
+         */
+        void waits(int position);
+
+        /**
+         * @param cases those judged so far
+         */
+        void judged(List<TriedCase> cases);
+    }
+
+    private final CourseServer server;
+    private final String token;
+
+    Submitting(CourseServer server, String token) {
+        this.server = server;
+        this.token = token;
+    }
+
+    /**
+     * Submits and waits for the result. Asked again with the same key, it goes on following the
+     * same submission.
+     */
+    Outcome result(String exercise, String source, String key, Follower follower)
+            throws IOException, InterruptedException {
+        String id = server.submit(token, exercise, source, key);
+        for (int left = MOST_BREAKS; !followed(id, follower); left--)
+            if (left == 0) throw new IOException("the events of submission " + id + " break off");
+        return outcome(source, id);
+    }
+
+    /** False where the events ended before the submission did. */
+    private boolean followed(String id, Follower follower)
+            throws IOException, InterruptedException {
+        List<TriedCase> judged = new ArrayList<>();
+        try (EventLines events = server.events(token, id)) {
+            for (Optional<EventLines.Event> next = events.next();
+                    next.isPresent();
+                    next = events.next()) {
+                JsonNode data = server.tree(bytes(next.get().data()));
+                switch (next.get().type()) {
+                    case "position" -> follower.waits(data.path("position").asInt());
+                    case "case" -> {
+                        judged.add(tried(data, Said.NOTHING, Optional.empty()));
+                        follower.judged(List.copyOf(judged));
+                    }
+                    case "done" -> {
+                        return true;
+                    }
+                    default -> {}
+                }
+            }
+        }
+        return !server.submission(token, id, "en").path("verdict").isNull();
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(java.nio.charset.StandardCharsets.UTF_8);
+    }
+
+    private Outcome outcome(String source, String id) throws IOException, InterruptedException {
+        JsonNode english = server.submission(token, id, "en");
+        JsonNode russian = server.submission(token, id, "ru");
+        Map<String, JsonNode> russianCases =
+                StreamSupport.stream(russian.path("cases").spliterator(), false)
+                        .collect(
+                                Collectors.toMap(
+                                        one -> one.path("name").asText(),
+                                        one -> one,
+                                        (first, second) -> first));
+        List<TriedCase> cases = new ArrayList<>();
+        for (JsonNode one : english.path("cases")) {
+            JsonNode other = russianCases.getOrDefault(one.path("name").asText(), one);
+            cases.add(tried(one, said(one, other), pictures(one.path("pictures"))));
+        }
+        return new Outcome(
+                source,
+                english.path("attempt").asInt(),
+                english.path("verdict").asText(),
+                points(english.path("points")),
+                cases,
+                remarks(english.path("diagnostics"), russian.path("diagnostics")),
+                Said.of(code -> isolation(english, code)),
+                0);
+    }
+
+    private static String isolation(JsonNode view, String language) {
+        return rasterlab.exercises.score.Report.isolationIn(
+                language, view.path("isolation").asText(""));
+    }
+
+    private static Said said(JsonNode english, JsonNode russian) {
+        return new Said(english.path("message").asText(), russian.path("message").asText());
+    }
+
+    private static Points points(JsonNode points) throws IOException {
+        try {
+            return new Points(
+                    points.path("accuracy").asInt(),
+                    points.path("stability").asInt(),
+                    points.path("speed").asInt(),
+                    points.path("of").asInt());
+        } catch (IllegalArgumentException e) {
+            throw new IOException("the server's points do not fit: " + e.getMessage(), e);
+        }
+    }
+
+    private static TriedCase tried(JsonNode one, Said said, Optional<TriedCase.Pictures> pictures) {
+        JsonNode scene = one.path("scene");
+        return new TriedCase(
+                one.path("name").asText(),
+                one.path("verdict").asText(GradingVerdict.NO_RESULT.code()),
+                one.path("points").asInt(),
+                one.path("of").asInt(),
+                said,
+                pictures,
+                scene.isObject() ? scene.toString() : "");
+    }
+
+    private Optional<TriedCase.Pictures> pictures(JsonNode addresses)
+            throws IOException, InterruptedException {
+        if (!addresses.isObject()) return Optional.empty();
+        return Optional.of(
+                new TriedCase.Pictures(
+                        picture(addresses, "expected"),
+                        picture(addresses, "actual"),
+                        picture(addresses, "difference"),
+                        addresses.path("text").asText()));
+    }
+
+    private byte[] picture(JsonNode addresses, String which)
+            throws IOException, InterruptedException {
+        String path = addresses.path(which).asText();
+        if (!path.startsWith("/api/v1/"))
+            throw new IOException("the server's address of a picture is '" + path + "'");
+        return server.get(path, token);
+    }
+
+    private static List<Outcome.Remark> remarks(JsonNode english, JsonNode russian) {
+        List<Outcome.Remark> remarks = new ArrayList<>();
+        for (int i = 0; i < english.size(); i++) {
+            JsonNode one = english.get(i);
+            JsonNode other = i < russian.size() ? russian.get(i) : one;
+            remarks.add(
+                    new Outcome.Remark(
+                            one.path("line").asInt(),
+                            one.path("column").asInt(),
+                            said(one, other)));
+        }
+        return remarks;
+    }
+}

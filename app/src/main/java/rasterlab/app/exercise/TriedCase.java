@@ -1,0 +1,55 @@
+package rasterlab.app.exercise;
+
+import java.util.Optional;
+import java.util.function.Function;
+import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.GradingVerdict;
+
+/**
+ * One case of a result.
+ *
+ * @param verdict a code, as in the HTTP API; "" for a case that was not tried yet
+ * @param said why points were lost
+ * @param scene the case as a scene file; "" where it is hidden
+ */
+record TriedCase(
+        String name,
+        String verdict,
+        int points,
+        int of,
+        Said said,
+        Optional<Pictures> pictures,
+        String scene) {
+    /**
+     * Right, drawn, and where they differ, each as PNG.
+     *
+     * @param text rows of characters, as {@link CasePictures#text}
+     */
+    record Pictures(byte[] expected, byte[] actual, byte[] difference, String text) {
+        private static Pictures of(CasePictures drawn) {
+            return new Pictures(
+                    drawn.expectedPng(), drawn.actualPng(), drawn.differencePng(), drawn.text());
+        }
+
+        /** Number of pixels of the box that holds both pictures. */
+        int size() {
+            return (int) text.lines().mapToLong(String::length).sum();
+        }
+    }
+
+    static TriedCase of(CaseReport report) {
+        return new TriedCase(
+                report.name(),
+                report.verdict().code(),
+                report.points(),
+                report.of(),
+                Said.of(report::message),
+                report.pictures().map((Function<CasePictures, Pictures>) Pictures::of),
+                report.scene());
+    }
+
+    boolean right() {
+        return verdict.equals(GradingVerdict.OK.code());
+    }
+}

@@ -1,0 +1,31 @@
+package rasterlab.app.exercise;
+
+import java.util.List;
+
+/**
+ * What runs in the background.
+ *
+ * @param done cases judged so far; in the queue of a server, the place in it
+ * @param of cases in all; 0 where that is not known
+ * @param cases those judged so far
+ */
+record Work(Phase phase, int done, int of, List<TriedCase> cases) {
+    enum Phase {
+        NONE,
+        CHECKING,
+        JOINING,
+        SENDING,
+        WAITING,
+        GRADING
+    }
+
+    static final Work NONE = of(Phase.NONE);
+
+    static Work of(Phase phase) {
+        return new Work(phase, 0, 0, List.of());
+    }
+
+    boolean running() {
+        return phase != Phase.NONE;
+    }
+}

@@ -1,0 +1,219 @@
+package rasterlab.app.study;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BasicStroke;
+import java.awt.Cursor;
+import java.awt.Dimension;
+import java.awt.EventQueue;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.accessibility.AccessibleRole;
+import javax.swing.KeyStroke;
+import javax.swing.UIManager;
+import org.knowm.xchart.XYChart;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.SelfDrawn;
+import rasterlab.app.canvas.Settling;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Study;
+
+/** The chart, painted in the background; its points can be clicked and walked with the arrows. */
+final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
+    private static final long serialVersionUID = 1L;
+
+    /** A chart that is smaller than this is painted so large and made smaller. */
+    private static final Dimension LEAST = new Dimension(640, 440);
+
+    private record Asked(Study study, int width, int height, StageColours colours) {}
+
+    private record Painted(Asked asked, BufferedImage image, List<PointPlaces.Place> places) {}
+
+    private final transient StudyLabModel model;
+    private final transient Texts texts;
+    private final transient LatestOnly<Asked, Painted> painter;
+    private transient Optional<Painted> painted = Optional.empty();
+    private transient Optional<Asked> asked = Optional.empty();
+
+    /**
+     * @param onFailure told what painting threw, on any thread
+     */
+    ChartStage(StudyLabModel model, Texts texts, Consumer<Throwable> onFailure) {
+        super(AccessibleRole.CANVAS);
+        this.model = model;
+        this.texts = texts;
+        painter =
+                new LatestOnly<>(
+                        "chart",
+                        (question, cancelled) -> painted(question),
+                        (question, answer) -> EventQueue.invokeLater(() -> show(answer)),
+                        onFailure);
+        setName("chart");
+        setFocusable(true);
+        setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
+        getAccessibleContext().setAccessibleName(texts.text("chart"));
+        addMouseListener(
+                new MouseAdapter() {
+                    @Override
+                    public void mousePressed(MouseEvent e) {
+                        requestFocusInWindow();
+                        near(e.getX(), e.getY()).ifPresent(place -> model.choose(place.point()));
+                    }
+                });
+        addComponentListener(
+                new ComponentAdapter() {
+                    @Override
+                    public void componentResized(ComponentEvent e) {
+                        refresh();
+                    }
+                });
+        KeyBinding.whenFocused(this, KeyStroke.getKeyStroke("RIGHT"), () -> walk(1));
+        KeyBinding.whenFocused(this, KeyStroke.getKeyStroke("LEFT"), () -> walk(-1));
+    }
+
+    /**
+     * @param x view units
+     * @param y view units
+     */
+    private Optional<PointPlaces.Place> near(int x, int y) {
+        return painted.flatMap(
+                chart ->
+                        PointPlaces.near(
+                                chart.places(),
+                                x * chart.image().getWidth() / getWidth(),
+                                y * chart.image().getHeight() / getHeight()));
+    }
+
+    /** Goes to the next dearer or cheaper point. */
+    private void walk(int steps) {
+        List<Measurement> points =
+                painted.map(Painted::places).orElse(List.of()).stream()
+                        .sorted(Comparator.comparingInt(PointPlaces.Place::x))
+                        .map(PointPlaces.Place::point)
+                        .toList();
+        if (points.isEmpty()) return;
+        int now = model.state().point().map(points::indexOf).orElse(steps > 0 ? -1 : 0);
+        model.choose(points.get(Math.floorMod(now + steps, points.size())));
+    }
+
+    /** Asks for the picture of the present study and size, unless it is there. */
+    void refresh() {
+        Optional<Asked> wanted =
+                model.state()
+                        .study()
+                        .filter(study -> getWidth() > 0 && getHeight() > 0)
+                        .map(this::question);
+        if (!wanted.equals(asked)) {
+            asked = wanted;
+            if (wanted.isEmpty()) painted = Optional.empty();
+            else painter.ask(wanted.get());
+        }
+        repaint();
+    }
+
+    private Asked question(Study study) {
+        return new Asked(
+                study,
+                Math.max(LEAST.width, getWidth()),
+                Math.max(LEAST.height, getHeight()),
+                StageColours.now());
+    }
+
+    private Painted painted(Asked question) {
+        var colours = question.colours();
+        XYChart chart =
+                StudyChart.chart(
+                        question.study(),
+                        new StudyWords(texts.language()),
+                        colours.ground(),
+                        colours.ink());
+        var places = new PointPlaces(StudyChart.points(question.study()));
+        chart.addAnnotation(places);
+        var image =
+                new BufferedImage(question.width(), question.height(), BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setColor(colours.ground());
+        g.fillRect(0, 0, question.width(), question.height());
+        chart.paint(g, question.width(), question.height());
+        g.dispose();
+        return new Painted(question, image, places.all());
+    }
+
+    private void show(Painted chart) {
+        painted = Optional.of(chart);
+        repaint();
+    }
+
+    @Override
+    public void settle() throws InterruptedException {
+        painter.settle();
+    }
+
+    @Override
+    public void close() {
+        painter.close();
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        var g = (Graphics2D) graphics.create();
+        g.setRenderingHint(
+                RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(
+                RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setColor(StageColours.now().ground());
+        g.fillRect(0, 0, getWidth(), getHeight());
+        if (painted.isPresent()) paint(g, painted.get());
+        else paintHint(g);
+        g.setColor(UIManager.getColor("Component.borderColor"));
+        if (isFocusOwner()) g.setColor(StageColours.now().focus());
+        g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
+        g.dispose();
+    }
+
+    private void paint(Graphics2D g, Painted chart) {
+        var inChart = (Graphics2D) g.create();
+        inChart.drawImage(chart.image(), 0, 0, getWidth(), getHeight(), null);
+        inChart.scale(
+                (double) getWidth() / chart.image().getWidth(),
+                (double) getHeight() / chart.image().getHeight());
+        inChart.setColor(StageColours.now().ink());
+        inChart.setStroke(new BasicStroke(2));
+        for (PointPlaces.Place place : chart.places())
+            if (model.state().point().filter(place.point()::equals).isPresent())
+                inChart.drawOval(place.x() - 10, place.y() - 10, 20, 20);
+        inChart.dispose();
+    }
+
+    private void paintHint(Graphics2D g) {
+        g.setFont(UIManager.getFont("Label.font").deriveFont(UIScale.scale(16f)));
+        g.setColor(UIManager.getColor("Label.disabledForeground"));
+        FontMetrics metrics = g.getFontMetrics();
+        String key = model.state().work().running() ? "hint.measuring" : "hint.measure";
+        List<String> lines =
+                Wrapping.lines(
+                        texts.text(key, model.state().topic().name()),
+                        getWidth() * 2 / 3,
+                        metrics::stringWidth);
+        int y = (getHeight() - lines.size() * metrics.getHeight()) / 2 + metrics.getAscent();
+        for (String line : lines) {
+            g.drawString(line, (getWidth() - metrics.stringWidth(line)) / 2, y);
+            y += metrics.getHeight();
+        }
+    }
+}

@@ -1,0 +1,237 @@
+package rasterlab.app.study;
+
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JTextArea;
+import javax.swing.UIManager;
+import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Study;
+import rasterlab.engine.study.Topic;
+
+/** The tab's choosers, the numbers of what is chosen, and the explanation of its method. */
+final class StudyInspector {
+    private static final List<String> PACES = List.of("quick", "thorough");
+
+    private final StudyLabModel model;
+    private final Texts texts;
+    private final OpenInLab lab;
+    private final StudyWords words;
+    private final Inspector column;
+    private final NameChooser topic;
+    private final NameChooser view;
+    private final NameChooser pace;
+    private final JLabel workload;
+    private final JLabel cost;
+    private final JLabel quartiles;
+    private final JLabel error;
+    private final JLabel wrong;
+    private final JLabel verdict;
+    private final JLabel recorded;
+    private final JTextArea notTimed;
+    private final JTextArea detail;
+    private final JTextArea input;
+    private final JButton open;
+    private final AboutText about;
+
+    StudyInspector(StudyLabModel model, Texts texts, OpenInLab lab, Runnable opening) {
+        this.model = model;
+        this.texts = texts;
+        this.lab = lab;
+        words = new StudyWords(texts.language());
+        column = new Inspector(texts);
+        topic =
+                chooser(
+                        "topic",
+                        model.topics().stream().map(Topic::name).toList(),
+                        name -> name,
+                        model::choose);
+        view =
+                chooser(
+                        "view",
+                        List.of(StudyView.values()).stream().map(StudyView::code).toList(),
+                        code -> texts.text("view." + code),
+                        code ->
+                                model.show(
+                                        StudyView.valueOf(
+                                                code.toUpperCase(java.util.Locale.ROOT))));
+        pace =
+                chooser(
+                        "pace",
+                        PACES,
+                        code -> texts.text("pace." + code),
+                        code -> model.takeTime(code.equals("thorough")));
+        column.heading("heading.chosen");
+        workload = column.value("workload");
+        cost = column.value("cost");
+        quartiles = column.value("quartiles");
+        error = column.value("error");
+        verdict = column.value("verdict");
+        recorded = column.value("recorded");
+        wrong = column.value("wrong");
+        detail = paragraph("detail");
+        input = paragraph("input");
+        open = new JButton(texts.label("open"));
+        open.setName("open");
+        open.setMnemonic(texts.mnemonic("open"));
+        open.setDisplayedMnemonicIndex(texts.mnemonicIndex("open"));
+        open.addActionListener(e -> opening.run());
+        column.wide(open);
+        notTimed = paragraph("notTimed");
+        column.heading("heading.about");
+        about = new AboutText("about", texts.language());
+        column.wide(about);
+    }
+
+    private NameChooser chooser(
+            String key,
+            List<String> names,
+            java.util.function.UnaryOperator<String> said,
+            java.util.function.Consumer<String> chosen) {
+        var chooser = new NameChooser(key, names, said, chosen);
+        column.row(key, chooser);
+        return chooser;
+    }
+
+    private JTextArea paragraph(String name) {
+        var paragraph = new JTextArea();
+        paragraph.setName(name);
+        paragraph.getAccessibleContext().setAccessibleName(texts.text(name));
+        paragraph.setEditable(false);
+        paragraph.setOpaque(false);
+        paragraph.setLineWrap(true);
+        paragraph.setWrapStyleWord(true);
+        paragraph.setFont(UIManager.getFont("Label.font"));
+        paragraph.setBorder(null);
+        column.wide(paragraph);
+        return paragraph;
+    }
+
+    Inspector column() {
+        return column;
+    }
+
+    void refresh() {
+        StudyLabState state = model.state();
+        topic.show(state.topic().name());
+        view.show(state.view().code());
+        pace.show(state.thorough() ? "thorough" : "quick");
+        boolean chart = state.view() == StudyView.CHART;
+        for (JComponent one : List.of(workload, cost, quartiles, error)) column.showRow(one, chart);
+        column.showRow(recorded, !chart);
+        open.setVisible(!chart);
+        input.setVisible(!chart);
+        say(notTimed, chart ? state.study().map(this::notTimed).orElse("") : "");
+        if (chart) showPoint(state);
+        else showCell(state);
+        explain(state);
+    }
+
+    private String notTimed(Study study) {
+        return String.join(" ", LeftOutNote.of(study, words).lines());
+    }
+
+    private static void say(JTextArea place, String text) {
+        if (!place.getText().equals(text)) place.setText(text);
+        place.setVisible(!text.isEmpty());
+    }
+
+    private void showPoint(StudyLabState state) {
+        Optional<Measurement> point = state.point();
+        workload.setText(point.map(Measurement::workload).orElse("–"));
+        cost.setText(
+                point.map(one -> texts.text("nanos", number(one.cost().medianNanos())))
+                        .orElse("–"));
+        quartiles.setText(
+                point.map(
+                                one ->
+                                        texts.text(
+                                                "nanos.between",
+                                                number(one.cost().lowNanos()),
+                                                number(one.cost().highNanos())))
+                        .orElse("–"));
+        error.setText(point.map(one -> error(state.study().orElseThrow(), one)).orElse("–"));
+        verdict.setText(point.map(one -> texts.text("verdict." + one.kind().code())).orElse("–"));
+        wrong.setText(point.map(one -> wrong(one.error())).orElse("–"));
+        say(detail, point.map(StudyInspector::detail).orElse(texts.text("hint.point")));
+    }
+
+    private static String detail(Measurement point) {
+        return point.detail().isEmpty() ? point.method() : point.method() + ": " + point.detail();
+    }
+
+    private String error(Study study, Measurement point) {
+        return point.error().worst() == 0
+                ? texts.text("chart.exact")
+                : number(point.error().worst()) + " " + words.errorUnit(study);
+    }
+
+    private String wrong(Deviation deviation) {
+        return deviation.of() == 0 && deviation.missing() + deviation.extra() == 0
+                ? "–"
+                : texts.text("wrong.counts", deviation.missing(), deviation.extra());
+    }
+
+    private void showCell(StudyLabState state) {
+        if (state.hazard().isEmpty()) {
+            List.of(verdict, recorded, wrong).forEach(label -> label.setText("–"));
+            say(detail, texts.text("hint.cell"));
+            say(input, "");
+            open.setEnabled(false);
+            return;
+        }
+        Hazard<?> hazard = model.hazard(state.hazard());
+        Method<?> method = state.topic().method(state.method());
+        Optional<Cell> fresh = state.cell(hazard.name(), method.name());
+        verdict.setText(
+                fresh.map(cell -> texts.text("verdict." + cell.verdict().kind().code()))
+                        .orElse(texts.text("verdict.untried")));
+        recorded.setText(texts.text("verdict." + model.recorded(hazard, method)));
+        wrong.setText(fresh.map(cell -> wrong(cell.verdict().deviation())).orElse("–"));
+        String said = fresh.map(cell -> cell.verdict().detail()).orElse("");
+        say(
+                detail,
+                method.name()
+                        + ", "
+                        + hazard.name()
+                        + ". "
+                        + description(state, hazard)
+                        + (said.isEmpty() ? "" : "\n→ " + said));
+        say(input, texts.text("input.is", InputText.of(hazard.input())));
+        boolean opens = lab.showsHazards(state.topic().name());
+        open.setEnabled(opens);
+        open.setToolTipText(texts.text(opens ? "open.hint" : "open.noTab", state.topic().name()));
+    }
+
+    private String description(StudyLabState state, Hazard<?> hazard) {
+        return TopicTexts.of(state.topic().name(), texts.language())
+                .flatMap(topic -> topic.hazard(hazard))
+                .orElse(hazard.description());
+    }
+
+    private void explain(StudyLabState state) {
+        about.show(
+                TopicTexts.of(state.topic().name(), texts.language())
+                        .map(TopicTexts::texts)
+                        .orElse(texts),
+                state.topic().method(state.method()),
+                "",
+                "");
+    }
+
+    private String number(double value) {
+        return Shown.number(value, value < 100 ? 2 : 0, texts.locale());
+    }
+}

@@ -1,0 +1,253 @@
+package rasterlab.app.study;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.Background;
+import rasterlab.engine.naming.Named;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.HazardTrial.Cell;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Progress;
+import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyRunner;
+import rasterlab.engine.study.StudySettings;
+import rasterlab.engine.study.Topic;
+
+/**
+ * The tab of speed and accuracy without its window: which topic, what was measured, what is chosen.
+ *
+ * <p>Measuring runs on a thread of the model's own; commands and news run on the thread of the
+ * executor it is given. What was measured of a topic stays until it is measured again.
+ */
+public final class StudyLabModel implements AutoCloseable {
+    private static final Duration LONGEST = Duration.ofSeconds(5);
+
+    /** Longer, and what the user sees of a measurement would cost it time. */
+    private static final Duration BETWEEN_NEWS = Duration.ofMillis(50);
+
+    private final List<Topic<?, ?, ?>> topics;
+    private final Background background;
+    private final Map<String, Study> studies = new HashMap<>();
+    private final Map<String, List<Cell>> verdicts = new HashMap<>();
+    private final List<Consumer<StudyLabState>> listeners = new ArrayList<>();
+    private StudyLabState state;
+
+    /**
+     * @param topics at least one
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what measuring threw, on any thread
+     */
+    public StudyLabModel(
+            List<Topic<?, ?, ?>> topics, Executor events, Consumer<Throwable> onFailure) {
+        this.topics = List.copyOf(topics);
+        background = new Background(events, onFailure);
+        state = first(topics.get(0), false, StudyView.HAZARDS);
+    }
+
+    private StudyLabState first(Topic<?, ?, ?> topic, boolean thorough, StudyView view) {
+        return new StudyLabState(
+                topic,
+                thorough,
+                view,
+                Optional.ofNullable(studies.get(topic.name())),
+                verdicts.getOrDefault(topic.name(), List.of()),
+                Optional.empty(),
+                "",
+                topic.methods().get(0).name(),
+                StudyWork.NONE);
+    }
+
+    public StudyLabState state() {
+        return state;
+    }
+
+    List<Topic<?, ?, ?>> topics() {
+        return topics;
+    }
+
+    /** Tells the listener each new state from now on; the answer ends that. */
+    public Runnable listen(Consumer<StudyLabState> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /**
+     * Shows another topic; what is being measured is given up.
+     *
+     * @throws IllegalArgumentException naming the topics there are
+     */
+    public void choose(String topic) {
+        Topic<?, ?, ?> chosen = Named.find("topic", topic, topics, Topic::name);
+        if (chosen == state.topic()) return;
+        cancel();
+        publish(first(chosen, state.thorough(), state.view()));
+    }
+
+    /** Whether the next measurement takes its time. */
+    public void takeTime(boolean thorough) {
+        publish(state.withThorough(thorough));
+    }
+
+    public void show(StudyView view) {
+        if (view != state.view()) publish(state.with(view));
+    }
+
+    /** Chooses a point of the chart. */
+    void choose(Measurement point) {
+        publish(state.with(point));
+    }
+
+    /**
+     * Chooses a pair of the table of hazards.
+     *
+     * @throws IllegalArgumentException naming the hazards or methods there are
+     */
+    public void choose(String hazard, String method) {
+        publish(state.withCell(hazard(hazard).name(), state.topic().method(method).name()));
+    }
+
+    /**
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    void explain(String method) {
+        publish(state.withCell(state.hazard(), state.topic().method(method).name()));
+    }
+
+    Hazard<?> hazard(String name) {
+        List<? extends Hazard<?>> hazards = state.topic().hazards();
+        return Named.find("hazard", name, hazards, Hazard::name);
+    }
+
+    /** What is written down that the method does there. */
+    String recorded(Hazard<?> hazard, Method<?> method) {
+        var kind = hazard.recorded().get(method.name());
+        return kind == null ? "exact" : kind.code();
+    }
+
+    /** Measures speed and accuracy of every method of the topic. */
+    public void measure() {
+        Topic<?, ?, ?> topic = state.topic();
+        StudySettings settings =
+                state.thorough() ? StudySettings.thorough() : StudySettings.quick();
+        begin(
+                StudyWork.Kind.STUDY,
+                tell -> {
+                    var news = new Rare<Progress>(tell, this::tell);
+                    Study study =
+                            StudyRunner.measure(
+                                    topic,
+                                    settings,
+                                    news::accept,
+                                    Thread.currentThread()::isInterrupted);
+                    return () -> {
+                        studies.put(topic.name(), study);
+                        publish(state.with(study));
+                    };
+                });
+    }
+
+    private void tell(Progress progress) {
+        publish(
+                state.with(
+                        new StudyWork(
+                                StudyWork.Kind.STUDY,
+                                progress.done(),
+                                progress.total(),
+                                progress.method() + ", " + progress.workload())));
+    }
+
+    /** Tries every method of the topic on each of its hazards. */
+    public void tryHazards() {
+        if (state.work().running()) return;
+        Topic<?, ?, ?> topic = state.topic();
+        int of = topic.methods().size() * topic.hazards().size();
+        publish(state.withCells(List.of()));
+        begin(
+                StudyWork.Kind.HAZARDS,
+                tell -> {
+                    var judged = new ArrayList<Cell>();
+                    var news = new Rare<List<Cell>>(tell, cells -> tell(cells, of));
+                    List<Cell> all =
+                            HazardTrial.table(
+                                    topic,
+                                    LONGEST,
+                                    cell -> {
+                                        judged.add(cell);
+                                        news.accept(List.copyOf(judged));
+                                    },
+                                    Thread.currentThread()::isInterrupted);
+                    return () -> {
+                        verdicts.put(topic.name(), all);
+                        publish(state.withCells(all));
+                    };
+                });
+    }
+
+    private void tell(List<Cell> cells, int of) {
+        Cell last = cells.get(cells.size() - 1);
+        var work =
+                new StudyWork(
+                        StudyWork.Kind.HAZARDS,
+                        cells.size(),
+                        of,
+                        last.method() + ", " + last.hazard());
+        publish(state.withCells(cells).with(work));
+    }
+
+    private void begin(StudyWork.Kind kind, Background.Task task) {
+        if (state.work().running()) return;
+        publish(state.with(new StudyWork(kind, 0, 1, "")));
+        background.begin(
+                task,
+                () -> publish(state.with(StudyWork.NONE)),
+                failure -> {
+                    throw new AssertionError("measuring reads and writes nothing", failure);
+                });
+    }
+
+    /** Gives up what is being measured; what was measured before stays. */
+    public void cancel() {
+        if (!state.work().running()) return;
+        background.cancel();
+        publish(
+                state.with(StudyWork.NONE)
+                        .withCells(verdicts.getOrDefault(state.topic().name(), List.of())));
+    }
+
+    /** Ends the thread. */
+    @Override
+    public void close() {
+        background.close();
+    }
+
+    private void publish(StudyLabState next) {
+        state = next;
+        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+    }
+
+    /** Passes news on, but not more often than the eye follows. */
+    private static final class Rare<T> {
+        private final Consumer<Runnable> tell;
+        private final Consumer<T> heard;
+        private long next = System.nanoTime();
+
+        Rare(Consumer<Runnable> tell, Consumer<T> heard) {
+            this.tell = tell;
+            this.heard = heard;
+        }
+
+        void accept(T news) {
+            if (System.nanoTime() < next) return;
+            next = System.nanoTime() + BETWEEN_NEWS.toNanos();
+            tell.accept(() -> heard.accept(news));
+        }
+    }
+}

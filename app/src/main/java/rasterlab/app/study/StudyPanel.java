@@ -1,0 +1,241 @@
+package rasterlab.app.study;
+
+import java.awt.CardLayout;
+import java.awt.Insets;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JFileChooser;
+import javax.swing.JOptionPane;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import javax.swing.SwingWorker;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.Actions;
+import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.FlowRows;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.study.Study;
+
+/** Speed and accuracy as the window shows them, in one language. */
+public final class StudyPanel extends LabPanel {
+    private static final long serialVersionUID = 1L;
+
+    private static final Insets MARGIN = new Insets(2, 10, 2, 10);
+
+    private final transient StudyLabModel model;
+    private final transient OpenInLab lab;
+    private final transient Texts texts;
+    private final transient Consumer<Throwable> onFailure;
+    private final ChartStage chart;
+    private final HazardTable table;
+    private final CardLayout cards = new CardLayout();
+    private final JPanel stage = new JPanel(cards);
+    private final transient StudyInspector inspector;
+    private final Actions actions;
+    private final JButton measure;
+    private final JButton hazards;
+    private final JButton cancel;
+    private final JButton save;
+    private final JProgressBar progress = new JProgressBar();
+    private final transient Runnable unsubscribe;
+
+    /**
+     * @param lab shows a hazard in its topic's tab
+     * @param onFailure told what a control could not do or painting threw, on any thread
+     */
+    public StudyPanel(
+            StudyLabModel model, OpenInLab lab, Language language, Consumer<Throwable> onFailure) {
+        this.model = model;
+        this.lab = lab;
+        this.onFailure = onFailure;
+        setName("study");
+        texts = Texts.of("study", language);
+        chart = new ChartStage(model, texts, onFailure);
+        table = new HazardTable(model, texts, this::open);
+        inspector = new StudyInspector(model, texts, lab, this::open);
+        measure = button("measure", this::measure);
+        hazards = button("tryHazards", this::tryHazards);
+        cancel = button("cancel", model::cancel);
+        save = button("save", this::save);
+        actions = new Actions(Texts.of("canvas", language));
+        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
+        actions.add("copySvg", this::copySvg);
+        actions.add("copyCommand", () -> Copying.text(command(), onFailure));
+        var scroll = new JScrollPane(table);
+        scroll.setName("hazards.scroll");
+        stage.setName("stage");
+        stage.add(chart, StudyView.CHART.code());
+        stage.add(scroll, StudyView.HAZARDS.code());
+        add(new LabLayout(bar(), stage, inspector.column(), actions, timeline()));
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::cancel);
+        unsubscribe = model.listen(state -> refresh());
+        refresh();
+    }
+
+    private JButton button(String key, Runnable action) {
+        var button = new JButton(texts.label(key));
+        button.setName(key);
+        button.setMnemonic(texts.mnemonic(key));
+        button.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
+        button.setToolTipText(texts.text(key + ".hint"));
+        button.setMargin(MARGIN);
+        button.addActionListener(e -> action.run());
+        return button;
+    }
+
+    private JPanel bar() {
+        var bar = new JPanel(new FlowRows(6));
+        bar.add(measure);
+        bar.add(hazards);
+        bar.add(cancel);
+        bar.add(save);
+        FlowRows.keepWrapped(bar);
+        return bar;
+    }
+
+    private JComponent timeline() {
+        progress.setName("progress");
+        progress.setStringPainted(true);
+        progress.getAccessibleContext().setAccessibleName(texts.text("progress"));
+        var timeline = new JPanel(new MigLayout("insets 0 0 4 0", "[grow,fill]", "[22!]"));
+        timeline.add(progress, "wmin 0, grow");
+        return timeline;
+    }
+
+    /** Gives the keyboard to the chart or the table, whichever is shown. */
+    @Override
+    public void focusPicture() {
+        if (model.state().view() == StudyView.CHART) chart.requestFocusInWindow();
+        else table.requestFocusInWindow();
+    }
+
+    /** Stops listening; what is being measured goes on in the model. */
+    @Override
+    public void close() {
+        unsubscribe.run();
+        chart.close();
+    }
+
+    private void measure() {
+        model.show(StudyView.CHART);
+        model.measure();
+    }
+
+    private void tryHazards() {
+        model.show(StudyView.HAZARDS);
+        model.tryHazards();
+    }
+
+    private void open() {
+        StudyLabState state = model.state();
+        if (state.hazard().isEmpty() || !lab.showsHazards(state.topic().name())) return;
+        try {
+            lab.showHazard(state.topic().name(), state.hazard(), state.method());
+        } catch (IllegalArgumentException e) {
+            onFailure.accept(e);
+        }
+    }
+
+    private void copySvg() {
+        model.state()
+                .study()
+                .ifPresent(
+                        study ->
+                                Copying.svg(
+                                        new String(
+                                                StudyChart.svg(study, texts.language()),
+                                                StandardCharsets.UTF_8),
+                                        onFailure));
+    }
+
+    private String command() {
+        return StudyLabCommand.of(model.state(), texts.language());
+    }
+
+    private void save() {
+        Study study = model.state().study().orElseThrow();
+        var chooser = new JFileChooser();
+        chooser.setDialogTitle(texts.text("save.title"));
+        chooser.setFileFilter(
+                new FileNameExtensionFilter(texts.text("save.kinds"), "svg", "png", "csv", "json"));
+        chooser.setSelectedFile(new java.io.File("study-" + study.topic() + ".svg"));
+        if (chooser.showSaveDialog(this) == JFileChooser.APPROVE_OPTION)
+            write(study, chooser.getSelectedFile().toPath());
+    }
+
+    /** Charts take longer to draw than the window may stand still. */
+    private void write(Study study, Path file) {
+        new SwingWorker<Void, Void>() {
+            @Override
+            protected Void doInBackground() {
+                StudyFile.write(study, file, texts.language());
+                return null;
+            }
+
+            @Override
+            protected void done() {
+                try {
+                    get();
+                } catch (ExecutionException e) {
+                    tell(e.getCause());
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+        }.execute();
+    }
+
+    private void tell(Throwable failure) {
+        if (!(failure instanceof Complaint)) {
+            onFailure.accept(failure);
+            return;
+        }
+        JOptionPane.showMessageDialog(
+                this, failure.getMessage(), texts.text("save.title"), JOptionPane.WARNING_MESSAGE);
+    }
+
+    private void refresh() {
+        StudyLabState state = model.state();
+        boolean running = state.work().running();
+        measure.setEnabled(!running);
+        hazards.setEnabled(!running);
+        cancel.setEnabled(running);
+        save.setEnabled(state.study().isPresent());
+        actions.enable("copySvg", state.study().isPresent() && state.view() == StudyView.CHART);
+        cards.show(stage, state.view().code());
+        chart.refresh();
+        table.refresh();
+        inspector.refresh();
+        show(state);
+    }
+
+    private void show(StudyLabState state) {
+        StudyWork work = state.work();
+        progress.setMaximum(Math.max(1, work.of()));
+        progress.setValue(work.done());
+        if (work.running())
+            progress.setString(texts.text("progress.at", work.done(), work.of(), work.at()));
+        else progress.setString(resting(state));
+    }
+
+    private String resting(StudyLabState state) {
+        boolean there =
+                state.view() == StudyView.CHART
+                        ? state.study().isPresent()
+                        : !state.cells().isEmpty();
+        return texts.text(there ? "progress.done" : "progress.none");
+    }
+}

@@ -1,0 +1,14 @@
+package rasterlab.app.study;
+
+import java.util.Locale;
+
+/** What the tab of speed and accuracy shows. */
+public enum StudyView {
+    CHART,
+    HAZARDS;
+
+    /** Lower-case name, the key of its texts. */
+    String code() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}

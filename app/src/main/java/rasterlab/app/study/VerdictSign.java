@@ -1,0 +1,42 @@
+package rasterlab.app.study;
+
+import java.awt.Color;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.engine.study.Verdict;
+
+/** A verdict as one sign and a colour, which say the same. */
+enum VerdictSign {
+    EXACT("✓", MethodColours.GREEN),
+    DEGRADED("≈", MethodColours.ORANGE),
+    WRONG("✗", MethodColours.VERMILLION),
+    REFUSED("–", MethodColours.GREY),
+    ENDLESS("∞", MethodColours.PURPLE),
+    CRASHED("†", MethodColours.PURPLE);
+
+    private final String sign;
+    private final Color colour;
+
+    VerdictSign(String sign, Color colour) {
+        this.sign = sign;
+        this.colour = colour;
+    }
+
+    static VerdictSign of(Verdict.Kind kind) {
+        return valueOf(kind.name());
+    }
+
+    String sign() {
+        return sign;
+    }
+
+    /** On the ground of the present theme. */
+    Color ink() {
+        return MethodColours.edgeOn(StageColours.now().ground(), colour);
+    }
+
+    /** Lower-case name, as in keys. */
+    String code() {
+        return Verdict.Kind.valueOf(name()).code();
+    }
+}

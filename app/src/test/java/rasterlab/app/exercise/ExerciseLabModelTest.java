@@ -1,0 +1,144 @@
+package rasterlab.app.exercise;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.language.Language;
+
+@Timeout(120)
+class ExerciseLabModelTest {
+    private static final String HEAD =
+            "public class A implements rasterlab.contract.LineRasterizer {\n"
+                    + "  public void draw(int x0, int y0, int x1, int y1,"
+                    + " rasterlab.contract.Pixels out) {\n";
+    private static final String FIRST_PIXEL = HEAD + "    out.plot(x0, y0);\n  }\n}\n";
+    private static final String ENDLESS = HEAD + "    while (true) x0++;\n  }\n}\n";
+
+    @TempDir Path folder;
+
+    @Test
+    void beginsWithTheStarter() {
+        try (var trial = new Trial(folder)) {
+            assertEquals(trial.state().exercise().starter(), trial.state().source());
+            assertEquals(Notice.NONE, trial.state().notice());
+        }
+    }
+
+    @Test
+    void typedTextOutlivesTheWindow() {
+        try (var trial = new Trial(folder)) {
+            trial.model.type(FIRST_PIXEL);
+        }
+        try (var trial = new Trial(folder)) {
+            assertEquals(FIRST_PIXEL, trial.state().source());
+        }
+    }
+
+    @Test
+    void secondWindowOffersTheFirstOnesTextAndKeepsIt() throws Exception {
+        try (var first = new Trial(folder);
+                var second = new Trial(folder)) {
+            first.model.type("first");
+            first.model.settle();
+            assertEquals("first", second.state().source());
+            second.model.type("second");
+            second.model.settle();
+            first.model.settle();
+        }
+        try (var again = new Trial(folder)) {
+            assertEquals("first", again.state().source());
+            assertEquals("second", again.state().otherDrafts().get(0).text());
+            again.model.takeDraft(again.state().otherDrafts().get(0));
+            assertEquals("second", again.state().source());
+            assertEquals(List.of(), again.state().otherDrafts());
+        }
+    }
+
+    @Test
+    void unwritableFolderIsToldAndTheTextStays() throws Exception {
+        Files.writeString(folder.resolve("drafts"), "in the way");
+        try (var trial = new Trial(folder)) {
+            trial.model.type("typed");
+            var state = trial.await("it is told", now -> !now.unsaved().isEmpty());
+            assertEquals("typed", state.source());
+            assertEquals("draft.unsaved", state.unsaved().key());
+            Files.delete(folder.resolve("drafts"));
+            trial.model.type("typed on");
+            trial.await("it is saved", now -> now.unsaved().isEmpty());
+        }
+    }
+
+    @Test
+    void checkTellsEachCaseAndShowsTheSmallestCounterexample() throws Exception {
+        try (var trial = new Trial(folder)) {
+            List<Integer> done = new ArrayList<>();
+            trial.model.type(FIRST_PIXEL);
+            trial.model.listen(state -> done.add(state.work().done()));
+            trial.model.check();
+            Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
+            assertEquals("wrong", outcome.verdict());
+            assertTrue(done.contains(5), done.toString());
+            TriedCase smallest = outcome.smallestCounterexample().orElseThrow();
+            assertTrue(smallest.scene().contains("\"topic\":\"line\""), smallest.scene());
+            assertTrue(smallest.said().english().contains("missing"), smallest.said().english());
+            assertNotEquals(smallest.said().in(Language.RUSSIAN), smallest.said().english());
+            assertTrue(trial.state().upToDate());
+            trial.model.type(FIRST_PIXEL + " ");
+            assertFalse(trial.state().upToDate());
+        }
+    }
+
+    @Test
+    void remarksOfTheCompilerAndOfTheByteCodeCheckHaveTheirLines() throws Exception {
+        try (var trial = new Trial(folder)) {
+            trial.model.type("public class A {\n  int x = ;\n}\n");
+            trial.model.check();
+            Outcome compiled = trial.awaitEnd().outcome().orElseThrow();
+            assertEquals("compile_error", compiled.verdict());
+            assertEquals(2, compiled.remarks().get(0).line());
+            trial.model.type(HEAD + "    System.exit(0);\n  }\n}\n");
+            trial.model.check();
+            Outcome refused = trial.awaitEnd().outcome().orElseThrow();
+            assertEquals("refused", refused.verdict());
+            assertEquals(3, refused.remarks().get(0).line());
+        }
+    }
+
+    @Test
+    void cancelledCheckIsNotHeardOfAndTheNextOneIs() throws Exception {
+        try (var trial = new Trial(folder)) {
+            trial.model.type(ENDLESS);
+            trial.model.check();
+            trial.model.cancel();
+            assertFalse(trial.state().work().running());
+            assertEquals("cancelled", trial.state().notice().key());
+            trial.model.type(FIRST_PIXEL);
+            trial.model.check();
+            Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
+            assertEquals(FIRST_PIXEL, outcome.source());
+            assertEquals("wrong", outcome.verdict());
+        }
+    }
+
+    @Test
+    void starterComesBackAndIsKept() throws Exception {
+        try (var trial = new Trial(folder)) {
+            trial.model.type("mine");
+            trial.model.restoreStarter();
+            trial.model.settle();
+            assertEquals(trial.state().exercise().starter(), trial.state().source());
+        }
+        try (var trial = new Trial(folder)) {
+            assertEquals(trial.state().exercise().starter(), trial.state().source());
+        }
+    }
+}

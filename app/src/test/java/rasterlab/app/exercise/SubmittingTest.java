@@ -1,0 +1,260 @@
+package rasterlab.app.exercise;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.sun.net.httpserver.HttpExchange;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Handing in, to a server that behaves well and to others. */
+@Timeout(60)
+class SubmittingTest {
+    private static final String SUBMIT = "POST /api/v1/exercises/line-bresenham/submissions";
+    private static final String RESULT = "GET /api/v1/submissions/s1";
+    private static final String EVENTS = RESULT + "/events";
+    private static final String CASE =
+            "{\"name\":\"ties\",\"visibility\":\"open\",\"verdict\":\"wrong\",\"points\":0,\"of\":4,"
+                    + "\"message\":\"pixel (1, 2) is missing\",\"pictures\":null,\"scene\":null}";
+    private static final String DONE =
+            "{\"id\":\"s1\",\"attempt\":3,\"state\":\"done\",\"position\":0,\"verdict\":\"wrong\","
+                    + "\"points\":{\"accuracy\":8,\"stability\":1,\"speed\":0,\"total\":9,\"of\":100},"
+                    + "\"cases\":["
+                    + CASE
+                    + "],\"diagnostics\":[],\"isolation\":\"bubblewrap\"}";
+    private static final String POSITION =
+            "event: position\ndata: {\"position\":2,\"state\":\"queued\"}\n\n";
+
+    @TempDir Path folder;
+
+    private static FakeServer server() throws IOException {
+        return new FakeServer()
+                .on("POST /api/v1/join", 201, "{\"student\":\"x\",\"token\":\"secret\"}")
+                .on(SUBMIT, 202, "{\"id\":\"s1\",\"state\":\"queued\",\"position\":2}")
+                .on(RESULT, 200, DONE)
+                .on(
+                        EVENTS,
+                        exchange ->
+                                events(
+                                        exchange,
+                                        POSITION
+                                                + "event: case\nid: 0\ndata: "
+                                                + CASE
+                                                + "\n\nevent: done\ndata: "
+                                                + DONE
+                                                + "\n\n"));
+    }
+
+    private static void events(HttpExchange exchange, String text) throws IOException {
+        FakeServer.send(exchange, 200, "text/event-stream", text);
+    }
+
+    private Trial joined(FakeServer server, Duration patience) throws InterruptedException {
+        var trial = new Trial(folder, patience);
+        trial.model.join(server.address(), "CODE", "Ann");
+        trial.awaitEnd();
+        return trial;
+    }
+
+    @Test
+    void followsASubmissionToItsResult() throws Exception {
+        try (var server = server();
+                var trial = joined(server, Duration.ofSeconds(20))) {
+            List<Work.Phase> phases = new ArrayList<>();
+            trial.model.listen(state -> phases.add(state.work().phase()));
+            trial.model.submit();
+            Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
+            assertEquals(3, outcome.attempt());
+            assertEquals(9, outcome.points().total());
+            assertEquals("pixel (1, 2) is missing", outcome.cases().get(0).said().english());
+            assertTrue(phases.contains(Work.Phase.WAITING), phases.toString());
+            assertTrue(phases.contains(Work.Phase.GRADING), phases.toString());
+        }
+    }
+
+    @Test
+    void accountIsThereAgain() throws Exception {
+        try (var server = server()) {
+            try (var trial = joined(server, Duration.ofSeconds(20))) {
+                assertEquals("joined", trial.state().notice().key());
+            }
+            try (var again = new Trial(folder)) {
+                assertEquals(server.address(), again.state().account().orElseThrow().toString());
+            }
+        }
+    }
+
+    @Test
+    void serverThatIsDownIsTold() throws Exception {
+        try (var trial = new Trial(folder)) {
+            String nobody;
+            try (var server = server()) {
+                nobody = server.address();
+            }
+            trial.model.type("typed");
+            trial.model.join(nobody, "CODE", "Ann");
+            var state = trial.awaitEnd();
+            assertEquals(Notice.of("server.down", nobody), state.notice());
+            assertEquals("typed", state.source());
+        }
+    }
+
+    @Test
+    void serverThatIsSlowIsTold() throws Exception {
+        var end = new CountDownLatch(1);
+        try (var server = server();
+                var trial = joined(server, Duration.ofSeconds(3))) {
+            server.on(SUBMIT, exchange -> hold(end));
+            trial.model.submit();
+            assertEquals("server.slow", trial.awaitEnd().notice().key());
+            end.countDown();
+        }
+    }
+
+    @Test
+    void silentEventsAreTold() throws Exception {
+        var end = new CountDownLatch(1);
+        try (var server = server();
+                var trial = joined(server, Duration.ofSeconds(3))) {
+            server.on(EVENTS, exchange -> begunOnly(exchange, end));
+            trial.model.submit();
+            assertEquals("server.slow", trial.awaitEnd().notice().key());
+            end.countDown();
+        }
+    }
+
+    @Test
+    void refusalIsToldInTheServersWords() throws Exception {
+        try (var server = server();
+                var trial = joined(server, Duration.ofSeconds(20))) {
+            server.on(SUBMIT, 413, "{\"detail\":\"the body may have at most 3 bytes\"}");
+            trial.model.submit();
+            Notice notice = trial.awaitEnd().notice();
+            assertEquals("server.refused", notice.key());
+            assertTrue(notice.arguments().contains("the body may have at most 3 bytes"));
+            server.on(SUBMIT, 401, "{\"detail\":\"no\"}");
+            trial.model.submit();
+            assertEquals("server.token", trial.awaitEnd().notice().key());
+        }
+    }
+
+    @Test
+    void somethingElseThanAGradingServerIsTold() throws Exception {
+        try (var server = server();
+                var trial = new Trial(folder)) {
+            server.on(
+                    "POST /api/v1/join",
+                    exchange -> FakeServer.send(exchange, 200, "text/html", "<html>hello"));
+            trial.model.join(server.address(), "CODE", "Ann");
+            assertEquals("server.failed", trial.awaitEnd().notice().key());
+        }
+    }
+
+    @Test
+    void eventsThatBreakOffAreTakenUpAgain() throws Exception {
+        var connections = new AtomicInteger();
+        try (var server = server();
+                var trial = joined(server, Duration.ofSeconds(20))) {
+            server.on(
+                    RESULT,
+                    200,
+                    DONE.replace(
+                            "\"verdict\":\"wrong\",\"points\":{", "\"verdict\":null,\"points\":{"));
+            server.on(
+                    EVENTS,
+                    exchange -> {
+                        if (connections.incrementAndGet() == 1) {
+                            events(exchange, POSITION);
+                            return;
+                        }
+                        server.on(RESULT, 200, DONE);
+                        events(exchange, "event: done\ndata: " + DONE + "\n\n");
+                    });
+            trial.model.submit();
+            assertEquals("wrong", trial.awaitEnd().outcome().orElseThrow().verdict());
+            assertEquals(2, connections.get());
+        }
+    }
+
+    @Test
+    void cancelledFollowingIsTakenUpBySubmittingAgain() throws Exception {
+        var end = new CountDownLatch(1);
+        try (var server = server();
+                var trial = joined(server, Duration.ofSeconds(20))) {
+            server.on(EVENTS, exchange -> begunOnly(exchange, end));
+            trial.model.submit();
+            trial.await("it waits", state -> state.work().phase() == Work.Phase.WAITING);
+            trial.model.cancel();
+            assertEquals("cancelled.handedIn", trial.state().notice().key());
+            end.countDown();
+            server.on(EVENTS, exchange -> events(exchange, "event: done\ndata: {}\n\n"));
+            trial.model.submit();
+            trial.awaitEnd();
+            trial.model.submit();
+            trial.awaitEnd();
+            List<String> keys =
+                    server.asked.stream()
+                            .filter(one -> one.path().endsWith("/submissions"))
+                            .map(FakeServer.Asked::key)
+                            .toList();
+            assertEquals(keys.get(0), keys.get(1), "the same submission");
+            assertTrue(!keys.get(1).equals(keys.get(2)), "after its result, a new one");
+        }
+    }
+
+    @Test
+    void nothingIsSentWithoutAnAccount() {
+        try (var trial = new Trial(folder)) {
+            trial.model.submit();
+            assertEquals("noAccount", trial.state().notice().key());
+        }
+    }
+
+    @Test
+    void wrongAddressIsToldWithoutCalling() {
+        try (var trial = new Trial(folder)) {
+            trial.state();
+            trial.model.join("ftp://x", "CODE", "Ann");
+            assertEquals(Notice.of("server.address", "ftp://x"), trial.state().notice());
+        }
+    }
+
+    @Test
+    void accountThatCannotBeKeptStillServes() throws Exception {
+        Files.createDirectories(folder.resolve("grader.properties").resolve("in the way"));
+        try (var server = server();
+                var trial = joined(server, Duration.ofSeconds(20))) {
+            assertEquals("account.unsaved", trial.state().notice().key());
+            trial.model.submit();
+            assertEquals("wrong", trial.awaitEnd().outcome().orElseThrow().verdict());
+        }
+    }
+
+    private static void hold(CountDownLatch end) {
+        try {
+            end.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Sends the first event and nothing more. */
+    private static void begunOnly(HttpExchange exchange, CountDownLatch end) throws IOException {
+        exchange.getResponseHeaders().set("Content-Type", "text/event-stream");
+        exchange.sendResponseHeaders(200, 0);
+        exchange.getResponseBody().write(POSITION.getBytes(StandardCharsets.UTF_8));
+        exchange.getResponseBody().flush();
+        hold(end);
+        exchange.close();
+    }
+}

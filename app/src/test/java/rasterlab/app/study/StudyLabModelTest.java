@@ -1,0 +1,133 @@
+package rasterlab.app.study;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import rasterlab.app.language.Language;
+import rasterlab.engine.clip.segment.SegmentClipTopic;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.study.Measurement;
+import rasterlab.engine.study.Verdict;
+
+@Timeout(120)
+class StudyLabModelTest {
+    private final BlockingQueue<Runnable> events = new LinkedBlockingQueue<>();
+    private final BlockingQueue<Throwable> failures = new LinkedBlockingQueue<>();
+    private final StudyLabModel model =
+            new StudyLabModel(
+                    List.of(new LineTopic(), new SegmentClipTopic()), events::add, failures::add);
+
+    @AfterEach
+    void close() {
+        model.close();
+        assertEquals(List.of(), List.copyOf(failures));
+    }
+
+    private StudyLabState await(Predicate<StudyLabState> wanted) throws InterruptedException {
+        while (!wanted.test(model.state())) {
+            Runnable event = events.poll(60, TimeUnit.SECONDS);
+            if (event == null) throw new AssertionError("nothing happens: " + model.state());
+            event.run();
+        }
+        return model.state();
+    }
+
+    private StudyLabState awaitEnd() throws InterruptedException {
+        return await(state -> !state.work().running());
+    }
+
+    @Test
+    void measuresEveryMethodAndTellsHowFarItIs() throws Exception {
+        List<Integer> done = new ArrayList<>();
+        model.listen(state -> done.add(state.work().done()));
+        model.measure();
+        var study = awaitEnd().study().orElseThrow();
+        assertEquals("line", study.topic());
+        assertEquals(
+                new LineTopic().methods().size(),
+                study.measurements().stream().map(Measurement::method).distinct().count());
+        assertTrue(done.stream().anyMatch(one -> one > 0), done.toString());
+    }
+
+    @Test
+    void cancelledMeasurementKeepsTheOneBefore() throws Exception {
+        model.measure();
+        var study = awaitEnd().study();
+        model.takeTime(true);
+        model.measure();
+        model.cancel();
+        assertFalse(model.state().work().running());
+        assertEquals(study, model.state().study());
+        model.tryHazards();
+        assertFalse(awaitEnd().cells().isEmpty());
+        assertEquals(study, model.state().study());
+    }
+
+    @Test
+    void triesEveryHazardAndFindsWhatIsWrittenDown() throws Exception {
+        model.tryHazards();
+        await(state -> !state.cells().isEmpty());
+        var state = awaitEnd();
+        var topic = new LineTopic();
+        assertEquals(topic.hazards().size() * topic.methods().size(), state.cells().size());
+        assertTrue(state.cells().stream().allMatch(cell -> cell.asRecorded()));
+        var cell = state.cell("leftward", "naive-textbook").orElseThrow();
+        assertEquals(Verdict.Kind.WRONG, cell.verdict().kind());
+    }
+
+    @Test
+    void whatWasMeasuredOfATopicIsThereAgain() throws Exception {
+        model.measure();
+        var study = awaitEnd().study();
+        model.choose("clip-segment");
+        assertEquals(Optional.empty(), model.state().study());
+        assertEquals(List.of(), model.state().cells());
+        model.choose("line");
+        assertEquals(study, model.state().study());
+    }
+
+    @Test
+    void otherTopicGivesUpWhatIsMeasured() throws Exception {
+        model.measure();
+        model.choose("clip-segment");
+        assertFalse(model.state().work().running());
+        model.tryHazards();
+        var cells = awaitEnd().cells();
+        assertEquals(new SegmentClipTopic().hazards().get(0).name(), cells.get(0).hazard());
+        assertEquals(Optional.empty(), model.state().study());
+    }
+
+    @Test
+    void choosesAPairAndItsMethod() {
+        model.choose("leftward", "naive-textbook");
+        assertEquals("naive-textbook", model.state().method());
+        assertThrows(IllegalArgumentException.class, () -> model.choose("nowhere", "naive"));
+        assertThrows(IllegalArgumentException.class, () -> model.choose("leftward", "nobody"));
+        assertEquals("leftward", model.state().hazard());
+    }
+
+    @Test
+    void commandDoesWhatIsShown() {
+        assertEquals("./lab hazards line", StudyLabCommand.of(model.state(), Language.ENGLISH));
+        model.show(StudyView.CHART);
+        assertEquals(
+                "./lab study line --quick --out study-line.svg",
+                StudyLabCommand.of(model.state(), Language.ENGLISH));
+        model.takeTime(true);
+        assertEquals(
+                "./lab study line --lang ru --out study-line.svg",
+                StudyLabCommand.of(model.state(), Language.RUSSIAN));
+    }
+}

@@ -1,0 +1,201 @@
+package rasterlab.tests;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.event.KeyEvent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.assertj.swing.fixture.JOptionPaneFixture;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.engine.line.Segment;
+import rasterlab.tests.grading.GraderClient;
+import rasterlab.tests.grading.ServerProcess;
+import rasterlab.tests.grading.Solutions;
+
+/** The tab of exercises under a real display, by mouse and keyboard. */
+@Timeout(120)
+class WindowExercisesTest extends WindowHarness {
+    @BeforeEach
+    void showExercises() {
+        if (window != null) show("exercises");
+    }
+
+    private void type(String source) {
+        GuiActionRunner.execute(() -> models.exercises().type(source));
+        robot.waitForIdle();
+    }
+
+    private String source() {
+        return window.textBox("source").text();
+    }
+
+    private String verdict() {
+        return window.label("result.verdict").text();
+    }
+
+    private void awaitVerdict(String words) {
+        await("the verdict is " + words, () -> verdict().contains(words));
+        robot.waitForIdle();
+    }
+
+    private Path draft() {
+        return folder.resolve("drafts").resolve("line-bresenham.java");
+    }
+
+    private String drafted() {
+        try {
+            return Files.exists(draft()) ? Files.readString(draft()) : "";
+        } catch (java.io.IOException e) {
+            throw new java.io.UncheckedIOException(e);
+        }
+    }
+
+    @Test
+    void wrongSolutionIsShownItsCaseAndOpensItInTheTabOfLines() {
+        type(Solutions.source(Solutions.WRONG));
+        window.button("check").click();
+        awaitVerdict("wrong");
+        assertTrue(window.textBox("reason").text().contains("(4, 3)"));
+        window.comboBox("view").selectItem(4);
+        window.comboBox("view").selectItem(0);
+        window.button("open").click();
+        robot.waitForIdle();
+        assertEquals("line", frame.shownTab());
+        assertEquals(new Segment(4, 3, 4, 3), segment());
+    }
+
+    @Test
+    void eachCaseOfTheTableIsExplained() {
+        type(Solutions.source(Solutions.WRONG));
+        focus("source");
+        robot.pressKey(KeyEvent.VK_CONTROL);
+        press(KeyEvent.VK_ENTER);
+        robot.releaseKey(KeyEvent.VK_CONTROL);
+        awaitVerdict("wrong");
+        window.table("cases").selectRows(1);
+        robot.waitForIdle();
+        String first = window.textBox("reason").text();
+        press(KeyEvent.VK_UP);
+        assertTrue(!window.textBox("reason").text().equals(first), first);
+    }
+
+    @Test
+    void remarkLeadsToItsLine() {
+        type(Solutions.source(Solutions.FORBIDDEN));
+        window.button("check").click();
+        awaitVerdict("refused");
+        window.list("remarks").clickItem(0);
+        robot.waitForIdle();
+        var editor = window.textBox("source").target();
+        int caret = GuiActionRunner.execute(editor::getCaretPosition);
+        assertEquals(6, source().substring(0, caret).chars().filter(c -> c == '\n').count());
+        assertTrue(GuiActionRunner.execute(editor::isFocusOwner), "the editor has no keyboard");
+    }
+
+    @Test
+    void typedKeysAreKeptAsTheyAreTyped() {
+        focus("source");
+        press(KeyEvent.VK_X);
+        await("the draft is on the disk", () -> drafted().startsWith("x"));
+        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        GuiActionRunner.execute(() -> frame.wear(LabTheme.DARK));
+        robot.waitForIdle();
+        assertEquals("exercises", frame.shownTab());
+        assertTrue(source().startsWith("x"), source());
+    }
+
+    @Test
+    void starterComesBackAndCanBeUndone() {
+        String starter = source();
+        focus("source");
+        press(KeyEvent.VK_X);
+        window.button("starter").click();
+        robot.waitForIdle();
+        assertEquals(starter, source());
+        window.button("undo").click();
+        robot.waitForIdle();
+        assertEquals("x" + starter, source());
+        await("that is kept too", () -> drafted().equals("x" + starter));
+        window.button("redo").click();
+        robot.waitForIdle();
+        assertEquals(starter, source());
+    }
+
+    @Test
+    void typeGrowsAndShrinks() {
+        var editor = window.textBox("source").target();
+        int before = GuiActionRunner.execute(() -> editor.getFont().getSize());
+        window.button("larger").click();
+        window.button("larger").click();
+        window.button("smaller").click();
+        robot.waitForIdle();
+        assertEquals(before + 1, GuiActionRunner.execute(() -> editor.getFont().getSize()));
+    }
+
+    @Test
+    void cancelledCheckLeavesTheText() {
+        String endless = Solutions.source(Solutions.ENDLESS);
+        type(endless);
+        window.button("check").click();
+        await("it runs", () -> window.button("cancel").isEnabled());
+        focus("source");
+        press(KeyEvent.VK_ESCAPE);
+        await("it is given up", () -> window.button("check").isEnabled());
+        assertEquals(endless, source());
+        assertTrue(window.textBox("notice").text().contains("Given up"));
+    }
+
+    @Test
+    void serverThatIsDownIsToldAndNothingIsLost() {
+        type("class A {}");
+        join("http://127.0.0.1:1", "CODE");
+        await("it is told", () -> noticed("no answer"));
+        assertEquals("class A {}", source());
+    }
+
+    @Test
+    void submissionIsFollowedToItsResult() throws Exception {
+        try (var server = ServerProcess.start(folder.resolve("course"))) {
+            String code =
+                    GraderClient.of(server.address(), server.token())
+                            .post("/courses", "{\"name\":\"Computer graphics\"}")
+                            .path("code")
+                            .asText();
+            type(Solutions.source(Solutions.WRONG));
+            join(server.address().toString(), code);
+            await("joined", () -> noticed("Submissions now go to"));
+            window.button("submit").click();
+            awaitVerdict("wrong");
+            assertTrue(window.textBox("reason").text().contains("(4, 3)"));
+            assertTrue(window.button("open").isEnabled());
+        }
+    }
+
+    private void join(String address, String code) {
+        window.button("server").click();
+        JOptionPaneFixture form = window.optionPane();
+        form.textBox("join.address").setText(address);
+        form.textBox("join.code").setText(code);
+        form.textBox("join.name").setText("Ada");
+        form.buttonWithText("Join").click();
+    }
+
+    private boolean noticed(String words) {
+        return !window.robot()
+                .finder()
+                .findAll(
+                        frame,
+                        found ->
+                                "notice".equals(found.getName())
+                                        && found.isShowing()
+                                        && found instanceof javax.swing.JTextArea area
+                                        && area.getText().contains(words))
+                .isEmpty();
+    }
+}

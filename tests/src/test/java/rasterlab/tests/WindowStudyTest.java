@@ -1,0 +1,153 @@
+package rasterlab.tests;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.event.KeyEvent;
+import org.assertj.swing.core.MouseButton;
+import org.assertj.swing.data.TableCell;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.language.Language;
+import rasterlab.app.study.StudyLabState;
+import rasterlab.app.study.StudyView;
+
+/** The tab of speed and accuracy under a real display, by mouse and keyboard. */
+@Timeout(120)
+class WindowStudyTest extends WindowHarness {
+    @BeforeEach
+    void showStudy() {
+        if (window != null) show("study");
+    }
+
+    private StudyLabState state() {
+        return GuiActionRunner.execute(() -> models.study().state());
+    }
+
+    private void measureLines() {
+        window.button("measure").click();
+        await("measured", () -> state().study().isPresent());
+        int bresenham = MethodColours.of("bresenham").getRGB();
+        await("the chart is drawn", () -> colours("chart").contains(bresenham));
+    }
+
+    @Test
+    void measuresAndWalksFromPointToPoint() {
+        measureLines();
+        assertEquals(StudyView.CHART, state().view());
+        focus("chart");
+        press(KeyEvent.VK_RIGHT);
+        var cheapest = state().point().orElseThrow();
+        press(KeyEvent.VK_RIGHT);
+        var next = state().point().orElseThrow();
+        assertTrue(
+                cheapest.cost().medianNanos() <= next.cost().medianNanos(),
+                cheapest + " before " + next);
+        assertEquals(next.method(), state().method());
+        assertTrue(window.textBox("detail").text().contains(next.method()));
+        press(KeyEvent.VK_LEFT);
+        assertEquals(cheapest, state().point().orElseThrow());
+    }
+
+    @Test
+    void clickChoosesThePointThatIsThere() {
+        measureLines();
+        Component chart = window.robot().finder().findByName(frame, "chart");
+        for (int x = chart.getWidth() / 8; x < chart.getWidth() * 3 / 4; x += 12)
+            for (int y = chart.getHeight() * 3 / 4; y < chart.getHeight() * 9 / 10; y += 12) {
+                if (state().point().isPresent()) return;
+                robot.click(chart, new Point(x, y), MouseButton.LEFT_BUTTON, 1);
+            }
+        throw new AssertionError("no point in the band of exact results");
+    }
+
+    @Test
+    void cellOfTheTableIsExplainedAndOpensItsSceneInItsTab() {
+        window.table("hazards").selectCell(TableCell.row(0).column(1));
+        robot.waitForIdle();
+        var topic = state().topic();
+        assertEquals(topic.hazards().get(0).name(), state().hazard());
+        assertEquals(topic.methods().get(0).name(), state().method());
+        window.button("open").click();
+        robot.waitForIdle();
+        assertEquals("line", frame.shownTab());
+        var input = (rasterlab.engine.line.Segment) topic.hazards().get(0).input();
+        assertEquals(input, segment());
+    }
+
+    @Test
+    void enterOpensTheCellToo() {
+        window.comboBox("topic").selectItem("curve");
+        robot.waitForIdle();
+        window.table("hazards").selectCell(TableCell.row(1).column(2));
+        focus("hazards");
+        press(KeyEvent.VK_ENTER);
+        assertEquals("spline", frame.shownTab());
+    }
+
+    @Test
+    void topicWithoutATabShowsItsInput() {
+        window.comboBox("topic").selectItem("matrix");
+        robot.waitForIdle();
+        window.table("hazards").selectCell(TableCell.row(0).column(1));
+        robot.waitForIdle();
+        assertFalse(window.button("open").isEnabled());
+        assertTrue(window.textBox("input").text().length() > 10);
+    }
+
+    @Test
+    void triesHazardsAndMarksThem() {
+        window.button("tryHazards").click();
+        await(
+                "all are tried",
+                () -> {
+                    var topic = state().topic();
+                    return state().cells().size()
+                            == topic.hazards().size() * topic.methods().size();
+                });
+        assertEquals(StudyView.HAZARDS, state().view());
+        assertFalse(state().cells().stream().anyMatch(cell -> !cell.asRecorded()));
+    }
+
+    @Test
+    void cancelledMeasurementLeavesNothingHalfDone() {
+        window.comboBox("pace").selectItem(1);
+        window.button("measure").click();
+        window.button("cancel").click();
+        await("it is given up", () -> window.button("measure").isEnabled());
+        assertTrue(state().thorough());
+        assertTrue(state().study().isEmpty());
+        assertFalse(window.button("save").isEnabled());
+    }
+
+    @Test
+    void savesWhatWasMeasured() {
+        measureLines();
+        var file = folder.resolve("lines.csv");
+        window.button("save").click();
+        window.fileChooser().setCurrentDirectory(folder.toFile());
+        window.fileChooser().fileNameTextBox().setText(file.toString());
+        window.fileChooser().approve();
+        await("the file is there", () -> java.nio.file.Files.exists(file));
+    }
+
+    @Test
+    void languageKeepsTopicViewAndChoice() {
+        window.comboBox("topic").selectItem("clip-segment");
+        window.table("hazards").selectCell(TableCell.row(2).column(2));
+        robot.waitForIdle();
+        var before = state();
+        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        window.resizeTo(new Dimension(900, 600));
+        robot.waitForIdle();
+        assertEquals(before, state());
+        assertEquals("study", frame.shownTab());
+    }
+}
