@@ -104,7 +104,7 @@ class WindowExercisesTest extends WindowHarness {
         press(KeyEvent.VK_X);
         await("the draft is on the disk", () -> drafted().startsWith("x"));
         GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
-        GuiActionRunner.execute(() -> frame.wear(LabTheme.DARK));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(LabTheme.DARK)));
         robot.waitForIdle();
         assertEquals("exercises", frame.shownTab());
         assertTrue(source().startsWith("x"), source());

@@ -29,6 +29,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabFrame;
+import rasterlab.app.shell.LabLook;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSettings;
 import rasterlab.app.shell.LabTheme;
@@ -60,8 +61,7 @@ abstract class WindowHarness {
                             return new LabFrame(
                                     models,
                                     new LabSettings(
-                                            LabTheme.LIGHT,
-                                            Language.ENGLISH,
+                                            LabLook.first(Language.ENGLISH),
                                             "line",
                                             Optional.empty(),
                                             false),

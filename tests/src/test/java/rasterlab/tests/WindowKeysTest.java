@@ -23,7 +23,8 @@ class WindowKeysTest extends WindowHarness {
     private static final int FOCUS = StageColours.LIGHT.focus().getRGB();
 
     /** In the order of the window. */
-    private static final List<String> TABS = List.of("coordinates", "line", "polygon", "clip", "visibility");
+    private static final List<String> TABS =
+            List.of("coordinates", "line", "polygon", "clip", "visibility");
 
     /** Radians that an arrow key turns the vase about its axis, as in the coursework. */
     private static final double STEP = 0.03 * Math.PI;

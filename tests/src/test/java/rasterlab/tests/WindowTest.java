@@ -139,7 +139,16 @@ class WindowTest extends WindowHarness {
 
     @Test
     void everyControlCanBeNamedByAssistiveTechnology() {
-        for (String tab : List.of("coordinates", "line", "polygon", "clip", "visibility", "spline", "study", "exercises")) {
+        for (String tab :
+                List.of(
+                        "coordinates",
+                        "line",
+                        "polygon",
+                        "clip",
+                        "visibility",
+                        "spline",
+                        "study",
+                        "exercises")) {
             show(tab);
             List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
             assertEquals(List.of(), nameless, tab);
