@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.list.ListLabModel;
 import rasterlab.app.coordinates.stack.StackLabModel;
@@ -11,7 +12,7 @@ import rasterlab.app.coordinates.turn.TurnLabModel;
 import rasterlab.app.coordinates.view.ViewLabModel;
 
 /** All labs of coordinates, and which of them is shown. */
-public final class CoordinatesLabModel implements AutoCloseable {
+public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoCloseable {
     private final ViewLabModel views = new ViewLabModel();
     private final ListLabModel transformations = new ListLabModel();
     private final StackLabModel stack = new StackLabModel();
@@ -56,6 +57,21 @@ public final class CoordinatesLabModel implements AutoCloseable {
     public Runnable listen(Consumer<CoordinatesMode> listener) {
         listeners.add(listener);
         return () -> listeners.remove(listener);
+    }
+
+    @Override
+    public Class<CoordinatesMode> keptType() {
+        return CoordinatesMode.class;
+    }
+
+    @Override
+    public CoordinatesMode kept() {
+        return mode;
+    }
+
+    @Override
+    public void bringBack(CoordinatesMode choice) {
+        show(choice);
     }
 
     /** Ends the labs' threads. */

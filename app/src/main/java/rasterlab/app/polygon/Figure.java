@@ -1,8 +1,17 @@
 package rasterlab.app.polygon;
 
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import java.util.Map;
 
 /** What a mode shows before any method works on it; immutable. */
+@JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "figure")
+@JsonSubTypes({
+    @JsonSubTypes.Type(value = InsideFigure.class, name = "inside"),
+    @JsonSubTypes.Type(value = CutFigure.class, name = "cut"),
+    @JsonSubTypes.Type(value = FillFigure.class, name = "fill"),
+    @JsonSubTypes.Type(value = SeedFigure.class, name = "seed")
+})
 public sealed interface Figure permits InsideFigure, CutFigure, FillFigure, SeedFigure {
     /** What can be moved, by name and place. */
     Map<Grip, Place> grips();

@@ -7,6 +7,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.engine.study.Hazard;
@@ -19,7 +20,7 @@ import rasterlab.engine.study.Method;
  * executor it is given. Each change publishes a new immutable {@link PolygonLabState}, first with
  * the choice, then with what the methods made of it.
  */
-public final class PolygonLabModel implements Steps, AutoCloseable {
+public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCloseable {
     private final PolygonTopics topics;
     private final LatestOnly<PolygonScene, PolygonResults> works;
     private final History<PolygonChoice> history = new History<>();
@@ -60,7 +61,7 @@ public final class PolygonLabModel implements Steps, AutoCloseable {
         return topics.method(state.choice().mode(), state.choice().scene().method());
     }
 
-    List<? extends Hazard<?>> hazards(PolygonMode mode) {
+    public List<? extends Hazard<?>> hazards(PolygonMode mode) {
         return topics.hazards(mode);
     }
 
@@ -183,6 +184,28 @@ public final class PolygonLabModel implements Steps, AutoCloseable {
     public void reset() {
         PolygonScene first = PolygonScene.first(state.choice().mode());
         change(state.choice().with(first).withDifference(false), true);
+    }
+
+    @Override
+    public Class<PolygonChoice> keptType() {
+        return PolygonChoice.class;
+    }
+
+    @Override
+    public PolygonChoice kept() {
+        return state.choice();
+    }
+
+    @Override
+    public void bringBack(PolygonChoice choice) {
+        for (PolygonMode mode : PolygonMode.values()) {
+            PolygonScene scene = choice.scenes().get(mode);
+            if (scene == null || scene.mode() != mode)
+                throw new IllegalArgumentException("no scene for " + mode);
+            topics.method(mode, scene.method());
+            if (!scene.comparison().isEmpty()) topics.method(mode, scene.comparison());
+        }
+        work(choice, state.arrangement() + 1);
     }
 
     /** Waits until every choice so far is worked on or dropped. Any other thread. */

@@ -53,7 +53,13 @@ public record LabModels(
     /** What opens as it was left, by the name under which it is kept. */
     Map<String, Kept<?>> kept() {
         var kept = new LinkedHashMap<String, Kept<?>>();
+        kept.put("coordinates", coordinates);
+        kept.put("coordinates.views", coordinates.views());
+        kept.put("coordinates.transformations", coordinates.transformations());
+        kept.put("coordinates.stack", coordinates.stack());
+        kept.put("coordinates.rotation", coordinates.rotation());
         kept.put("line", line);
+        kept.put("polygon", polygon);
         kept.put("clip", clip);
         kept.put("visibility", visibility);
         kept.put("spline", spline);

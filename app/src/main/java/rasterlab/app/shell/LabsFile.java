@@ -75,7 +75,8 @@ public final class LabsFile {
         if (kept.isMissingNode()) return;
         try {
             lab.bringBack(JSON.treeToValue(kept, lab.keptType()));
-        } catch (JsonProcessingException | IllegalArgumentException e) {
+        } catch (JsonProcessingException | RuntimeException e) {
+            // A file that was changed by hand can miss more than a lab's own checks look at.
             problem.accept(
                     "cannot use what the lab '" + name + "' showed, in " + file + ": " + reason(e));
         }

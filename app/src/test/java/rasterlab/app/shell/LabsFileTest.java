@@ -18,6 +18,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.clip.ClipMode;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.SplineMode;
 import rasterlab.contract.SplineEnds;
@@ -50,6 +52,14 @@ class LabsFileTest {
                                     .forEach(
                                             each -> {
                                                 models.clip().show(mode, each.name());
+                                                assertKept(models);
+                                            });
+                        for (PolygonMode mode : PolygonMode.values())
+                            models.polygon()
+                                    .hazards(mode)
+                                    .forEach(
+                                            each -> {
+                                                models.polygon().show(mode, each.name());
                                                 assertKept(models);
                                             });
                         models.spline()
@@ -114,6 +124,12 @@ class LabsFileTest {
     }
 
     private static void changeAll(LabModels models) {
+        models.coordinates().show(CoordinatesMode.ROTATION);
+        models.coordinates().views().turnBy(10, 5);
+        models.coordinates().transformations().turnBy(10, 5);
+        models.coordinates().stack().clear();
+        models.coordinates().rotation().turnBy(7);
+        models.polygon().show(PolygonMode.TRIANGLE, "past-2-15");
         models.line().show(new Segment(-7, 3, 2_000_000_000, 4));
         models.line().chooseMethod("dda");
         models.clip().chooseMode(ClipMode.VOLUME);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.Kept;
 
 /**
  * A choice that can be changed, undone and taken back to how it was first; listeners are told each
@@ -11,7 +12,7 @@ import rasterlab.app.canvas.History;
  *
  * @param <C> an immutable choice with {@code equals}
  */
-public abstract class ChoiceModel<C> {
+public abstract class ChoiceModel<C> implements Kept<C> {
     private final C first;
     private final History<C> history = new History<>();
     private final List<Consumer<C>> listeners = new ArrayList<>();
@@ -77,6 +78,29 @@ public abstract class ChoiceModel<C> {
     /** Back to how the lab opens; can be undone. */
     public final void reset() {
         rearrange(first);
+    }
+
+    @Override
+    @SuppressWarnings("unchecked")
+    public final Class<C> keptType() {
+        return (Class<C>) first.getClass();
+    }
+
+    @Override
+    public final C kept() {
+        return choice;
+    }
+
+    @Override
+    public final void bringBack(C kept) {
+        C before = choice;
+        try {
+            arrangement++;
+            show(kept);
+        } catch (RuntimeException e) {
+            show(before);
+            throw e;
+        }
     }
 
     private void show(C next) {
