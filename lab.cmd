@@ -80,11 +80,9 @@ if "%~1"=="grader" (
 )
 set "native="
 if %major% GEQ 24 set "native=--enable-native-access=ALL-UNNAMED"
-rem Who draws many pictures gets the Vector API, of which Java warns; a command that draws one is faster without.
+rem Only what draws many pictures gains by the Vector API: the first ones are slower, and Java warns of it.
 set "vector="
-if "%module%"=="tests" set "vector=--add-modules=jdk.incubator.vector"
-if "%~1"=="" set "vector=--add-modules=jdk.incubator.vector"
-if %major% GTR 25 set "vector="
+if "%module%"=="tests" if %major% LEQ 25 set "vector=--add-modules=jdk.incubator.vector"
 "%java%" %native% %vector% -Dfile.encoding=UTF-8 "-Drasterlab.home=%root%" -cp "%root%\%module%\target\classes;%root%\%module%\target\lib\*" %main% %arguments%
 exit /b %errorlevel%
 

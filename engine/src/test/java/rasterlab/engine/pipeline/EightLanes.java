@@ -1,6 +1,6 @@
 package rasterlab.engine.pipeline;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import rasterlab.engine.lanes.Lanes;
@@ -18,15 +18,19 @@ public final class EightLanes {
     /** Fails at the first pixel whose colour or depth differs by a bit. */
     public static void assertSame(DepthRaster one, DepthRaster eight, String what) {
         for (int i = 0; i < one.depth().length; i++) {
-            String place = "%s: pixel (%d, %d)".formatted(what, i % one.width(), i / one.width());
-            assertEquals(
-                    Integer.toHexString(one.raster().argb()[i]),
-                    Integer.toHexString(eight.raster().argb()[i]),
-                    place);
-            assertEquals(
-                    Float.floatToRawIntBits(one.depth()[i]),
-                    Float.floatToRawIntBits(eight.depth()[i]),
-                    place + ", depth");
+            if (one.raster().argb()[i] == eight.raster().argb()[i]
+                    && Float.floatToRawIntBits(one.depth()[i])
+                            == Float.floatToRawIntBits(eight.depth()[i])) continue;
+            fail(
+                    "%s: pixel (%d, %d): expected %08x at depth %s, got %08x at depth %s"
+                            .formatted(
+                                    what,
+                                    i % one.width(),
+                                    i / one.width(),
+                                    one.raster().argb()[i],
+                                    one.depth()[i],
+                                    eight.raster().argb()[i],
+                                    eight.depth()[i]));
         }
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.triangle;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -7,6 +8,7 @@ import java.util.Random;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.EightLanes;
@@ -83,6 +85,20 @@ class EightLanesTest {
         }
         return PixelSpace.mesh(corners, depth, triangles)
                 .withColors(color[0], color[1], color[2], color[3]);
+    }
+
+    /** What is written back there may be stale: the next band is another thread's. */
+    @ParameterizedTest(name = "the band from row {0} reaches into row {1}")
+    @CsvSource({"0, 32", "32, 64", "64, 70"})
+    void stayInTheirBand(int top, int end) {
+        var out = new DepthRaster(5, 70);
+        var vertices = new ScreenVertices();
+        vertices.ensure(3, 0);
+        vertices.x[1] = 4 * Subpixels.ONE;
+        vertices.y[2] = 80 * Subpixels.ONE;
+        var scan = new TriangleScan();
+        scan.load(vertices, 0, 1, 2, out, top);
+        assertEquals(end * 5, scan.end);
     }
 
     @Test
