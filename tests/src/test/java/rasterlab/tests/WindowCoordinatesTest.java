@@ -78,7 +78,8 @@ class WindowCoordinatesTest extends WindowHarness {
         double before = view().numbers().get(ViewNumber.ANGLE_Y);
         press(KeyEvent.VK_RIGHT);
         assertTrue(view().numbers().get(ViewNumber.ANGLE_Y) > before);
-        assertTrue(colours("vertex").contains(StageColours.LIGHT.focus().getRGB()), "no focus");
+        assertTrue(
+                colours("handle.vertex").contains(StageColours.LIGHT.focus().getRGB()), "no focus");
         press(KeyEvent.VK_HOME);
         assertEquals(0, labs().views().step());
         press(KeyEvent.VK_PAGE_DOWN);
@@ -88,7 +89,7 @@ class WindowCoordinatesTest extends WindowHarness {
     @Test
     void draggedVertexTurnsTheHouseAndUndoBringsItBack() {
         ViewChoice before = view();
-        drag("vertex", 60, 20);
+        drag("handle.vertex", 60, 20);
         assertNotEquals(before, view());
         window.button("undo").click();
         robot.waitForIdle();
@@ -116,13 +117,13 @@ class WindowCoordinatesTest extends WindowHarness {
         robot.waitForIdle();
         assertNotEquals(30, view().numbers().get(ViewNumber.THETA));
         assertEquals(55, view().numbers().get(ViewNumber.PHI));
-        assertFalse(named("d").isEnabled(), "d is ρ");
+        window.slider("d").requireDisabled();
         window.comboBox("stereo").selectItem(Stereoscopy.ANAGLYPH.ordinal());
         await("two eyes", () -> colours("stage").contains(0xFFE02020));
         window.slider("separation").slideTo(100);
         window.checkBox("stable").click();
         robot.waitForIdle();
-        assertTrue(named("d").isEnabled(), "d is free");
+        window.slider("d").requireEnabled();
         await("one eye", () -> !colours("stage").contains(0xFFE02020));
         window.comboBox("stereo").requireDisabled();
         window.checkBox("vanishing").click();
@@ -145,8 +146,8 @@ class WindowCoordinatesTest extends WindowHarness {
         robot.waitForIdle();
         assertTrue(view().numbers().get(ViewNumber.WIDTH) < 400);
         int light = StageColours.LIGHT.focus().getRGB();
-        focus("vertex");
-        assertTrue(colours("vertex").contains(light), "no focus");
+        focus("handle.vertex");
+        assertTrue(colours("handle.vertex").contains(light), "no focus");
     }
 
     @Test
@@ -237,7 +238,7 @@ class WindowCoordinatesTest extends WindowHarness {
         assertEquals(12.5, choice.degrees());
         assertTrue(choice.times() > 7);
         assertEquals(5, choice.x());
-        focus("point");
+        focus("handle.point");
         press(KeyEvent.VK_UP);
         assertTrue(labs().rotation().choice().y() > 3);
         window.button("chip.half-turn").click();

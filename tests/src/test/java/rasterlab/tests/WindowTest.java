@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabSettings;
 import rasterlab.app.shell.LabTheme;
@@ -152,6 +153,13 @@ class WindowTest extends WindowHarness {
             show(tab);
             List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
             assertEquals(List.of(), nameless, tab);
+        }
+        for (CoordinatesMode mode : CoordinatesMode.values()) {
+            show("coordinates");
+            GuiActionRunner.execute(() -> models.coordinates().show(mode));
+            robot.waitForIdle();
+            List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
+            assertEquals(List.of(), nameless, mode.name());
         }
     }
 

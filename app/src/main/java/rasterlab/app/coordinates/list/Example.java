@@ -30,6 +30,11 @@ public enum Example {
     QUARTER_TURN(Subject.TRIANGLE, ListItem.of("ROT2D", 90)),
     /** Two reflections are a turn. */
     TWO_REFLECTIONS(Subject.SQUARE, ListItem.of("REFL2DX"), ListItem.of("REFL2DY")),
+    /** [0 1; 2 3] · [1 2; 3 1] = [3 1; 11 7]: the list reads p · M2 · M1. */
+    PRODUCT(
+            Subject.SQUARE,
+            ListItem.of(ListItem.FREE, 1, 2, 0, 3, 1, 0, 0, 0, 1),
+            ListItem.of(ListItem.FREE, 0, 1, 0, 2, 3, 0, 0, 0, 1)),
     SHEAR(Subject.SQUARE, ListItem.of("SHEAR2D", 0, 0.8)),
     /** p ≠ 0: the square's parallel sides meet. */
     PROJECTIVE(Subject.SQUARE, ListItem.of(ListItem.FREE, 2, 0, 0.4, 0, 2, 0, 0, 0, 1)),

@@ -20,33 +20,31 @@ final class TurnStage extends JPanel implements AutoCloseable {
 
     private static final int GAP = 8;
 
+    /** The chart's width where there is little of it. */
+    private static final int CHART = 440;
+
     private final transient TurnLabModel model;
     private final transient Texts texts;
     private final PlaneView way;
-    private final PlaneView chart;
+    private final DriftChart chart;
 
     TurnStage(TurnLabModel model, Texts texts, Consumer<Throwable> onFailure) {
         super(null);
         this.model = model;
         this.texts = texts;
         setOpaque(false);
-        way = view(PlaneAxes.GEOMETRY, "stage", onFailure);
-        chart = view(PlaneAxes.GRAPH, "stage.chart", onFailure);
-        refresh();
-    }
-
-    private PlaneView view(PlaneAxes axes, String name, Consumer<Throwable> onFailure) {
-        var view =
+        way =
                 new PlaneView(
-                        axes,
+                        PlaneAxes.GEOMETRY,
                         Texts.of("canvas", texts.language()),
-                        texts.text(name),
+                        texts.text("stage"),
                         new Edits(),
                         model::settle,
                         onFailure);
-        view.setName(name);
-        add(view);
-        return view;
+        chart = new DriftChart(texts);
+        add(way);
+        add(chart);
+        refresh();
     }
 
     /** Beside each other, or one above the other in a high stage. */
@@ -55,9 +53,9 @@ final class TurnStage extends JPanel implements AutoCloseable {
         int width = getWidth();
         int height = getHeight();
         if (width >= height) {
-            int half = (width - GAP) / 2;
-            way.setBounds(0, 0, half, height);
-            chart.setBounds(width - half, 0, half, height);
+            int most = Math.max(width / 2, Math.min(width * 3 / 5, CHART));
+            way.setBounds(0, 0, width - most - GAP, height);
+            chart.setBounds(width - most, 0, most, height);
         } else {
             int half = (height - GAP) / 2;
             way.setBounds(0, 0, width, half);
@@ -80,15 +78,12 @@ final class TurnStage extends JPanel implements AutoCloseable {
 
     void refresh() {
         TurnScene scene = model.scene();
-        Figure figure = TurnFigures.way(scene, model.step());
+        Figure figure = TurnFigure.of(scene, model.step());
         Rectangle2D everything = Box.around(figure.marks());
         int begun = scene.exact() == null ? 0 : 1;
         way.show(
                 figure, List.of(point()), note(scene), everything, 2 * model.arrangement() + begun);
-        Figure drift =
-                TurnFigures.chart(scene, texts.text("chart.turns"), texts.text("chart.error"));
-        var box = new Rectangle2D.Double(0, TurnFigures.LOWEST - 0.4, 8, 18.8);
-        chart.show(drift, List.of(), model.busy() ? texts.text("busy") : "", box, 0);
+        chart.show(scene, model.busy());
     }
 
     private String note(TurnScene scene) {
@@ -101,7 +96,7 @@ final class TurnStage extends JPanel implements AutoCloseable {
     private PlanePoint point() {
         TurnChoice choice = model.choice();
         return new PlanePoint(
-                "point",
+                "handle.point",
                 choice.x(),
                 choice.y(),
                 PlanePoint.Form.CIRCLE,
@@ -109,11 +104,10 @@ final class TurnStage extends JPanel implements AutoCloseable {
                 texts.text("point.said", Shown.point(choice.x(), choice.y(), texts.locale())));
     }
 
-    /** Ends the threads that paint. */
+    /** Ends the thread that paints. */
     @Override
     public void close() {
         way.close();
-        chart.close();
     }
 
     private final class Edits implements PlaneEdits {

@@ -35,6 +35,7 @@ final class ViewInspector {
     private final JLabel stage;
     private final JLabel frame;
     private final JLabel gamma;
+    private final JLabel operations;
     private final JLabel fit;
     private final JLabel error;
     private final FormulaView formulas = new FormulaView("formulas");
@@ -81,6 +82,7 @@ final class ViewInspector {
         family = column.value("family");
         frame = column.value("frame");
         gamma = column.value("gamma");
+        operations = column.value("operations");
         fit = column.value("fit");
         error = column.value("error");
 
@@ -151,6 +153,8 @@ final class ViewInspector {
         frame.setText(readings.frame());
         column.showRow(gamma, model.choice().kind().spherical());
         gamma.setText(readings.gamma());
+        column.showRow(operations, model.choice().kind().spherical());
+        operations.setText(readings.operations());
         boolean screen = model.stage().space() == ViewStage.Space.SCREEN;
         column.showRow(fit, screen && model.choice().kind() != ViewKind.LOOK_AT);
         fit.setText(readings.fit());

@@ -12,6 +12,8 @@ import rasterlab.app.language.Texts;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.matrix.MatrixCall;
+import rasterlab.engine.transform.view.Look;
+import rasterlab.engine.transform.view.ViewTopic;
 
 /** The state of the lab in words, numbers and formulas of one language. */
 final class ViewReadings {
@@ -57,6 +59,19 @@ final class ViewReadings {
                                         number(depth.nearest()),
                                         number(depth.half())))
                 .orElse(texts.text("gamma.none"));
+    }
+
+    /** Multiplications and additions for one point, as one matrix and taken apart. */
+    String operations() {
+        var topic = new ViewTopic();
+        var look = new Look(30, 70, 400, new double[] {1, 2, 3});
+        var counts = new ArrayList<Object>();
+        for (var method : topic.methods()) {
+            var counted = topic.operations(method.implementation(), look);
+            counts.add(counted.get("multiplications"));
+            counts.add(counted.get("additions"));
+        }
+        return texts.text("operations.value", counts.toArray());
     }
 
     String fit() {

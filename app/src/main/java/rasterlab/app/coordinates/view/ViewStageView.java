@@ -88,7 +88,7 @@ final class ViewStageView extends JPanel implements AutoCloseable {
                         "vertex.said",
                         model.choice().vertex(),
                         Shown.point(at.x(), at.y(), texts.locale()));
-        return new PlanePoint("vertex", at.x(), at.y(), PlanePoint.Form.CIRCLE, "", said);
+        return new PlanePoint("handle.vertex", at.x(), at.y(), PlanePoint.Form.CIRCLE, "", said);
     }
 
     private String note() {

@@ -56,6 +56,15 @@ class ListLabModelTest {
     }
 
     @Test
+    @DisplayName("factors are exchanged")
+    void multipliesTheCoursesMatrices() {
+        model.show(Example.PRODUCT);
+        double[] corners = images(model.last());
+        assertArrayEquals(
+                new double[] {0, 0, 3, 1, 14, 8, 11, 7}, Arrays.copyOf(corners, 8), 1e-12);
+    }
+
+    @Test
     @DisplayName("a row and a column of a typed matrix are exchanged")
     void multipliesRowsByATypedMatrix() {
         model.show(Example.PROJECTIVE);

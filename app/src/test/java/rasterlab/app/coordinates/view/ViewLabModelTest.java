@@ -16,6 +16,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.coordinates.figure.Ink;
 import rasterlab.app.coordinates.figure.Mark;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.engine.scene.HouseStages;
 import rasterlab.engine.transform.PictureFit;
 
@@ -166,6 +168,14 @@ class ViewLabModelTest {
         var near = model.scene().depth().orElseThrow();
         assertTrue(near.nearest() < 2 * near.half(), near.toString());
         assertTrue(near.gamma() > 2, near.gamma() + "");
+    }
+
+    @Test
+    @DisplayName("the two ways to the eye are counted otherwise than on the command line")
+    void tellsWhatAViewCosts() {
+        model.choose(ViewKind.SPHERICAL_LEFT);
+        var readings = new ViewReadings(model, Texts.of("coordinates.view", Language.ENGLISH));
+        assertEquals("matrix 12×, 6+; apart 8×, 5+", readings.operations());
     }
 
     @ParameterizedTest(name = "opens with a picture that is not finite: {0}")

@@ -1,0 +1,177 @@
+package rasterlab.app.coordinates.turn;
+
+import java.awt.BasicStroke;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import javax.accessibility.AccessibleRole;
+import javax.swing.BorderFactory;
+import javax.swing.UIManager;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.SelfDrawn;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Texts;
+
+/** Each method's error over the number of turns, both in powers of ten. */
+final class DriftChart extends SelfDrawn {
+    private static final long serialVersionUID = 1L;
+
+    /** The decades of the error: what is below is drawn at the lower edge. */
+    private static final int LOWEST = -17;
+
+    private static final int HIGHEST = 1;
+    private static final int DECADES = (int) Math.round(Math.log10(TurnScene.CHARTED));
+    private static final int LEFT = 58;
+    private static final int TOP = 40;
+    private static final int BOTTOM = 52;
+    private static final int LEAD = 18;
+    private static final double DOT = 3;
+
+    private final transient Texts texts;
+    private transient List<TurnScene.Drift> drifts = List.of();
+    private String chosen = "";
+    private boolean busy;
+
+    DriftChart(Texts texts) {
+        super(AccessibleRole.CANVAS);
+        this.texts = texts;
+        setName("stage.chart");
+        getAccessibleContext().setAccessibleName(texts.text("stage.chart"));
+        setBorder(BorderFactory.createLineBorder(UIManager.getColor("Component.borderColor")));
+    }
+
+    /**
+     * @param turning whether newer drifts are on their way
+     */
+    void show(TurnScene scene, boolean turning) {
+        drifts = scene.drifts().stream().filter(each -> !each.refused()).toList();
+        chosen = scene.choice().method();
+        busy = turning;
+        repaint();
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(360, 360);
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        var g = (Graphics2D) graphics.create();
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(
+                RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        g.setFont(UIManager.getFont("Label.font"));
+        StageColours colours = StageColours.now();
+        g.setColor(colours.ground());
+        g.fillRect(0, 0, getWidth(), getHeight());
+        paintGrid(g, colours);
+        drifts.forEach(each -> paintCurve(g, each));
+        paintNames(g, colours);
+        g.dispose();
+    }
+
+    /** Room for the longest of the methods' names. */
+    private int right() {
+        FontMetrics metrics = getFontMetrics(UIManager.getFont("Label.font").deriveFont(Font.BOLD));
+        return LEAD
+                + 12
+                + drifts.stream()
+                        .mapToInt(each -> metrics.stringWidth(each.method()))
+                        .max()
+                        .orElse(0);
+    }
+
+    private double x(double decade) {
+        return LEFT + (getWidth() - LEFT - right()) * decade / DECADES;
+    }
+
+    private double y(double decade) {
+        return TOP + (getHeight() - TOP - BOTTOM) * (HIGHEST - decade) / (HIGHEST - LOWEST);
+    }
+
+    private void paintGrid(Graphics2D g, StageColours colours) {
+        for (int decade = LOWEST + 1; decade <= HIGHEST; decade += 2) {
+            g.setColor(colours.grid());
+            g.draw(new Line2D.Double(x(0), y(decade), x(DECADES), y(decade)));
+            g.setColor(colours.ink());
+            String said = power(decade);
+            float left = (float) (x(0) - 10 - g.getFontMetrics().stringWidth(said));
+            g.drawString(said, left, (float) y(decade) + 4);
+        }
+        for (int decade = 0; decade <= DECADES; decade++) {
+            g.setColor(colours.grid());
+            g.draw(new Line2D.Double(x(decade), y(LOWEST), x(decade), y(HIGHEST)));
+            g.setColor(colours.ink());
+            if (x(1) - x(0) >= 30 || decade % 2 == 0)
+                centred(g, power(decade), x(decade), y(LOWEST) + 18);
+        }
+        g.setColor(colours.ink());
+        centred(g, texts.text("chart.turns"), (x(0) + x(DECADES)) / 2, getHeight() - 12.0);
+        g.setFont(g.getFont().deriveFont(Font.BOLD));
+        g.drawString(texts.text(busy ? "busy" : "chart.error"), 14, 24);
+        g.setFont(g.getFont().deriveFont(Font.PLAIN));
+    }
+
+    private static void centred(Graphics2D g, String said, double x, double y) {
+        g.drawString(said, (float) (x - g.getFontMetrics().stringWidth(said) / 2.0), (float) y);
+    }
+
+    private void paintCurve(Graphics2D g, TurnScene.Drift drift) {
+        g.setColor(MethodColours.of(drift.method()));
+        g.setStroke(new BasicStroke(drift.method().equals(chosen) ? 3.2f : 1.8f));
+        double beforeX = Double.NaN;
+        double beforeY = Double.NaN;
+        for (TurnScene.Sample sample : drift.samples()) {
+            double x = x(Math.log10(sample.times()));
+            double y = y(decade(sample.error()));
+            if (!Double.isNaN(beforeX)) g.draw(new Line2D.Double(beforeX, beforeY, x, y));
+            g.fill(new Ellipse2D.Double(x - DOT, y - DOT, 2 * DOT, 2 * DOT));
+            beforeX = x;
+            beforeY = y;
+        }
+    }
+
+    private static double decade(double error) {
+        return error > 0 ? Math.max(LOWEST, Math.min(HIGHEST, Math.log10(error))) : LOWEST;
+    }
+
+    private double end(TurnScene.Drift drift) {
+        return y(decade(drift.samples().get(drift.samples().size() - 1).error()));
+    }
+
+    /** Beside the curves' ends, from below, none over another. */
+    private void paintNames(Graphics2D g, StageColours colours) {
+        var sorted = new ArrayList<>(drifts);
+        sorted.sort(Comparator.comparingDouble(this::end).reversed());
+        double apart = g.getFontMetrics().getHeight();
+        double lowest = Double.POSITIVE_INFINITY;
+        for (TurnScene.Drift each : sorted) {
+            double y = Math.min(end(each), lowest);
+            lowest = y - apart;
+            g.setColor(MethodColours.of(each.method()));
+            g.setStroke(new BasicStroke(1.4f));
+            g.draw(new Line2D.Double(x(DECADES), end(each), x(DECADES) + LEAD, y));
+            g.setColor(colours.ink());
+            boolean own = each.method().equals(chosen);
+            g.setFont(g.getFont().deriveFont(own ? Font.BOLD : Font.PLAIN));
+            g.drawString(each.method(), (float) x(DECADES) + LEAD + 5, (float) y + 4);
+        }
+    }
+
+    private static String power(int decade) {
+        var raised = new StringBuilder("10");
+        for (char each : String.valueOf(decade).toCharArray())
+            raised.append(each == '-' ? '⁻' : "⁰¹²³⁴⁵⁶⁷⁸⁹".charAt(each - '0'));
+        return raised.toString();
+    }
+}

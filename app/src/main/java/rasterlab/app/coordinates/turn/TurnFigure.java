@@ -1,0 +1,60 @@
+package rasterlab.app.coordinates.turn;
+
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.app.coordinates.figure.Figure;
+import rasterlab.app.coordinates.figure.Ink;
+import rasterlab.app.coordinates.figure.Mark;
+import rasterlab.app.coordinates.figure.Spot;
+
+/** The way round. */
+final class TurnFigure {
+    /** So much error over the radius is seen. */
+    private static final double SEEN = 0.005;
+
+    /** Up to so many earlier places are drawn as dots. */
+    private static final int DOTS = 80;
+
+    private TurnFigure() {}
+
+    static Figure of(TurnScene scene, int step) {
+        var marks = new ArrayList<Mark>();
+        if (scene.exact() == null) return new Figure(marks, true);
+        marks.add(new Mark.Path(scene.circle(), Ink.HELP));
+        var origin = new Spot(0, 0);
+        Ink own = Ink.method(scene.choice().method());
+        List<TurnScene.Step> done = scene.steps().subList(0, Math.min(step, scene.steps().size()));
+        Spot start = new Spot(scene.choice().x(), scene.choice().y());
+        marks.add(new Mark.Line(origin, start, Ink.GHOST));
+        if (done.size() <= DOTS) {
+            var path = new ArrayList<Spot>();
+            path.add(start);
+            done.forEach(each -> path.add(each.at()));
+            marks.add(new Mark.Path(path, Ink.GHOST));
+            for (TurnScene.Step each : done) marks.add(new Mark.Dot(each.at(), own, ""));
+        } else {
+            for (TurnScene.Step each : done) marks.add(new Mark.Dot(each.at(), own, ""));
+        }
+        if (step < scene.steps().size() || scene.steps().isEmpty()) {
+            if (!done.isEmpty())
+                marks.add(new Mark.Line(origin, done.get(done.size() - 1).at(), own));
+            return new Figure(marks, true);
+        }
+        ends(scene, marks);
+        return new Figure(marks, true);
+    }
+
+    /** Where the point ends, and where it belongs; other methods where that is seen. */
+    private static void ends(TurnScene scene, List<Mark> marks) {
+        for (TurnScene.Drift each : scene.drifts()) {
+            boolean own = each.method().equals(scene.choice().method());
+            if (each.refused() || !own && !(each.error() > SEEN)) continue;
+            Ink ink = Ink.method(each.method());
+            marks.add(new Mark.Line(new Spot(0, 0), each.end(), ink));
+            marks.add(
+                    new Mark.Dot(
+                            each.end(), ink, own && each.error() <= SEEN ? "" : each.method()));
+        }
+        marks.add(new Mark.Cross(scene.exact(), Ink.OBJECT, ""));
+    }
+}
