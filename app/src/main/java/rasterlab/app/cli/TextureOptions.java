@@ -41,7 +41,8 @@ final class TextureOptions {
      * @throws IllegalArgumentException if it has none, or no place for one
      */
     Scene laid(Scene scene) {
-        Scene changed = image == null ? scene : TextureChange.covered(scene, PictureFile.texture(image));
+        Scene changed =
+                image == null ? scene : TextureChange.covered(scene, PictureFile.texture(image));
         if (wrap == null && environment == null) return changed;
         if (changed.finishes().stream().allMatch(finish -> finish.texture().isEmpty()))
             throw new IllegalArgumentException(

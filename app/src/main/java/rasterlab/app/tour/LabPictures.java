@@ -24,6 +24,12 @@ final class LabPictures implements TourPart {
                     new Shot("line", "line", LabPictures::showWhatFails),
                     new Shot("clip", "clip", models -> {}),
                     new Shot("visibility", "visibility", models -> {}),
+                    new Shot(
+                            "order",
+                            "visibility",
+                            models ->
+                                    models.visibility()
+                                            .compare("cyclic-overlap", "painter", "newell")),
                     new Shot("spline", "spline", models -> {}),
                     new Shot(
                             "function",

@@ -1,12 +1,15 @@
 package rasterlab.app.visibility;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.engine.pipeline.FaceDrawing;
 import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.visibility.PiecesWalk;
 import rasterlab.engine.visibility.SteppedVisibility;
 import rasterlab.engine.visibility.ViewedMesh;
 import rasterlab.engine.visibility.VisibilityStep;
@@ -18,15 +21,23 @@ import rasterlab.engine.visibility.VisibilityWork;
  *
  * @param view the faces as the eye saw them
  * @param steps in their order, the first {@value #MOST} of them
+ * @param pieces what a step drew where that was only a piece of a face, by the step's place in the
+ *     list: x and y of its corners, in pixels
  * @param work of the whole picture
  * @param decision what the steps' values are
  */
-record Drawn(ViewedMesh view, List<VisibilityStep> steps, VisibilityWork work, String decision) {
+record Drawn(
+        ViewedMesh view,
+        List<VisibilityStep> steps,
+        Map<Integer, double[]> pieces,
+        VisibilityWork work,
+        String decision) {
     /** More steps than anyone goes through. */
     static final int MOST = 200_000;
 
     Drawn {
         steps = List.copyOf(steps);
+        pieces = Map.copyOf(pieces);
     }
 
     /** Empty for methods without steps, and where the method refuses the scene. */
@@ -43,12 +54,16 @@ record Drawn(ViewedMesh view, List<VisibilityStep> steps, VisibilityWork work, S
     private static Drawn of(FaceDrawing drawing, BooleanSupplier cancelled) {
         VisibilityWalk walk = drawing.walk(drawing.blank());
         var steps = new ArrayList<VisibilityStep>();
+        var pieces = new HashMap<Integer, double[]>();
         while (walk.advance()) {
             check(cancelled);
-            if (steps.size() < MOST) steps.add(walk.step());
+            if (steps.size() == MOST) continue;
+            if (walk instanceof PiecesWalk cutting)
+                cutting.piece().ifPresent(piece -> pieces.put(steps.size(), piece));
+            steps.add(walk.step());
         }
         String decision = ((SteppedVisibility) drawing.method()).decision();
-        return new Drawn(drawing.view(), steps, walk.work(), decision);
+        return new Drawn(drawing.view(), steps, pieces, walk.work(), decision);
     }
 
     static void check(BooleanSupplier cancelled) {
@@ -58,6 +73,11 @@ record Drawn(ViewedMesh view, List<VisibilityStep> steps, VisibilityWork work, S
     /** How many of the first steps cut something. */
     long cuts(int first) {
         return steps.stream().limit(first).filter(Drawn::isCut).count();
+    }
+
+    /** Whether the method cuts while it goes, not before it begins. */
+    boolean cutsOnTheWay() {
+        return steps.stream().anyMatch(Drawn::isCut);
     }
 
     static boolean isCut(VisibilityStep step) {

@@ -22,8 +22,10 @@ enum HazardView {
     CYCLIC("cyclic-overlap", "painter"),
     /** Bodies that pierce each other. */
     PIERCING("interpenetrating", "painter"),
-    /** Sheets in one plane: rounding decides pixel by pixel. */
-    COPLANAR("coplanar", "z16");
+    /** Sheets in one plane: what is seen depends on their order alone. */
+    COPLANAR("coplanar", "painter"),
+    /** Sixteen bits are too few for depths from the near plane on. */
+    COARSE("near-plane", "z16");
 
     private final String scene;
     private final String method;
@@ -76,11 +78,11 @@ enum HazardView {
     /** The choice that shows this view; shading and projection stay. */
     VisibilityChoice shown(VisibilityChoice choice) {
         double rho = nearness * Scenes.named(scene).defaultCamera().rho();
-        return choice.withScene(scene)
-                .with(LookChoice.USUAL)
+        VisibilityChoice other = choice.withScene(scene);
+        return other.with(LookChoice.USUAL)
                 .withView(StageView.COLOURS)
                 .withVisibility(method)
-                .zoomed(zoom / choice.zoom())
+                .zoomed(zoom / other.zoom())
                 .withCamera(new SphericalView(theta, phi, rho))
                 .withDifference(difference);
     }

@@ -132,14 +132,34 @@ record LookChoice(
     /** A near plane that would pass the far one stays before it. */
     LookChoice withNear(double share) {
         return new LookChoice(
-                texture, change, terms, sides, cull, hidden, crease, cue, stereo, eyes,
-                Math.min(share, 0.99 * far), far);
+                texture,
+                change,
+                terms,
+                sides,
+                cull,
+                hidden,
+                crease,
+                cue,
+                stereo,
+                eyes,
+                Math.min(share, 0.99 * far),
+                far);
     }
 
     /** A far plane that would pass the near one stays behind it. */
     LookChoice withFar(double share) {
         return new LookChoice(
-                texture, change, terms, sides, cull, hidden, crease, cue, stereo, eyes, near,
+                texture,
+                change,
+                terms,
+                sides,
+                cull,
+                hidden,
+                crease,
+                cue,
+                stereo,
+                eyes,
+                near,
                 Math.max(share, near / 0.99));
     }
 

@@ -193,8 +193,7 @@ final class LookControls {
         terms.forEach((term, box) -> box.setSelected(look.terms().contains(term)));
         cue.show(look.cue(), look.cue() == 0 ? texts.text("off") : number(look.cue(), 2));
         near.show(
-                look.near(),
-                look.near() == 0 ? texts.text("off") : number(look.near(), 2) + " ρ");
+                look.near(), look.near() == 0 ? texts.text("off") : number(look.near(), 2) + " ρ");
         boolean endless = look.far() == Double.POSITIVE_INFINITY;
         far.show(
                 Math.min(FARTHEST, look.far()),

@@ -16,8 +16,7 @@ import rasterlab.engine.visibility.PixelTouch;
  * @param stored what the depth buffer holds in the end, where the method keeps one
  * @param told whether the picture is one whose faces can be asked
  */
-record PixelReport(
-        Question asked, List<PixelTouch> touches, OptionalDouble stored, boolean told) {
+record PixelReport(Question asked, List<PixelTouch> touches, OptionalDouble stored, boolean told) {
     /**
      * @param x column
      * @param y row

@@ -78,9 +78,7 @@ final class SceneFiles {
             if (view.visibility().isPresent()) next = next.withVisibility(view.visibility().get());
             if (view.shading().isPresent()) next = next.withShading(view.shading().get());
             if (view.texture().isPresent())
-                next =
-                        next.with(
-                                next.look().withTexture(TextureMode.named(view.texture().get())));
+                next = next.with(next.look().withTexture(TextureMode.named(view.texture().get())));
             return next;
         };
     }

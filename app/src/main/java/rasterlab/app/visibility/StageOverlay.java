@@ -21,8 +21,8 @@ import rasterlab.engine.visibility.VisibilityStep;
 final class StageOverlay {
     private static final Stroke WIDE = new BasicStroke(4.5f, 1, 1);
     private static final Stroke THIN = new BasicStroke(2f, 1, 1);
-    private static final Stroke DASHED =
-            new BasicStroke(1.6f, 1, 1, 10f, new float[] {6f, 5f}, 0f);
+    private static final Stroke FINE = new BasicStroke(2.4f, 1, 1);
+    private static final Stroke DASHED = new BasicStroke(1.4f, 1, 1, 10f, new float[] {6f, 5f}, 0f);
 
     /** Cuts drawn at once; more would hide the picture. */
     private static final int MOST_CUTS = 2000;
@@ -55,37 +55,48 @@ final class StageOverlay {
     void step(Drawn drawn, int done) {
         if (done == 0 || drawn.steps().isEmpty()) return;
         List<VisibilityStep> steps = drawn.steps().subList(0, Math.min(done, drawn.steps().size()));
-        steps.stream().filter(VisibilityStep.Cut.class::isInstance).limit(MOST_CUTS).forEach(
-                step -> cut(drawn.view(), (VisibilityStep.Cut) step, DASHED));
+        drawn.pieces().entrySet().stream()
+                .filter(piece -> piece.getKey() < steps.size() - 1)
+                .limit(MOST_CUTS)
+                .forEach(piece -> outline(piece.getValue(), FINE, DASHED, MethodColours.WINE));
         VisibilityStep last = steps.get(steps.size() - 1);
-        if (last instanceof VisibilityStep.Drawn face) outline(drawn.view(), face.face());
-        else if (last instanceof VisibilityStep.Moved moved) outline(drawn.view(), moved.face());
+        if (last instanceof VisibilityStep.Drawn face)
+            outline(
+                    drawn.pieces()
+                            .getOrDefault(
+                                    steps.size() - 1,
+                                    FaceOutlines.corners(drawn.view(), face.face())));
+        else if (last instanceof VisibilityStep.Moved moved)
+            outline(FaceOutlines.corners(drawn.view(), moved.face()));
         else if (last instanceof VisibilityStep.Cut cut) {
-            outline(drawn.view(), cut.face());
-            cut(drawn.view(), cut, THIN);
+            outline(FaceOutlines.corners(drawn.view(), cut.face()));
+            cut(drawn.view(), cut);
         } else if (last instanceof VisibilityStep.Span span)
             box(span.from(), span.y(), span.to() - span.from(), 1);
         else if (last instanceof VisibilityStep.Window window)
             box(window.x(), window.y(), window.width(), window.height());
     }
 
-    private void outline(ViewedMesh view, int face) {
-        double[] corners = FaceOutlines.corners(view, face);
+    private void outline(double[] corners) {
+        outline(corners, WIDE, THIN, MethodColours.BLUE);
+    }
+
+    private void outline(double[] corners, Stroke below, Stroke above, Color colour) {
         if (corners.length == 0) return;
         var path = new Path2D.Double();
         path.moveTo(corners[0] / scale, corners[1] / scale);
         for (int at = 2; at < corners.length; at += 2)
             path.lineTo(corners[at] / scale, corners[at + 1] / scale);
         path.closePath();
-        g.setStroke(WIDE);
+        g.setStroke(below);
         g.setColor(Color.WHITE);
         g.draw(path);
-        g.setStroke(THIN);
-        g.setColor(MethodColours.BLUE);
+        g.setStroke(above);
+        g.setColor(colour);
         g.draw(path);
     }
 
-    private void cut(ViewedMesh view, VisibilityStep.Cut cut, Stroke stroke) {
+    private void cut(ViewedMesh view, VisibilityStep.Cut cut) {
         Optional<double[]> ends = FaceOutlines.cut(view, cut.face(), cut.by());
         if (ends.isEmpty()) return;
         double[] e = ends.get();
@@ -93,7 +104,7 @@ final class StageOverlay {
         g.setStroke(WIDE);
         g.setColor(Color.WHITE);
         g.draw(line);
-        g.setStroke(stroke);
+        g.setStroke(THIN);
         g.setColor(MethodColours.WINE);
         g.draw(line);
     }

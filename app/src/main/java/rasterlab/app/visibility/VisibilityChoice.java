@@ -40,7 +40,6 @@ public record VisibilityChoice(
     static final double SMALLEST = 0.25;
     static final double LARGEST = 32;
 
-    /** The scenes' own scale leaves room for every view; in the lab they may be larger. */
     private static final double FIRST_ZOOM = 1.6;
 
     public VisibilityChoice {
@@ -76,8 +75,18 @@ public record VisibilityChoice(
     VisibilityChoice zoomed(double factor) {
         double next = Math.max(SMALLEST, Math.min(LARGEST, zoom * factor));
         return new VisibilityChoice(
-                shown, visibility, comparison, shading, projection, camera, next, edges, difference,
-                view, drawing, look);
+                shown,
+                visibility,
+                comparison,
+                shading,
+                projection,
+                camera,
+                next,
+                edges,
+                difference,
+                view,
+                drawing,
+                look);
     }
 
     /** The scene as it is first shown, everything else kept that suits it. */
@@ -98,12 +107,17 @@ public record VisibilityChoice(
                 shading,
                 projection,
                 eye,
-                zoom,
+                other.name().equals(shown.name()) ? zoom : usualZoom(other),
                 edges,
                 difference,
                 view,
                 drawing,
                 suited(look, other));
+    }
+
+    /** The vase's own scale leaves room for every view; others fill the picture. */
+    private static double usualZoom(SceneChoice scene) {
+        return scene.name().equals("vase") ? FIRST_ZOOM : 1;
     }
 
     /** Decals need a texture with colours. */
@@ -116,62 +130,162 @@ public record VisibilityChoice(
 
     VisibilityChoice withVisibility(String other) {
         return new VisibilityChoice(
-                shown, other, comparison, shading, projection, camera, zoom, edges, difference,
-                view, drawing, look);
+                shown,
+                other,
+                comparison,
+                shading,
+                projection,
+                camera,
+                zoom,
+                edges,
+                difference,
+                view,
+                drawing,
+                look);
     }
 
     VisibilityChoice withComparison(String other) {
         return new VisibilityChoice(
-                shown, visibility, other, shading, projection, camera, zoom, edges, difference,
-                view, drawing, look);
+                shown,
+                visibility,
+                other,
+                shading,
+                projection,
+                camera,
+                zoom,
+                edges,
+                difference,
+                view,
+                drawing,
+                look);
     }
 
     VisibilityChoice withShading(String other) {
         return new VisibilityChoice(
-                shown, visibility, comparison, other, projection, camera, zoom, edges, difference,
-                view, drawing, look);
+                shown,
+                visibility,
+                comparison,
+                other,
+                projection,
+                camera,
+                zoom,
+                edges,
+                difference,
+                view,
+                drawing,
+                look);
     }
 
     VisibilityChoice withProjection(String other) {
         return new VisibilityChoice(
-                shown, visibility, comparison, shading, other, camera, zoom, edges, difference,
-                view, drawing, look);
+                shown,
+                visibility,
+                comparison,
+                shading,
+                other,
+                camera,
+                zoom,
+                edges,
+                difference,
+                view,
+                drawing,
+                look);
     }
 
     VisibilityChoice withCamera(SphericalView other) {
         return new VisibilityChoice(
-                shown, visibility, comparison, shading, projection, other, zoom, edges, difference,
-                view, drawing, look);
+                shown,
+                visibility,
+                comparison,
+                shading,
+                projection,
+                other,
+                zoom,
+                edges,
+                difference,
+                view,
+                drawing,
+                look);
     }
 
     VisibilityChoice withEdges(boolean drawn) {
         return new VisibilityChoice(
-                shown, visibility, comparison, shading, projection, camera, zoom, drawn, difference,
-                view, drawing, look);
+                shown,
+                visibility,
+                comparison,
+                shading,
+                projection,
+                camera,
+                zoom,
+                drawn,
+                difference,
+                view,
+                drawing,
+                look);
     }
 
     VisibilityChoice withDifference(boolean marked) {
         return new VisibilityChoice(
-                shown, visibility, comparison, shading, projection, camera, zoom, edges, marked,
-                view, drawing, look);
+                shown,
+                visibility,
+                comparison,
+                shading,
+                projection,
+                camera,
+                zoom,
+                edges,
+                marked,
+                view,
+                drawing,
+                look);
     }
 
     VisibilityChoice withView(StageView other) {
         return new VisibilityChoice(
-                shown, visibility, comparison, shading, projection, camera, zoom, edges, difference,
-                other, drawing, look);
+                shown,
+                visibility,
+                comparison,
+                shading,
+                projection,
+                camera,
+                zoom,
+                edges,
+                difference,
+                other,
+                drawing,
+                look);
     }
 
     VisibilityChoice withDrawing(boolean stepped) {
         return new VisibilityChoice(
-                shown, visibility, comparison, shading, projection, camera, zoom, edges, difference,
-                view, stepped, look);
+                shown,
+                visibility,
+                comparison,
+                shading,
+                projection,
+                camera,
+                zoom,
+                edges,
+                difference,
+                view,
+                stepped,
+                look);
     }
 
     VisibilityChoice with(LookChoice other) {
         return new VisibilityChoice(
-                shown, visibility, comparison, shading, projection, camera, zoom, edges, difference,
-                view, drawing, suited(other, shown));
+                shown,
+                visibility,
+                comparison,
+                shading,
+                projection,
+                camera,
+                zoom,
+                edges,
+                difference,
+                view,
+                drawing,
+                suited(other, shown));
     }
 
     /** The picture without edges, which are no matter of visibility. */

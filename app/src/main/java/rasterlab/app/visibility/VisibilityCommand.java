@@ -51,9 +51,7 @@ final class VisibilityCommand {
         add("--visibility", method);
         add("--shading", choice.shading());
         add("--projection", choice.projection());
-        add(
-                "--camera",
-                camera.thetaRadians() + "," + camera.phiRadians() + "," + camera.rho());
+        add("--camera", camera.thetaRadians() + "," + camera.phiRadians() + "," + camera.rho());
         add("--zoom", choice.zoom());
         add("--size", shown.width() + "x" + shown.height());
         if (model.drawsEdges(method)) words.add("--outline");
@@ -64,7 +62,8 @@ final class VisibilityCommand {
     }
 
     private static String stem(String name) {
-        return name.replaceFirst("(\\.scene)?\\.[a-zA-Z]+$", "").replaceAll("[^\\p{L}\\p{N}_-]", "-");
+        return name.replaceFirst("(\\.scene)?\\.[a-zA-Z]+$", "")
+                .replaceAll("[^\\p{L}\\p{N}_-]", "-");
     }
 
     private void addLook(RenderRequest request) {

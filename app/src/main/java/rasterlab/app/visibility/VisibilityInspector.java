@@ -113,7 +113,9 @@ final class VisibilityInspector {
         lens = new PixelLens(model, texts.text("lens"));
         column.wide(lens);
         history = new TouchTable(texts);
-        historyScroll = scrolled(history);
+        JScrollPane scroll = scrolled(history);
+        scroll.setColumnHeaderView(history.getTableHeader());
+        historyScroll = scroll;
 
         column.heading("heading.view");
         for (String key : List.of("theta", "phi", "rho", "zoom", "frameTime", "size"))
@@ -218,7 +220,8 @@ final class VisibilityInspector {
     private void refreshPixel(VisibilityLabState state, VisibilityReadings readings) {
         boolean chosen = state.chosen().isPresent();
         pixel.setText(readings.pixel());
-        column.showRow(stored, state.pixel().isPresent() && state.pixel().get().stored().isPresent());
+        column.showRow(
+                stored, state.pixel().isPresent() && state.pixel().get().stored().isPresent());
         stored.setText(readings.stored());
         lens.setVisible(chosen);
         lens.repaint();

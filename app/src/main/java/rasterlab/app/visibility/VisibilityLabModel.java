@@ -95,8 +95,7 @@ public final class VisibilityLabModel implements AutoCloseable {
             return Optional.of(
                     new Differences(
                             Compared.of(frame.first(), maker, cancelled),
-                            frame.second()
-                                    .map(request -> Compared.of(request, maker, cancelled))));
+                            frame.second().map(request -> Compared.of(request, maker, cancelled))));
         } catch (IllegalArgumentException refused) {
             return Optional.empty(); // The picture says why.
         }
@@ -175,6 +174,26 @@ public final class VisibilityLabModel implements AutoCloseable {
         draw(next);
     }
 
+    /**
+     * Shows a scene by two methods side by side, their wrong pixels marked.
+     *
+     * @param comparison a method's name, "" for one picture
+     * @throws IllegalArgumentException if the engine does not know a name
+     */
+    public void compare(String scene, String method, String comparison) {
+        choose(
+                choice ->
+                        choice.withScene(scene)
+                                .withVisibility(method)
+                                .withComparison(comparison)
+                                .withDifference(true));
+    }
+
+    /** Lets the timeline go through the method's steps, or turn the scene. */
+    public void watchSteps(boolean watched) {
+        choose(choice -> choice.withDrawing(watched));
+    }
+
     /** Turns the eye by angles in radians; φ stays in [0, 2π) and so does θ. */
     public void turn(double dTheta, double dPhi) {
         choose(choice -> choice.withCamera(Cameras.turned(choice.camera(), dTheta, dPhi)));
@@ -238,8 +257,7 @@ public final class VisibilityLabModel implements AutoCloseable {
 
     /** Moves the chosen pixel; without one, to the middle. */
     void movePixel(int right, int down) {
-        ChosenPixel middle =
-                new ChosenPixel(false, pictureWidth(state.choice()) / 2, height / 2);
+        ChosenPixel middle = new ChosenPixel(false, pictureWidth(state.choice()) / 2, height / 2);
         choosePixel(
                 state.chosen()
                         .map(at -> new ChosenPixel(at.second(), at.x() + right, at.y() + down))
@@ -332,8 +350,7 @@ public final class VisibilityLabModel implements AutoCloseable {
             return;
         }
         String method = pixel.second() ? choice.comparison() : choice.visibility();
-        histories.ask(
-                new PixelReport.Question(request(choice, method), pixel.x(), pixel.y()));
+        histories.ask(new PixelReport.Question(request(choice, method), pixel.x(), pixel.y()));
     }
 
     private void accept(Frame.Pictures made) {

@@ -50,55 +50,145 @@ public record VisibilityLabState(
 
     VisibilityLabState with(VisibilityChoice next) {
         return new VisibilityLabState(
-                next, picture, other, Optional.empty(), Optional.empty(), drawn, step,
-                Optional.empty(), chosen, problem, medianNanos, undoable);
+                next,
+                picture,
+                other,
+                Optional.empty(),
+                Optional.empty(),
+                drawn,
+                step,
+                Optional.empty(),
+                chosen,
+                problem,
+                medianNanos,
+                undoable);
     }
 
     VisibilityLabState with(Frame.Pictures made) {
         return new VisibilityLabState(
-                choice, Optional.of(made.first()), made.second(), difference, otherDifference,
-                drawn, step, pixel, chosen, problem, medianNanos, undoable);
+                choice,
+                Optional.of(made.first()),
+                made.second(),
+                difference,
+                otherDifference,
+                drawn,
+                step,
+                pixel,
+                chosen,
+                problem,
+                medianNanos,
+                undoable);
     }
 
     VisibilityLabState withDifferences(Compared first, Optional<Compared> second) {
         return new VisibilityLabState(
-                choice, picture, other, Optional.of(first), second, drawn, step, pixel, chosen,
-                problem, medianNanos, undoable);
+                choice,
+                picture,
+                other,
+                Optional.of(first),
+                second,
+                drawn,
+                step,
+                pixel,
+                chosen,
+                problem,
+                medianNanos,
+                undoable);
     }
 
     VisibilityLabState withDrawn(Optional<Drawn> found) {
         return new VisibilityLabState(
-                choice, picture, other, difference, otherDifference, found, step, pixel, chosen,
-                problem, medianNanos, undoable);
+                choice,
+                picture,
+                other,
+                difference,
+                otherDifference,
+                found,
+                step,
+                pixel,
+                chosen,
+                problem,
+                medianNanos,
+                undoable);
     }
 
     VisibilityLabState at(int next) {
         return new VisibilityLabState(
-                choice, picture, other, difference, otherDifference, drawn, next, pixel, chosen,
-                problem, medianNanos, undoable);
+                choice,
+                picture,
+                other,
+                difference,
+                otherDifference,
+                drawn,
+                next,
+                pixel,
+                chosen,
+                problem,
+                medianNanos,
+                undoable);
     }
 
     VisibilityLabState with(Optional<PixelReport> found) {
         return new VisibilityLabState(
-                choice, picture, other, difference, otherDifference, drawn, step, found, chosen,
-                problem, medianNanos, undoable);
+                choice,
+                picture,
+                other,
+                difference,
+                otherDifference,
+                drawn,
+                step,
+                found,
+                chosen,
+                problem,
+                medianNanos,
+                undoable);
     }
 
     VisibilityLabState choosing(Optional<ChosenPixel> next) {
         return new VisibilityLabState(
-                choice, picture, other, difference, otherDifference, drawn, step, Optional.empty(),
-                next, problem, medianNanos, undoable);
+                choice,
+                picture,
+                other,
+                difference,
+                otherDifference,
+                drawn,
+                step,
+                Optional.empty(),
+                next,
+                problem,
+                medianNanos,
+                undoable);
     }
 
     VisibilityLabState withProblem(String said) {
         return new VisibilityLabState(
-                choice, picture, other, difference, otherDifference, drawn, step, pixel, chosen,
-                said, medianNanos, undoable);
+                choice,
+                picture,
+                other,
+                difference,
+                otherDifference,
+                drawn,
+                step,
+                pixel,
+                chosen,
+                said,
+                medianNanos,
+                undoable);
     }
 
     VisibilityLabState measured(long nanos, boolean undo) {
         return new VisibilityLabState(
-                choice, picture, other, difference, otherDifference, drawn, step, pixel, chosen,
-                problem, nanos, undo);
+                choice,
+                picture,
+                other,
+                difference,
+                otherDifference,
+                drawn,
+                step,
+                pixel,
+                chosen,
+                problem,
+                nanos,
+                undo);
     }
 }

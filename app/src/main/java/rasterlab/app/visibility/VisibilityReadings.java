@@ -91,10 +91,16 @@ final class VisibilityReadings {
         VisibilityWork work = drawn.work();
         return List.of(
                 texts.text("stepNow.of", count(done), count(drawn.steps().size())),
-                texts.text("cuts.of", count(drawn.cuts(done)), count(work.splits())),
+                cuts(drawn, done),
                 count(work.comparisons()),
                 count(work.depthTests()),
                 count(work.pixelsWritten()));
+    }
+
+    /** So far and in all; in all only where they were made before the first step. */
+    private String cuts(Drawn drawn, int done) {
+        String all = count(drawn.work().splits());
+        return drawn.cutsOnTheWay() ? texts.text("cuts.of", count(drawn.cuts(done)), all) : all;
     }
 
     /** What stands behind the timeline. */

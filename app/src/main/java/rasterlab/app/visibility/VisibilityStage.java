@@ -254,8 +254,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
 
     private static void say(
             StageOverlay overlay, Graphics2D g, String sentence, int width, int bottom) {
-        List<String> lines =
-                Wrapping.lines(sentence, width - 48, g.getFontMetrics()::stringWidth);
+        List<String> lines = Wrapping.lines(sentence, width - 48, g.getFontMetrics()::stringWidth);
         StageColours colours = StageColours.now();
         overlay.sentence(lines, 24, bottom, colours.ground(), colours.ink());
     }

@@ -81,6 +81,14 @@ class ClippedTextTest {
             for (int round = 0; round < 2; round++) OffscreenPainter.paint(clip, width, height);
             assertEquals(List.of(), clipped(clip), mode.name());
         }
+        JComponent hidden = tabs.get().named("visibility").panel();
+        OffscreenPainter.onEventThread(
+                () -> {
+                    models.get().visibility().compare("globe", "newell", "z24");
+                    models.get().visibility().watchSteps(true);
+                });
+        for (int round = 0; round < 2; round++) OffscreenPainter.paint(hidden, width, height);
+        assertEquals(List.of(), clipped(hidden), "visibility with everything");
         OffscreenPainter.onEventThread(
                 () -> {
                     tabs.get().close();

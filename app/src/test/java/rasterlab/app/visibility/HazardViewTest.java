@@ -10,7 +10,16 @@ import rasterlab.engine.raster.PictureDifference;
 
 class HazardViewTest {
     @ParameterizedTest(name = "the view shows no wrong pixel: {0}")
-    @EnumSource(names = {"ROUNDED", "THREE_CORNERS", "MEAN", "CYCLIC", "PIERCING", "COPLANAR"})
+    @EnumSource(
+            names = {
+                "ROUNDED",
+                "THREE_CORNERS",
+                "MEAN",
+                "CYCLIC",
+                "PIERCING",
+                "COPLANAR",
+                "COARSE"
+            })
     void methodFailsInTheView(HazardView view) {
         RenderRequest request = view.shown(VisibilityChoice.first()).plain(400, 300);
         var renderer = new Renderer();

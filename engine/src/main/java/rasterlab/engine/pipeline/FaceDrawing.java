@@ -23,8 +23,7 @@ import rasterlab.engine.visibility.VisibilityWalk;
  * @param method draws them
  * @param backgroundArgb the colour 0xAARRGGBB before anything is drawn
  */
-public record FaceDrawing(
-        ViewedMesh view, FacePaint paint, Visibility method, int backgroundArgb) {
+public record FaceDrawing(ViewedMesh view, FacePaint paint, Visibility method, int backgroundArgb) {
     /** The buffer that is looked at where the method keeps none. */
     public static final String USUAL_BUFFER = "zfloat";
 

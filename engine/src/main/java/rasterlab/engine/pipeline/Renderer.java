@@ -195,8 +195,7 @@ public final class Renderer implements AutoCloseable {
             new WirePicture(view, wire(look), background, veil, out).draw(method, cancelled);
         else if (chosen.equals(PIPELINE) && drawsDirectly(look, shading))
             direct().draw(lights(look, seen), directLook(look, shading), out, cancelled);
-        else
-            return Optional.of(method.draw(view, paint(look, shading, seen), out, cancelled));
+        else return Optional.of(method.draw(view, paint(look, shading, seen), out, cancelled));
         return Optional.empty();
     }
 
