@@ -8,9 +8,9 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
-import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
+import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JTable;
 import org.assertj.swing.core.MouseButton;
@@ -89,14 +89,16 @@ class WindowVisibilityTest extends WindowHarness {
         assertEquals(theta, theta(), "a click turned the scene");
         String before = pixel();
         focus("stage");
-        robot.pressAndReleaseKey(KeyEvent.VK_RIGHT, InputEvent.SHIFT_DOWN_MASK);
+        robot.pressKey(KeyEvent.VK_SHIFT);
+        press(KeyEvent.VK_RIGHT);
+        robot.releaseKey(KeyEvent.VK_SHIFT);
         robot.waitForIdle();
         assertNotEquals(before, pixel());
         assertEquals(theta, theta(), "moving the pixel turned the scene");
     }
 
     private String pixel() {
-        return GuiActionRunner.execute(() -> ((javax.swing.JLabel) named("pixel.value")).getText());
+        return GuiActionRunner.execute(() -> ((JLabel) named("pixel.value")).getText());
     }
 
     private int rows() {

@@ -4,6 +4,7 @@ import java.awt.EventQueue;
 import java.util.function.Consumer;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipTopics;
+import rasterlab.app.light.LightLabModel;
 import rasterlab.app.line.LineLabModel;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.visibility.VisibilityLabModel;
@@ -12,7 +13,11 @@ import rasterlab.engine.pipeline.Renderer;
 
 /** The labs' models, which outlive the panels that show them; used on the event thread. */
 public record LabModels(
-        LineLabModel line, ClipLabModel clip, VisibilityLabModel visibility, SplineLabModel spline)
+        LineLabModel line,
+        ClipLabModel clip,
+        VisibilityLabModel visibility,
+        LightLabModel light,
+        SplineLabModel spline)
         implements AutoCloseable {
     /**
      * Every lab as it opens.
@@ -25,6 +30,7 @@ public record LabModels(
                 new LineLabModel(new LineTopic(), EventQueue::invokeLater, onFailure),
                 new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
+                new LightLabModel(EventQueue::invokeLater, onFailure),
                 new SplineLabModel(EventQueue::invokeLater, onFailure));
     }
 
@@ -34,6 +40,7 @@ public record LabModels(
         line.close();
         clip.close();
         visibility.close();
+        light.close();
         spline.close();
     }
 }

@@ -9,6 +9,7 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.clip.ClipPanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.light.LightPanel;
 import rasterlab.app.line.LinePanel;
 import rasterlab.app.spline.SplinePanel;
 import rasterlab.app.visibility.VisibilityPanel;
@@ -39,6 +40,7 @@ public final class LabTabs implements AutoCloseable {
         add.accept("clip", () -> new ClipPanel(models.clip(), language, onFailure));
         add.accept(
                 "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));
+        add.accept("light", () -> new LightPanel(models.light(), language, onFailure));
         add.accept("spline", () -> new SplinePanel(models.spline(), language, onFailure));
         return new LabTabs(language, tabs);
     }

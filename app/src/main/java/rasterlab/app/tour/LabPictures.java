@@ -30,6 +30,8 @@ final class LabPictures implements TourPart {
                             models ->
                                     models.visibility()
                                             .compare("cyclic-overlap", "painter", "newell")),
+                    new Shot("light", "light", models -> models.light().drawNormals(true)),
+                    new Shot("colours", "light", models -> models.light().showColours(true)),
                     new Shot("spline", "spline", models -> {}),
                     new Shot(
                             "function",

@@ -345,10 +345,7 @@ public final class VisibilityLabModel implements AutoCloseable {
         VisibilityChoice choice = state.choice();
         boolean inside = pixel.x() < pictureWidth(choice) && pixel.y() < height;
         boolean there = !pixel.second() || !choice.comparison().isEmpty();
-        if (!inside || !there) {
-            publish(state.choosing(Optional.empty()));
-            return;
-        }
+        if (!inside || !there) return;
         String method = pixel.second() ? choice.comparison() : choice.visibility();
         histories.ask(new PixelReport.Question(request(choice, method), pixel.x(), pixel.y()));
     }

@@ -21,6 +21,7 @@ import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.clip.segment.SteppedSegmentClipper;
 import rasterlab.engine.clip.volume.SteppedVolumeClipper;
 import rasterlab.engine.clip.volume.VolumeClipTopic;
+import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
@@ -40,14 +41,14 @@ class TopicTextsTest {
     private static final String ENGLISH = ".en";
 
     @ParameterizedTest(name = "the English was changed and its translation was not: {0}")
-    @ValueSource(strings = {"line", "visibility", "clip", "spline"})
+    @ValueSource(strings = {"line", "visibility", "light", "clip", "spline"})
     void eachTranslationStandsBelowWhatTheEngineSays(String topic) throws IOException {
         Properties russian = russian(topic);
         english(topic).forEach((key, text) -> assertEquals(text, russian.get(key + ENGLISH), key));
     }
 
     @ParameterizedTest(name = "a text has no translation, or a translation no text: {0}")
-    @ValueSource(strings = {"line", "visibility", "clip", "spline"})
+    @ValueSource(strings = {"line", "visibility", "light", "clip", "spline"})
     void translatesWhatThereIsAndNothingElse(String topic) throws IOException {
         var translated = new TreeSet<>(russian(topic).stringPropertyNames());
         translated.removeIf(key -> key.endsWith(ENGLISH));
@@ -92,7 +93,9 @@ class TopicTextsTest {
         Stream<? extends Method<?>> methods =
                 topic.equals("line")
                         ? new LineTopic().methods().stream()
-                        : Renderer.visibilityMethods().stream();
+                        : topic.equals("light")
+                                ? new ColorTopic().methods().stream()
+                                : Renderer.visibilityMethods().stream();
         methods.forEach(method -> about(method, said));
         if (topic.equals("line"))
             for (Hazard<Segment> hazard : new LineTopic().hazards()) {

@@ -89,6 +89,10 @@ class ClippedTextTest {
                 });
         for (int round = 0; round < 2; round++) OffscreenPainter.paint(hidden, width, height);
         assertEquals(List.of(), clipped(hidden), "visibility with everything");
+        OffscreenPainter.onEventThread(() -> models.get().light().showColours(true));
+        JComponent light = tabs.get().named("light").panel();
+        for (int round = 0; round < 2; round++) OffscreenPainter.paint(light, width, height);
+        assertEquals(List.of(), clipped(light), "colour models");
         OffscreenPainter.onEventThread(
                 () -> {
                     tabs.get().close();

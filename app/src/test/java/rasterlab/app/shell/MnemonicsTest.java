@@ -93,6 +93,10 @@ class MnemonicsTest {
                             content.show(tab.name());
                             check.accept(tab.name(), shown(content));
                         }
+                        models.light().showColours(true);
+                        content.show("light");
+                        check.accept("colours", shown(content));
+                        content.show("spline");
                         models.spline().curve().chooseForm(CurveForm.PIECES);
                         check.accept("pieces", shown(content));
                         models.spline().show(SplineMode.FUNCTION);
