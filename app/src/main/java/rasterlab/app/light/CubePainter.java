@@ -11,6 +11,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.util.Locale;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.ColorModel;
@@ -25,6 +26,9 @@ final class CubePainter {
     private static final int SQUARES = 24;
 
     private static final double SIZE = 0.52;
+
+    /** View units from a corner to the middle of its name. */
+    private static final double LABEL = 30;
 
     private final Graphics2D g;
     private final ColourChoice colour;
@@ -165,18 +169,27 @@ final class CubePainter {
         for (int k = 0; k < 8; k++) {
             double[] rgb = {k & 1, k >> 1 & 1, k >> 2};
             Point2D at = at(rgb[0], rgb[1], rgb[2]);
-            double away = 1.12;
-            double x = middleX + away * (at.getX() - middleX);
-            double y = middleY + away * (at.getY() - middleY);
+            double dx = at.getX() - middleX;
+            double dy = at.getY() - middleY;
+            double length = Math.max(1, Math.hypot(dx, dy));
+            double x = at.getX() + LABEL * dx / length;
+            double y = at.getY() + LABEL * dy / length;
             ball(at, 5, new Color((float) rgb[0], (float) rgb[1], (float) rgb[2]));
             String name = texts.text("corner." + k);
-            g.setColor(StageColours.now().ink());
-            var metrics = g.getFontMetrics();
-            g.drawString(
-                    name,
-                    (float) (x - metrics.stringWidth(name) / 2.0),
-                    (float) (y + metrics.getAscent() / 2.0));
+            label(name, x, y);
         }
+    }
+
+    private void label(String name, double x, double y) {
+        var metrics = g.getFontMetrics();
+        StageColours colours = StageColours.now();
+        Plates.plate(
+                g,
+                name,
+                (int) (x - metrics.stringWidth(name) / 2.0),
+                (int) (y + metrics.getAscent() / 2.0),
+                colours.ground(),
+                colours.ink());
     }
 
     /** The colour itself, large enough to be judged. */

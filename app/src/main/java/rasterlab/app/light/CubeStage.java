@@ -16,6 +16,7 @@ import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
 /** The colour cube, turned by mouse and arrow keys. */
@@ -71,18 +72,23 @@ final class CubeStage extends SelfDrawn {
         return new Dimension(800, 600);
     }
 
+    /** What is shown, as an SVG document. */
+    String svg() {
+        return SvgPicture.of(getWidth(), getHeight(), this::paintAll);
+    }
+
+    private void paintAll(Graphics2D g) {
+        g.setColor(StageColours.now().margin());
+        g.fillRect(0, 0, getWidth(), getHeight());
+        var cube = (Graphics2D) g.create();
+        new CubePainter(cube, model.state().colour(), texts, getWidth(), getHeight()).paint();
+        cube.dispose();
+    }
+
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
-        g.setColor(StageColours.now().margin());
-        g.fillRect(0, 0, getWidth(), getHeight());
-        new CubePainter(
-                        (Graphics2D) g.create(),
-                        model.state().colour(),
-                        texts,
-                        getWidth(),
-                        getHeight())
-                .paint();
+        paintAll(g);
         if (isFocusOwner()) {
             g.setColor(StageColours.now().focus());
             g.setStroke(new BasicStroke(2));

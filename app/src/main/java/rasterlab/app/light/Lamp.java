@@ -15,7 +15,7 @@ import rasterlab.engine.light.Light;
  * @param y world coordinate
  * @param z world coordinate
  * @param rgb its colour 0xRRGGBB
- * @param strength of its diffuse and specular light, 0 to {@value #STRONGEST}
+ * @param strength of its diffuse and specular light, {@value #FAINTEST} to {@value #STRONGEST}
  * @param constant of the attenuation, 0 or more
  * @param linear of the attenuation, per {@value #UNIT} world units
  * @param quadratic of the attenuation, per square of that
@@ -35,6 +35,7 @@ record Lamp(
         double quadratic,
         double cutoff,
         double exponent) {
+    static final double FAINTEST = 0.05;
     static final double STRONGEST = 20;
 
     /** World units that a distance of 1 in the attenuation stands for. */
@@ -56,7 +57,7 @@ record Lamp(
 
     /** White, all around, without attenuation. */
     static Lamp at(double x, double y, double z) {
-        return new Lamp(Kind.POINT, true, x, y, z, 0xFFFFFF, 0.8, 1, 0, 0, 25, 8);
+        return new Lamp(Kind.POINT, true, x, y, z, 0xFFFFFF, 1, 1, 0, 0, 25, 8);
     }
 
     Lamp withKind(Kind other) {

@@ -74,7 +74,7 @@ final class LampControls {
                         code -> texts.textOr("lampColour." + code, "#" + code),
                         code -> change(old -> old.coloured(Integer.parseInt(code, 16))));
         column.row("lampColour", colour);
-        slider("strength", 0, Lamp.STRONGEST, Lamp::withStrength);
+        slider("strength", Lamp.FAINTEST, Lamp.STRONGEST, true, Lamp::withStrength);
         slider("x", -FAR, FAR, (old, x) -> old.moved(x, old.y(), old.z()));
         slider("y", -FAR, FAR, (old, y) -> old.moved(old.x(), y, old.z()));
         slider("z", -FAR, FAR, (old, z) -> old.moved(old.x(), old.y(), z));
@@ -131,13 +131,17 @@ final class LampControls {
     }
 
     private void slider(String key, double least, double most, Change change) {
+        slider(key, least, most, false, change);
+    }
+
+    private void slider(String key, double least, double most, boolean logarithmic, Change change) {
         var slider =
                 new NumberSlider(
                         key,
                         texts.text(key + ".hint"),
                         least,
                         most,
-                        false,
+                        logarithmic,
                         NOTCHES,
                         number -> change(old -> change.of(old, number)));
         column.row(key, slider);

@@ -70,16 +70,16 @@ record LightChoice(
         terms = Set.copyOf(terms);
     }
 
-    /** A coarse red sphere under a lamp and a dim second one. */
+    /** A coarse brass sphere under a lamp and a dim second one. */
     static LightChoice first() {
         return new LightChoice(
                 new Body("sphere", 12, Body.OWN),
                 new SphericalView(Math.PI / 9, 1.2, 500),
-                1.25,
-                MaterialChoice.of(Substance.RUBY),
+                1.5,
+                MaterialChoice.of(Substance.BRASS),
                 List.of(
-                        Lamp.at(150, -40, 130),
-                        Lamp.at(-20, 150, -60).withStrength(0.25).coloured(0x9EC9FF)),
+                        Lamp.at(112, -18, 103),
+                        Lamp.at(35, 109, -16).withStrength(0.4).coloured(0x9EC9FF)),
                 0,
                 LightModel.AMBIENT,
                 LightTerm.all(),
@@ -88,7 +88,7 @@ record LightChoice(
                 true,
                 false,
                 true,
-                new Marks(0.16, 0.44, 0.84, 0.44, 0.36, 0.4));
+                new Marks(0.1, 0.5, 0.9, 0.5, 0.4, 0.42));
     }
 
     LightChoice with(Body other) {

@@ -26,7 +26,7 @@ record LightFrame(LightChoice choice, int width, int height) {
     /** Samples of a profile, and how many of them a place of the eye looks to each side. */
     private static final int SAMPLES = 401;
 
-    private static final int REACH = 6;
+    private static final int REACH = 12;
 
     /** Makes a picture, or throws CancellationException once it is of no use any more. */
     @FunctionalInterface
@@ -90,10 +90,10 @@ record LightFrame(LightChoice choice, int width, int height) {
         double[] brightness =
                 SeenBrightness.along(
                         raster,
-                        column(line.fromX()),
-                        row(line.fromY()),
-                        column(line.toX()),
-                        row(line.toY()),
+                        line.fromX() * (width - 1),
+                        line.fromY() * (height - 1),
+                        line.toX() * (width - 1),
+                        line.toY() * (height - 1),
                         SAMPLES);
         return new Picture(shading, raster, brightness, SeenBrightness.reported(brightness, REACH));
     }

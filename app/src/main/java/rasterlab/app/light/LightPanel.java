@@ -55,6 +55,8 @@ public final class LightPanel extends LabPanel {
         turning = new StepPlayer(canvas, new CubeTurning(model), this::turningReading);
         lightActions = actions(canvas, () -> Copying.picture(stage, onFailure));
         colourActions = actions(canvas, () -> Copying.picture(cube, onFailure));
+        lightActions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        colourActions.add("copySvg", () -> Copying.svg(cube.svg(), onFailure));
         colourActions.add("copyCommand", () -> Copying.text(command(), onFailure));
         shown.add(new LabLayout(chips(), stage, light.column(), lightActions, orbit), LIGHT);
         shown.add(

@@ -21,6 +21,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
 /** Three shadings side by side above the profile; lamps, line and point are dragged. */
@@ -121,9 +122,12 @@ final class LightStage extends SelfDrawn implements Settling {
         return new Dimension(800, 600);
     }
 
-    @Override
-    protected void paintComponent(Graphics graphics) {
-        var g = (Graphics2D) graphics.create();
+    /** What is shown, as an SVG document with the pictures in it. */
+    String svg() {
+        return SvgPicture.of(getWidth(), getHeight(), this::paintAll);
+    }
+
+    private void paintAll(Graphics2D g) {
         g.setColor(StageColours.now().margin());
         g.fillRect(0, 0, getWidth(), getHeight());
         LightLabState state = model.state();
@@ -133,6 +137,12 @@ final class LightStage extends SelfDrawn implements Settling {
                         drawn ->
                                 new LightPainter(g, texts, drawn, state.choice(), scale)
                                         .paint(plan()));
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        var g = (Graphics2D) graphics.create();
+        paintAll(g);
         if (isFocusOwner()) {
             g.setColor(StageColours.now().focus());
             g.setStroke(new BasicStroke(2));

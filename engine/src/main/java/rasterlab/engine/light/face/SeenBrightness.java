@@ -10,10 +10,10 @@ public final class SeenBrightness {
     private SeenBrightness() {}
 
     /**
-     * The mean of red, green and blue, 0 to 1, of the pixels nearest to places evenly spread from
-     * one end to the other.
+     * The mean of red, green and blue, 0 to 1, at places evenly spread from one end to the other;
+     * between pixel centres it is mixed from the four around.
      *
-     * @param fromX column of one end, inside the picture
+     * @param fromX column of one end, from 0 to the last one; whole numbers are pixel centres
      * @param samples at least 2
      */
     public static double[] along(
@@ -23,12 +23,30 @@ public final class SeenBrightness {
         var brightness = new double[samples];
         for (int i = 0; i < samples; i++) {
             double share = i / (samples - 1.0);
-            int x = (int) Math.round(fromX + share * (toX - fromX));
-            int y = (int) Math.round(fromY + share * (toY - fromY));
-            int argb = picture.argb(x, y);
-            brightness[i] = ((argb >> 16 & 255) + (argb >> 8 & 255) + (argb & 255)) / 765.0;
+            brightness[i] =
+                    at(picture, fromX + share * (toX - fromX), fromY + share * (toY - fromY));
         }
         return brightness;
+    }
+
+    private static double at(Raster picture, double x, double y) {
+        int column = (int) Math.floor(x);
+        int row = (int) Math.floor(y);
+        int right = Math.min(column + 1, picture.width() - 1);
+        int below = Math.min(row + 1, picture.height() - 1);
+        double toRight = x - column;
+        double down = y - row;
+        return (1 - down)
+                        * ((1 - toRight) * mean(picture, column, row)
+                                + toRight * mean(picture, right, row))
+                + down
+                        * ((1 - toRight) * mean(picture, column, below)
+                                + toRight * mean(picture, right, below));
+    }
+
+    private static double mean(Raster picture, int x, int y) {
+        int argb = picture.argb(x, y);
+        return ((argb >> 16 & 255) + (argb >> 8 & 255) + (argb & 255)) / 765.0;
     }
 
     /**
