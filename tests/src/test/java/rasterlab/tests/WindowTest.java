@@ -111,6 +111,10 @@ class WindowTest extends WindowHarness {
     @CsvSource({
         "900, 600, line",
         "900, 600, visibility",
+        "1280, 720, visibility",
+        "900, 600, light",
+        "1280, 720, light",
+        "2560, 1440, light",
         "900, 600, spline",
         "1280, 720, line",
         "1280, 720, spline",
@@ -129,7 +133,7 @@ class WindowTest extends WindowHarness {
 
     @Test
     void everyControlCanBeNamedByAssistiveTechnology() {
-        for (String tab : List.of("line", "clip", "visibility", "spline")) {
+        for (String tab : List.of("line", "clip", "visibility", "light", "spline")) {
             show(tab);
             List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
             assertEquals(List.of(), nameless, tab);
