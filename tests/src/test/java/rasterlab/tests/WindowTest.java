@@ -113,6 +113,10 @@ class WindowTest extends WindowHarness {
     @CsvSource({
         "900, 600, line",
         "900, 600, visibility",
+        "1280, 720, visibility",
+        "900, 600, light",
+        "1280, 720, light",
+        "2560, 1440, light",
         "900, 600, spline",
         "1280, 720, line",
         "1280, 720, spline",
@@ -147,6 +151,7 @@ class WindowTest extends WindowHarness {
                         "polygon",
                         "clip",
                         "visibility",
+                        "light",
                         "spline",
                         "study",
                         "exercises")) {

@@ -1,13 +1,12 @@
 package rasterlab.app.cli;
 
 import java.nio.file.Path;
+import java.util.Optional;
 import picocli.CommandLine.Option;
+import rasterlab.app.model.TextureChange;
 import rasterlab.app.outcome.PictureFile;
 import rasterlab.engine.pipeline.paint.TextureMode;
-import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.scene.Scene;
-import rasterlab.engine.texture.Texture;
-import rasterlab.engine.texture.TextureEnvironment;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
 import rasterlab.engine.texture.Wrap;
 
@@ -48,45 +47,24 @@ final class TextureOptions {
             throw new IllegalArgumentException(
                     "--texture-image, --wrap and --environment need a texture to be seen; --texture"
                             + " none shows none");
-        Scene changed = image == null ? scene : covered(scene, PictureFile.texture(image));
+        Scene changed =
+                image == null ? scene : TextureChange.covered(scene, PictureFile.texture(image));
         if (wrap == null && environment == null) return changed;
         if (changed.finishes().stream().allMatch(finish -> finish.texture().isEmpty()))
             throw new IllegalArgumentException(
                     "--wrap and --environment need a texture; scene '%s' has none, --texture-image"
                                     .formatted(scene.name())
                             + " lays one");
-        return changed.with(
-                finish -> finish.texture().map(t -> finish.with(changed(t))).orElse(finish));
-    }
-
-    private static Scene covered(Scene scene, Texture texture) {
-        if (!scene.mesh().hasTexture())
-            throw new IllegalArgumentException(
-                    "scene '%s' has no texture coordinates to lay a picture by"
-                            .formatted(scene.name()));
-        var laid =
-                new LaidTexture(
-                        texture,
-                        Wrap.REPEAT,
-                        Wrap.REPEAT,
-                        TextureEnvironment.of(Mode.MODULATE, texture));
-        return scene.with(finish -> finish.with(laid));
-    }
-
-    private LaidTexture changed(LaidTexture laid) {
-        Wrap both = wrap == null ? null : EngineNames.constant("wrap", Wrap.values(), wrap);
-        TextureEnvironment mixed =
-                environment == null
-                        ? laid.environment()
-                        : new TextureEnvironment(
-                                EngineNames.constant(
-                                        "texture environment", Mode.values(), environment),
-                                laid.texture().components(),
-                                laid.environment().argb());
-        return new LaidTexture(
-                laid.texture(),
-                both == null ? laid.alongS() : both,
-                both == null ? laid.alongT() : both,
-                mixed);
+        return new TextureChange(
+                        Optional.ofNullable(wrap)
+                                .map(name -> EngineNames.constant("wrap", Wrap.values(), name)),
+                        Optional.ofNullable(environment)
+                                .map(
+                                        name ->
+                                                EngineNames.constant(
+                                                        "texture environment",
+                                                        Mode.values(),
+                                                        name)))
+                .of(changed);
     }
 }

@@ -9,6 +9,7 @@ import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipTopics;
 import rasterlab.app.coordinates.CoordinatesLabModel;
 import rasterlab.app.exercise.ExerciseLabModel;
+import rasterlab.app.light.LightLabModel;
 import rasterlab.app.line.LineLabModel;
 import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonTopics;
@@ -27,6 +28,7 @@ public record LabModels(
         PolygonLabModel polygon,
         ClipLabModel clip,
         VisibilityLabModel visibility,
+        LightLabModel light,
         SplineLabModel spline,
         StudyLabModel study,
         ExerciseLabModel exercises)
@@ -44,6 +46,7 @@ public record LabModels(
                 new PolygonLabModel(new PolygonTopics(), EventQueue::invokeLater, onFailure),
                 new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
+                new LightLabModel(EventQueue::invokeLater, onFailure),
                 new SplineLabModel(EventQueue::invokeLater, onFailure),
                 new StudyLabModel(Topics.all(), EventQueue::invokeLater, onFailure),
                 new ExerciseLabModel(
@@ -76,6 +79,7 @@ public record LabModels(
         polygon.close();
         clip.close();
         visibility.close();
+        light.close();
         spline.close();
         study.close();
         exercises.close();

@@ -11,6 +11,7 @@ import rasterlab.app.coordinates.CoordinatesPanel;
 import rasterlab.app.exercise.ExercisePanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.light.LightPanel;
 import rasterlab.app.line.LinePanel;
 import rasterlab.app.polygon.PolygonPanel;
 import rasterlab.app.spline.SplinePanel;
@@ -50,6 +51,7 @@ public final class LabTabs implements AutoCloseable {
         add.accept("clip", () -> new ClipPanel(models.clip(), language, onFailure));
         add.accept(
                 "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));
+        add.accept("light", () -> new LightPanel(models.light(), language, onFailure));
         add.accept("spline", () -> new SplinePanel(models.spline(), language, onFailure));
         add.accept("study", () -> new StudyPanel(models.study(), opening, language, onFailure));
         add.accept(

@@ -37,6 +37,14 @@ final class LabPictures implements TourPart {
                             models -> models.polygon().chooseMode(PolygonMode.SEED)),
                     new Shot("clip", "clip", models -> {}),
                     new Shot("visibility", "visibility", models -> {}),
+                    new Shot(
+                            "order",
+                            "visibility",
+                            models ->
+                                    models.visibility()
+                                            .compare("cyclic-overlap", "painter", "newell")),
+                    new Shot("light", "light", models -> models.light().drawNormals(true)),
+                    new Shot("colours", "light", models -> models.light().showColours(true)),
                     new Shot("spline", "spline", models -> {}),
                     new Shot(
                             "function",

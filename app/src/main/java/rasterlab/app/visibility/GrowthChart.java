@@ -8,6 +8,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import java.util.function.DoubleConsumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.knowm.xchart.XYChart;
@@ -33,6 +36,18 @@ public final class GrowthChart {
 
     /** What was counted; empty until it is asked for, as that takes some seconds. */
     private List<Growth> growths = List.of();
+
+    /**
+     * A chart whose work is counted at once.
+     *
+     * @param progress gets the share that is done, 0 to 1
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    static GrowthChart counted(DoubleConsumer progress, BooleanSupplier cancelled) {
+        var chart = new GrowthChart();
+        chart.growths = Growth.all(progress, cancelled);
+        return chart;
+    }
 
     private List<Growth> growths() {
         if (growths.isEmpty()) growths = Growth.all();

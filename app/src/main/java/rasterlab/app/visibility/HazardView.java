@@ -17,7 +17,15 @@ enum HazardView {
     /** The right mean still misorders: a large face beside a small one. */
     MEAN("house", "painter", 0.45 * Math.PI, 0.85 * Math.PI, 0.5, 1, true),
     /** Level with the eye, the vase's rings are seen from their edges. */
-    EDGE_ON("vase", "painter", 0, Math.PI / 2, 1, 1.6, true);
+    EDGE_ON("vase", "painter", 0, Math.PI / 2, 1, 1.6, true),
+    /** Each board lies before the next one in a circle: no order of whole faces is right. */
+    CYCLIC("cyclic-overlap", "painter"),
+    /** Bodies that pierce each other. */
+    PIERCING("interpenetrating", "painter"),
+    /** Sheets in one plane: what is seen depends on their order alone. */
+    COPLANAR("coplanar", "painter"),
+    /** Sixteen bits are too few for depths from the near plane on. */
+    COARSE("near-plane", "z16");
 
     private final String scene;
     private final String method;
@@ -50,6 +58,18 @@ enum HazardView {
         this.difference = difference;
     }
 
+    /** The scene as it is first seen, with what is wrong in it. */
+    HazardView(String scene, String method) {
+        this(
+                scene,
+                method,
+                Scenes.named(scene).defaultCamera().thetaRadians(),
+                Scenes.named(scene).defaultCamera().phiRadians(),
+                1,
+                1,
+                true);
+    }
+
     /** Lower-case name with hyphens, part of keys and component names. */
     String code() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
@@ -58,9 +78,11 @@ enum HazardView {
     /** The choice that shows this view; shading and projection stay. */
     VisibilityChoice shown(VisibilityChoice choice) {
         double rho = nearness * Scenes.named(scene).defaultCamera().rho();
-        return choice.withScene(scene)
+        VisibilityChoice other = choice.withScene(scene);
+        return other.with(LookChoice.USUAL)
+                .withView(StageView.COLOURS)
                 .withVisibility(method)
-                .zoomed(zoom / choice.zoom())
+                .zoomed(zoom / other.zoom())
                 .withCamera(new SphericalView(theta, phi, rho))
                 .withDifference(difference);
     }

@@ -1,30 +1,124 @@
 package rasterlab.app.visibility;
 
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import rasterlab.engine.light.LightTerm;
+import rasterlab.engine.pipeline.Cull;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.pipeline.paint.Sides;
+import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.texture.TextureEnvironment.Mode;
+import rasterlab.engine.texture.Wrap;
 import rasterlab.engine.transform.SphericalView;
 
 /** The shell command that draws the picture that the lab shows, pixel by pixel. */
 final class VisibilityCommand {
-    private VisibilityCommand() {}
+    private final VisibilityLabModel model;
+    private final VisibilityChoice choice;
+    private final List<String> words = new ArrayList<>();
 
+    private VisibilityCommand(VisibilityLabModel model) {
+        this.model = model;
+        choice = model.state().choice();
+    }
+
+    /** A command for each picture on the stage, a line each; or that of the chart. */
     static String of(VisibilityLabModel model) {
         VisibilityChoice choice = model.state().choice();
-        SphericalView camera = choice.camera();
+        if (choice.view() == StageView.GROWTH)
+            return "./lab chart visibility-growth --out visibility-growth.png";
+        if (choice.view() == StageView.PRECISION)
+            return "./lab chart depth-precision --out depth-precision.png";
+        String first = new VisibilityCommand(model).by(choice.visibility());
+        if (choice.comparison().isEmpty()) return first;
+        return first + "\n" + new VisibilityCommand(model).by(choice.comparison());
+    }
+
+    private String by(String method) {
         Raster shown = model.state().picture().map(Picture::raster).orElse(new Raster(800, 600));
-        return ("./lab render %s --visibility %s --shading %s --projection %s"
-                        + " --camera %s,%s,%s --zoom %s --size %dx%d%s --out %s.png")
-                .formatted(
-                        choice.scene(),
-                        choice.visibility(),
-                        choice.shading(),
-                        choice.projection(),
-                        camera.thetaRadians(),
-                        camera.phiRadians(),
-                        camera.rho(),
-                        choice.zoom(),
-                        shown.width(),
-                        shown.height(),
-                        model.drawsEdges() ? " --outline" : "",
-                        choice.scene());
+        SceneChoice scene = choice.shown();
+        words.addAll(List.of("./lab", "render"));
+        words.add(scene.file().map(VisibilityCommand::quoted).orElse(scene.name()));
+        scene.image().ifPresent(image -> add("--texture-image", quoted(image)));
+        SphericalView camera = choice.camera();
+        add("--visibility", method);
+        add("--shading", choice.shading());
+        add("--projection", choice.projection());
+        add("--camera", camera.thetaRadians() + "," + camera.phiRadians() + "," + camera.rho());
+        add("--zoom", choice.zoom());
+        add("--size", shown.width() + "x" + shown.height());
+        if (model.drawsEdges(method)) words.add("--outline");
+        addLook(choice.plain(method, shown.width(), shown.height()));
+        boolean two = !choice.comparison().isEmpty();
+        add("--out", stem(scene.name()) + (two ? "-" + method : "") + ".png");
+        return String.join(" ", words);
+    }
+
+    private static String stem(String name) {
+        return name.replaceFirst("(\\.scene)?\\.[a-zA-Z]+$", "")
+                .replaceAll("[^\\p{L}\\p{N}_-]", "-");
+    }
+
+    private void addLook(RenderRequest request) {
+        LookChoice look = choice.look();
+        if (look.texture() != TextureMode.AUTO) add("--texture", look.texture().code());
+        if (choice.shown().textured()) {
+            look.change().wrap().ifPresent(wrap -> add("--wrap", code(wrap)));
+            look.change().environment().ifPresent(mode -> add("--environment", code(mode)));
+        }
+        addLight(look);
+        if (look.cull() != Cull.NONE) add("--cull", look.cull().code());
+        if (request.look().shading() == ShadingMethod.WIRE) addWire(look);
+        if (look.cue() > 0) add("--depth-cue", look.cue());
+        if (look.near() > 0) add("--near", request.depth().near());
+        if (look.far() < Double.POSITIVE_INFINITY) add("--far", request.depth().far());
+        request.look()
+                .stereo()
+                .ifPresent(
+                        stereo -> {
+                            add("--stereo", stereo.kind().code());
+                            add("--eyes", stereo.separation());
+                        });
+    }
+
+    private void addLight(LookChoice look) {
+        if (!look.terms().equals(LightTerm.all()))
+            add(
+                    "--terms",
+                    new TreeSet<>(look.terms())
+                            .stream().map(LightTerm::code).collect(Collectors.joining(",")));
+        if (look.sides() != Sides.SCENE)
+            words.add(look.sides() == Sides.TWO ? "--two-sided" : "--no-two-sided");
+    }
+
+    private void addWire(LookChoice look) {
+        if (look.hidden() != HiddenLines.REMOVED) add("--hidden-lines", look.hidden().code());
+        if (look.crease() > 0) add("--crease", look.crease());
+    }
+
+    private void add(String option, Object value) {
+        words.add(option);
+        words.add(value.toString());
+    }
+
+    private static String code(Wrap wrap) {
+        return wrap.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    private static String code(Mode mode) {
+        return mode.name().toLowerCase(Locale.ROOT);
+    }
+
+    /** As a POSIX shell takes it. */
+    private static String quoted(Path file) {
+        String path = file.toString();
+        return path.matches("[\\w./-]+") ? path : "'" + path.replace("'", "'\\''") + "'";
     }
 }

@@ -1,39 +1,55 @@
 package rasterlab.app.visibility;
 
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Dimension;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JCheckBox;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JScrollPane;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.PixelMarkIcon;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.study.Method;
 
 /** The hidden-surface lab's choosers, live numbers and the explanation of the chosen method. */
 final class VisibilityInspector {
+    private static final int TABLE_HEIGHT = 150;
+    private static final String TURN = "turn";
+    private static final String DRAW = "draw";
+
     private final VisibilityLabModel model;
     private final Texts texts;
     private final Texts translations;
     private final Inspector column;
     private final NameChooser scene;
     private final MethodChooser visibility;
+    private final MethodChooser comparison;
     private final NameChooser shading;
     private final NameChooser projection;
+    private final NameChooser view;
+    private final NameChooser timeline;
     private final JCheckBox edges;
     private final JCheckBox difference;
-    private final JLabel theta;
-    private final JLabel phi;
-    private final JLabel rho;
-    private final JLabel zoom;
-    private final JLabel size;
-    private final JLabel frameTime;
-    private final JLabel wrongPixels;
-    private final JLabel share;
-    private final JLabel largest;
+    private final WrongRows wrong;
+    private final StepList steps;
+    private final JComponent stepScroll;
+    private final List<JLabel> work = new ArrayList<>();
+    private final PixelLens lens;
+    private final TouchTable history;
+    private final JComponent historyScroll;
+    private final JLabel pixel;
+    private final JLabel stored;
+    private final List<JLabel> values = new ArrayList<>();
+    private final LookControls look;
     private final AboutText about;
 
     VisibilityInspector(VisibilityLabModel model, Texts texts) {
@@ -41,19 +57,23 @@ final class VisibilityInspector {
         this.texts = texts;
         translations = Texts.of("visibility", "topic", texts.language());
         column = new Inspector(texts);
-
-        scene =
-                names(
-                        "scene",
-                        Scenes.names(),
-                        name -> model.choose(choice -> choice.withScene(name)));
+        List<String> methods = model.methods().stream().map(Method::name).toList();
+        scene = scenes();
+        column.wide(new SceneRow(model, texts));
         visibility =
                 new MethodChooser(
                         "method",
                         "",
-                        model.methods().stream().map(Method::name).toList(),
+                        methods,
                         name -> model.choose(choice -> choice.withVisibility(name)));
         column.row("method", visibility);
+        comparison =
+                new MethodChooser(
+                        "comparison",
+                        texts.text("none"),
+                        methods,
+                        name -> model.choose(choice -> choice.withComparison(name)));
+        column.row("comparison", comparison);
         shading =
                 names(
                         "shading",
@@ -64,26 +84,70 @@ final class VisibilityInspector {
                         "projection",
                         Renderer.projections(),
                         name -> model.choose(choice -> choice.withProjection(name)));
+        view =
+                names(
+                        "view",
+                        StageView.codes(),
+                        code -> model.choose(choice -> choice.withView(StageView.coded(code))));
+        timeline =
+                names(
+                        "timeline",
+                        List.of(TURN, DRAW),
+                        code -> model.choose(choice -> choice.withDrawing(code.equals(DRAW))));
         edges = box("edges", shown -> model.choose(choice -> choice.withEdges(shown)));
 
         column.heading("heading.wrong");
         difference =
                 box("difference", shown -> model.choose(choice -> choice.withDifference(shown)));
-        wrongPixels = column.value("wrongPixels");
-        share = column.value("share");
-        largest = column.value("largest");
+        wrong = new WrongRows(column);
+
+        column.heading("heading.order");
+        steps = new StepList(model, texts);
+        stepScroll = scrolled(steps);
+        for (String key : List.of("stepNow", "cuts", "comparisons", "depthTests", "pixelsWritten"))
+            work.add(column.value(key));
+
+        column.heading("heading.pixel");
+        pixel = column.value("pixel");
+        stored = column.value("stored");
+        lens = new PixelLens(model, texts.text("lens"));
+        column.wide(lens);
+        history = new TouchTable(texts);
+        JScrollPane scroll = scrolled(history);
+        scroll.setColumnHeaderView(history.getTableHeader());
+        historyScroll = scroll;
 
         column.heading("heading.view");
-        theta = column.value("theta");
-        phi = column.value("phi");
-        rho = column.value("rho");
-        zoom = column.value("zoom");
-        frameTime = column.value("frameTime");
-        size = column.value("size");
+        for (String key : List.of("theta", "phi", "rho", "zoom", "frameTime", "size"))
+            values.add(column.value(key));
+
+        column.heading("heading.look");
+        look = new LookControls(model, texts, column);
 
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
         column.wide(about);
+    }
+
+    private NameChooser scenes() {
+        var names = new ArrayList<String>(Scenes.names());
+        SceneChoice shown = model.state().choice().shown();
+        if (shown.file().isPresent()) names.add(shown.name());
+        return names("scene", names, this::chooseScene);
+    }
+
+    /** The file that is open is no name to be looked up. */
+    private void chooseScene(String name) {
+        if (!name.equals(model.state().choice().scene()))
+            model.choose(choice -> choice.withScene(name));
+    }
+
+    private JScrollPane scrolled(JComponent inner) {
+        var scroll = new JScrollPane(inner);
+        scroll.setName(inner.getName() + ".scroll");
+        scroll.setPreferredSize(new Dimension(100, UIScale.scale(TABLE_HEIGHT)));
+        column.wide(scroll);
+        return scroll;
     }
 
     private NameChooser names(String key, List<String> names, Consumer<String> chosen) {
@@ -113,24 +177,94 @@ final class VisibilityInspector {
         VisibilityLabState state = model.state();
         VisibilityChoice choice = state.choice();
         var readings = new VisibilityReadings(state, texts);
-        scene.show(choice.scene());
+        showScene(choice.shown());
         visibility.show(choice.visibility());
+        comparison.show(choice.comparison());
         shading.show(choice.shading());
         projection.show(choice.projection());
+        view.show(choice.view().code());
+        timeline.show(choice.drawing() ? DRAW : TURN);
         edges.setSelected(choice.edges());
         edges.setEnabled(model.canDrawEdges());
         difference.setSelected(choice.difference());
-        theta.setText(readings.theta());
-        phi.setText(readings.phi());
-        rho.setText(readings.rho());
-        zoom.setText(readings.zoom());
-        size.setText(readings.size());
-        frameTime.setText(readings.frameTime());
-        wrongPixels.setText(readings.wrongPixels());
-        share.setText(readings.share());
-        largest.setText(readings.largest());
+        wrong.show(readings, choice);
+        refreshSteps(choice, readings);
+        refreshPixel(state, readings);
+        List<String> texts = readings.view();
+        for (int i = 0; i < texts.size(); i++) values.get(i).setText(texts.get(i));
+        look.refresh();
         model.methods().stream()
                 .filter(method -> method.name().equals(choice.visibility()))
-                .forEach(method -> about.show(translations, method, "", ""));
+                .forEach(method -> about.show(translations, method, readings.decision(), ""));
+    }
+
+    /** An opened file is in the list as long as it is shown. */
+    private void showScene(SceneChoice shown) {
+        boolean listed = false;
+        for (int i = 0; i < scene.getItemCount(); i++)
+            listed |= scene.getItemAt(i).equals(shown.name());
+        if (!listed) scene.addItem(shown.name());
+        scene.show(shown.name());
+    }
+
+    private void refreshSteps(VisibilityChoice choice, VisibilityReadings readings) {
+        stepScroll.setVisible(choice.drawing());
+        steps.refresh();
+        List<String> texts = readings.work();
+        for (int i = 0; i < texts.size(); i++) {
+            work.get(i).setText(texts.get(i));
+            column.showRow(work.get(i), i == 0 || choice.drawing());
+        }
+    }
+
+    private void refreshPixel(VisibilityLabState state, VisibilityReadings readings) {
+        boolean chosen = state.chosen().isPresent();
+        pixel.setText(readings.pixel());
+        column.showRow(
+                stored, state.pixel().isPresent() && state.pixel().get().stored().isPresent());
+        stored.setText(readings.stored());
+        lens.setVisible(chosen);
+        lens.repaint();
+        historyScroll.setVisible(chosen);
+        state.pixel().ifPresent(report -> history.show(report.touches()));
+        if (!chosen) history.show(List.of());
+    }
+
+    /** What differs from the exact picture, by the kinds of marks. */
+    private static final class WrongRows {
+        private final Inspector column;
+        private final JLabel wrongPixels;
+        private final JLabel missing;
+        private final JLabel extra;
+        private final JLabel miscoloured;
+        private final JLabel share;
+        private final JLabel largest;
+        private final JLabel other;
+
+        WrongRows(Inspector column) {
+            this.column = column;
+            wrongPixels = column.value("wrongPixels");
+            missing = column.value("missing");
+            missing.setIcon(new PixelMarkIcon(PixelMark.MISSING));
+            extra = column.value("extra");
+            extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
+            miscoloured = column.value("miscoloured");
+            share = column.value("share");
+            largest = column.value("largest");
+            other = column.value("other");
+        }
+
+        void show(VisibilityReadings readings, VisibilityChoice choice) {
+            wrongPixels.setText(readings.wrongPixels());
+            missing.setText(readings.missing());
+            extra.setText(readings.extra());
+            miscoloured.setText(readings.miscoloured());
+            share.setText(readings.share());
+            largest.setText(readings.largest());
+            other.setText(readings.other());
+            for (JLabel each : List.of(missing, extra, miscoloured, share, largest))
+                column.showRow(each, choice.difference());
+            column.showRow(other, choice.difference() && !choice.comparison().isEmpty());
+        }
     }
 }

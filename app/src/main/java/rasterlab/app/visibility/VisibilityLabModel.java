@@ -1,5 +1,6 @@
 package rasterlab.app.visibility;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -12,10 +13,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
-import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
-import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.visibility.Visibility;
@@ -33,65 +31,75 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         Raster picture(RenderRequest request, BooleanSupplier cancelled);
     }
 
-    /** The scenes' own scale leaves room for every view; in the lab they may be larger. */
-    private static final double FIRST_ZOOM = 1.6;
+    /** View pixels between two pictures. */
+    static final int GAP = 6;
 
-    private final Executor events;
-    private final LatestOnly<RenderRequest, Picture> pictures;
-    private final LatestOnly<RenderRequest, PictureDifference> differences;
+    private record Differences(Compared first, Optional<Compared> second) {}
+
+    private final LatestOnly<Frame, Frame.Pictures> pictures;
+    private final LatestOnly<Frame, Optional<Differences>> differences;
+    private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
+    private final LatestOnly<PixelReport.Question, PixelReport> histories;
+    private final LatestOnly<SceneFiles.Task, SceneFiles.Answer> files;
     private final History<VisibilityChoice> history = new History<>();
     private final FrameTimes times = new FrameTimes();
     private final List<Consumer<VisibilityLabState>> listeners = new ArrayList<>();
     private final List<Method<Visibility>> methods = Renderer.visibilityMethods();
+    private final ChartStudies charts;
+    private Optional<Frame> compared = Optional.empty();
     private int width;
     private int height;
-    private VisibilityLabState state;
+    private VisibilityLabState state = VisibilityLabState.of(VisibilityChoice.first());
 
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what a background picture threw, on any thread
      */
     public VisibilityLabModel(PictureMaker maker, Executor events, Consumer<Throwable> onFailure) {
-        this.events = events;
+        charts = new ChartStudies(events, onFailure);
         pictures =
                 new LatestOnly<>(
                         "picture",
-                        (request, cancelled) -> timed(maker, request, cancelled),
-                        (request, picture) -> events.execute(() -> accept(picture)),
+                        (frame, cancelled) -> frame.made(maker, cancelled),
+                        (frame, made) -> events.execute(() -> accept(made)),
                         onFailure);
         differences =
                 new LatestOnly<>(
                         "exact picture",
-                        (request, cancelled) ->
-                                PictureDifference.of(
-                                        maker.picture(
-                                                request.withVisibility(Renderer.REFERENCE),
-                                                cancelled),
-                                        maker.picture(request, cancelled)),
+                        (frame, cancelled) -> compared(frame, maker, cancelled),
+                        (frame, found) -> events.execute(() -> accept(frame, found)),
+                        onFailure);
+        walks =
+                new LatestOnly<>(
+                        "steps",
+                        Drawn::of,
                         (request, found) -> events.execute(() -> accept(request, found)),
                         onFailure);
-        state = new VisibilityLabState(first(), Optional.empty(), Optional.empty(), 0, false);
+        histories =
+                new LatestOnly<>(
+                        "pixel history",
+                        PixelReport::of,
+                        (asked, found) -> events.execute(() -> accept(found)),
+                        onFailure);
+        files =
+                new LatestOnly<>(
+                        "scene file",
+                        (task, cancelled) -> SceneFiles.done(task),
+                        (task, answer) -> events.execute(() -> accept(answer)),
+                        onFailure);
     }
 
-    /** The vase by the painter, as its author shades it. */
-    private static VisibilityChoice first() {
-        Scene vase = Scenes.named("vase");
-        return new VisibilityChoice(
-                vase.name(),
-                "painter",
-                "tone",
-                "perspective",
-                vase.defaultCamera(),
-                FIRST_ZOOM,
-                false,
-                false);
-    }
-
-    private static Picture timed(
-            PictureMaker maker, RenderRequest request, BooleanSupplier cancelled) {
-        long start = System.nanoTime();
-        Raster raster = maker.picture(request, cancelled);
-        return new Picture(request, raster, System.nanoTime() - start);
+    /** Empty where a method refuses the scene. */
+    private static Optional<Differences> compared(
+            Frame frame, PictureMaker maker, BooleanSupplier cancelled) {
+        try {
+            return Optional.of(
+                    new Differences(
+                            Compared.of(frame.first(), maker, cancelled),
+                            frame.second().map(request -> Compared.of(request, maker, cancelled))));
+        } catch (IllegalArgumentException refused) {
+            return Optional.empty(); // The picture says why.
+        }
     }
 
     public VisibilityLabState state() {
@@ -102,16 +110,31 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         return methods;
     }
 
+    /** The charts that the stage can show instead of pictures. */
+    ChartStudies charts() {
+        return charts;
+    }
+
     /** Whether the chosen method can draw the faces' edges. */
     public boolean canDrawEdges() {
+        return canDrawEdges(state.choice().visibility());
+    }
+
+    private boolean canDrawEdges(String name) {
         return methods.stream()
-                .filter(method -> method.name().equals(state.choice().visibility()))
+                .filter(method -> method.name().equals(name))
                 .anyMatch(method -> method.implementation().drawsOutlines());
     }
 
     /** Whether the picture of the present choice has edges. */
     public boolean drawsEdges() {
-        return state.choice().edges() && canDrawEdges();
+        return drawsEdges(state.choice().visibility());
+    }
+
+    /** Whether a picture of the present choice by that method has edges. */
+    boolean drawsEdges(String method) {
+        VisibilityChoice choice = state.choice();
+        return choice.edges() && canDrawEdges(method) && !choice.shading().equals("wire");
     }
 
     /** Tells the listener each new state from now on; the answer ends that. */
@@ -121,7 +144,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     /**
-     * The size of the picture, in device pixels, from 1 to {@link Raster#LARGEST_SIDE}; before the
+     * The size of the stage, in device pixels, from 1 to {@link Raster#LARGEST_SIDE}; before the
      * first call nothing is drawn.
      */
     public void resize(int newWidth, int newHeight) {
@@ -133,6 +156,11 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         draw(state.choice());
     }
 
+    /** Width of each picture: two share the stage. */
+    private int pictureWidth(VisibilityChoice choice) {
+        return choice.comparison().isEmpty() ? width : Math.max(1, (width - GAP) / 2);
+    }
+
     /**
      * Changes the choice and remembers the old one.
      *
@@ -141,9 +169,30 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     public void choose(UnaryOperator<VisibilityChoice> change) {
         VisibilityChoice next = change.apply(state.choice());
         if (next.equals(state.choice())) return;
-        next.plain(1, 1); // Refuses unknown names before anything is remembered.
+        next.plain(2, 1); // Refuses unknown names before anything is remembered.
+        if (!next.comparison().isEmpty()) next.plain(next.comparison(), 2, 1);
         history.remember(state.choice());
         draw(next);
+    }
+
+    /**
+     * Shows a scene by two methods side by side, their wrong pixels marked.
+     *
+     * @param comparison a method's name, "" for one picture
+     * @throws IllegalArgumentException if the engine does not know a name
+     */
+    public void compare(String scene, String method, String comparison) {
+        choose(
+                choice ->
+                        choice.withScene(scene)
+                                .withVisibility(method)
+                                .withComparison(comparison)
+                                .withDifference(true));
+    }
+
+    /** Lets the timeline go through the method's steps, or turn the scene. */
+    public void watchSteps(boolean watched) {
+        choose(choice -> choice.withDrawing(watched));
     }
 
     /** Turns the eye by angles in radians; φ stays in [0, 2π) and so does θ. */
@@ -157,7 +206,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
                 choice ->
                         choice.withCamera(
                                 Cameras.retreated(
-                                        choice.camera(), factor, Scenes.named(choice.scene()))));
+                                        choice.camera(), factor, choice.shown().scene())));
     }
 
     /** Brings the eye to a place. */
@@ -171,7 +220,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     public void endDrag() {
         history.endDrag(state.choice());
-        publish(state.choice(), state.picture(), state.difference());
+        publish(state);
     }
 
     public void undo() {
@@ -180,7 +229,50 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Back to the first scene, view and methods; can be undone. */
     public void reset() {
-        choose(choice -> first());
+        publish(state.choosing(Optional.empty()).withProblem(""));
+        choose(choice -> VisibilityChoice.first());
+    }
+
+    /** Shows the picture after so many steps; more than there are show all of it. */
+    void goTo(int step) {
+        int next = step >= lastStep() ? Frame.ALL : Math.max(0, step);
+        if (next == state.step()) return;
+        publish(state.at(next));
+        if (width > 0) pictures.ask(frame(state.choice()));
+    }
+
+    /** How many steps the method made; 0 while that is not known. */
+    int lastStep() {
+        return state.drawn().map(drawn -> drawn.steps().size()).orElse(0);
+    }
+
+    /** Asks what happened at a pixel; one outside goes to the nearest one. */
+    void choosePixel(ChosenPixel pixel) {
+        if (width == 0) return;
+        int x = Math.max(0, Math.min(pictureWidth(state.choice()) - 1, pixel.x()));
+        int y = Math.max(0, Math.min(height - 1, pixel.y()));
+        boolean second = pixel.second() && !state.choice().comparison().isEmpty();
+        publish(state.choosing(Optional.of(new ChosenPixel(second, x, y))));
+        askPixel();
+    }
+
+    /** Moves the chosen pixel; without one, to the middle. */
+    void movePixel(int right, int down) {
+        ChosenPixel middle = new ChosenPixel(false, pictureWidth(state.choice()) / 2, height / 2);
+        choosePixel(
+                state.chosen()
+                        .map(at -> new ChosenPixel(at.second(), at.x() + right, at.y() + down))
+                        .orElse(middle));
+    }
+
+    /** Opens a scene, a model or a texture; what goes wrong is told in the state. */
+    void open(Path file) {
+        files.ask(new SceneFiles.Task(file, Optional.empty()));
+    }
+
+    /** Writes the view into a scene file; what goes wrong is told in the state. */
+    void save(Path file) {
+        files.ask(new SceneFiles.Task(file, Optional.of(state.choice())));
     }
 
     @Override
@@ -201,8 +293,12 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
     public void settle() throws InterruptedException {
+        files.settle();
+        walks.settle();
         pictures.settle();
         differences.settle();
+        histories.settle();
+        charts.settle();
     }
 
     /** Ends the threads. */
@@ -210,50 +306,105 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     public void close() {
         pictures.close();
         differences.close();
+        walks.close();
+        histories.close();
+        files.close();
+        charts.close();
     }
 
     private void draw(VisibilityChoice choice) {
         VisibilityChoice old = state.choice();
-        if (!choice.visibility().equals(old.visibility()) || !choice.scene().equals(old.scene()))
-            times.clear();
-        publish(choice, state.picture(), Optional.empty());
+        boolean other = !choice.visibility().equals(old.visibility());
+        boolean moved = !choice.shown().equals(old.shown());
+        if (other || moved) times.clear();
+        boolean keepsStep = choice.drawing() && !other && !moved;
+        boolean keepsSteps = keepsStep && old.drawing();
+        VisibilityLabState next = state.with(choice).at(keepsStep ? state.step() : Frame.ALL);
+        publish(keepsSteps ? next : next.withDrawn(Optional.empty()));
         differences.cancel();
+        histories.cancel();
         if (width == 0) return;
-        RenderRequest plain = choice.plain(width, height);
-        pictures.ask(drawsEdges() ? plain.withOutline() : plain);
-        if (choice.difference()) differences.ask(plain);
+        pictures.ask(frame(choice));
+        compared = Optional.of(choice).filter(VisibilityChoice::difference).map(this::plainFrame);
+        compared.ifPresent(differences::ask);
+        if (choice.drawing()) walks.ask(request(choice, choice.visibility()));
+        askPixel();
     }
 
-    private void accept(Picture picture) {
-        if (picture.request().visibility().equals(state.choice().visibility()))
-            times.add(picture.nanos());
-        publish(state.choice(), Optional.of(picture), state.difference());
+    private Frame frame(VisibilityChoice choice) {
+        return new Frame(
+                request(choice, choice.visibility()),
+                second(choice).map(method -> request(choice, method)),
+                choice.view() == StageView.DEPTHS,
+                choice.drawing() ? state.step() : Frame.ALL);
     }
 
-    private void accept(RenderRequest request, PictureDifference found) {
+    private Frame plainFrame(VisibilityChoice choice) {
+        return new Frame(
+                choice.plain(pictureWidth(choice), height),
+                second(choice).map(method -> choice.plain(method, pictureWidth(choice), height)),
+                false,
+                Frame.ALL);
+    }
+
+    private static Optional<String> second(VisibilityChoice choice) {
+        return Optional.of(choice.comparison()).filter(method -> !method.isEmpty());
+    }
+
+    private RenderRequest request(VisibilityChoice choice, String method) {
+        RenderRequest plain = choice.plain(method, pictureWidth(choice), height);
+        return drawsEdges(method) ? plain.withOutline() : plain;
+    }
+
+    private void askPixel() {
+        if (state.chosen().isEmpty()) return;
+        ChosenPixel pixel = state.chosen().get();
         VisibilityChoice choice = state.choice();
-        if (choice.difference() && same(request, choice.plain(width, height)))
-            publish(choice, state.picture(), Optional.of(found));
+        boolean inside = pixel.x() < pictureWidth(choice) && pixel.y() < height;
+        boolean there = !pixel.second() || !choice.comparison().isEmpty();
+        if (!inside || !there) return;
+        String method = pixel.second() ? choice.comparison() : choice.visibility();
+        histories.ask(new PixelReport.Question(request(choice, method), pixel.x(), pixel.y()));
     }
 
-    /** Whether two requests ask for the same picture; scenes are compared by name. */
-    private static boolean same(RenderRequest one, RenderRequest other) {
-        return one.scene().name().equals(other.scene().name())
-                && one.scene().pictureScale() == other.scene().pictureScale()
-                && one.look().equals(other.look())
-                && one.projection() == other.projection()
-                && one.camera().equals(other.camera())
-                && one.width() == other.width()
-                && one.height() == other.height();
+    private void accept(Frame.Pictures made) {
+        Picture first = made.first();
+        boolean timed = first.refusal().isEmpty() && state.choice().view() == StageView.COLOURS;
+        if (timed && first.request().visibility().equals(state.choice().visibility()))
+            times.add(first.nanos());
+        publish(state.with(made));
     }
 
-    private void publish(
-            VisibilityChoice choice,
-            Optional<Picture> picture,
-            Optional<PictureDifference> difference) {
-        state =
-                new VisibilityLabState(
-                        choice, picture, difference, times.median(), !history.isEmpty());
+    private void accept(Frame frame, Optional<Differences> found) {
+        boolean due = compared.filter(asked -> asked == frame).isPresent();
+        if (due && found.isPresent())
+            publish(state.withDifferences(found.get().first(), found.get().second()));
+    }
+
+    private void accept(RenderRequest request, Optional<Drawn> found) {
+        if (!state.choice().drawing()) return;
+        publish(state.withDrawn(found));
+    }
+
+    private void accept(PixelReport found) {
+        boolean still =
+                state.chosen()
+                        .filter(at -> at.x() == found.asked().x() && at.y() == found.asked().y())
+                        .isPresent();
+        if (still) publish(state.with(Optional.of(found)));
+    }
+
+    private void accept(SceneFiles.Answer answer) {
+        publish(state.withProblem(answer.problem()));
+        try {
+            choose(answer.change());
+        } catch (IllegalArgumentException e) {
+            publish(state.withProblem(e.getMessage()));
+        }
+    }
+
+    private void publish(VisibilityLabState next) {
+        state = next.measured(times.median(), !history.isEmpty());
         List.copyOf(listeners).forEach(listener -> listener.accept(state));
     }
 }

@@ -37,11 +37,8 @@ public final class VisibilityPanel extends LabPanel {
         player =
                 new StepPlayer(
                         Texts.of("canvas", language),
-                        new Turntable(model),
-                        () ->
-                                texts.text(
-                                        "turntable",
-                                        new VisibilityReadings(model.state(), texts).thetaOfPi()));
+                        new DrawingSteps(model),
+                        () -> new VisibilityReadings(model.state(), texts).timeline());
         actions = new Actions(Texts.of("canvas", language));
         actions.add("undo", model::undo);
         actions.add("reset", model::reset);
@@ -50,7 +47,14 @@ public final class VisibilityPanel extends LabPanel {
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
         KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
         player.bindKeys(stage);
-        unsubscribe = model.listen(state -> refresh());
+        SceneRow.acceptFiles(stage, model, onFailure);
+        Runnable noModel = model.listen(state -> refresh());
+        Runnable noCharts = model.charts().listen(stage::refresh);
+        unsubscribe =
+                () -> {
+                    noModel.run();
+                    noCharts.run();
+                };
         refresh();
     }
 
@@ -68,7 +72,7 @@ public final class VisibilityPanel extends LabPanel {
     }
 
     private void refresh() {
-        stage.repaint();
+        stage.refresh();
         inspector.refresh();
         player.refresh();
         actions.enable("undo", model.state().undoable());

@@ -1,9 +1,11 @@
 package rasterlab.app.visibility;
 
 import java.text.NumberFormat;
+import java.util.List;
 import java.util.function.Function;
+import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.raster.PictureDifference;
+import rasterlab.engine.visibility.VisibilityWork;
 
 /** The live numbers of a state as the inspector writes them. */
 final class VisibilityReadings {
@@ -15,8 +17,16 @@ final class VisibilityReadings {
         this.texts = texts;
     }
 
-    String theta() {
-        return angle(state.choice().camera().thetaRadians());
+    /** θ, φ, ρ, zoom, time of a frame, size. */
+    List<String> view() {
+        VisibilityChoice choice = state.choice();
+        return List.of(
+                angle(choice.camera().thetaRadians()),
+                angle(choice.camera().phiRadians()),
+                number(choice.camera().rho(), 1),
+                "× " + number(choice.zoom(), 2),
+                frameTime(),
+                size());
     }
 
     /** θ as a multiple of π. */
@@ -24,31 +34,31 @@ final class VisibilityReadings {
         return number(state.choice().camera().thetaRadians() / Math.PI, 2);
     }
 
-    String phi() {
-        return angle(state.choice().camera().phiRadians());
-    }
-
-    String rho() {
-        return number(state.choice().camera().rho(), 1);
-    }
-
-    String zoom() {
-        return "× " + number(state.choice().zoom(), 2);
-    }
-
-    String size() {
+    private String size() {
         return state.picture()
                 .map(picture -> picture.raster().width() + " × " + picture.raster().height())
                 .orElse("–");
     }
 
-    String frameTime() {
+    private String frameTime() {
         if (state.medianNanos() == 0) return texts.text("frameTime.none");
         return texts.text("frameTime.millis", number(state.medianNanos() / 1e6, 1));
     }
 
     String wrongPixels() {
         return compared(difference -> texts.text("wrongPixels.count", difference.wrongPixels()));
+    }
+
+    String missing() {
+        return compared(difference -> count(difference.missing()));
+    }
+
+    String extra() {
+        return compared(difference -> count(difference.extra()));
+    }
+
+    String miscoloured() {
+        return compared(difference -> count(difference.miscoloured()));
     }
 
     String share() {
@@ -58,10 +68,75 @@ final class VisibilityReadings {
 
     String largest() {
         return compared(
-                difference -> texts.text("largest.levels", difference.largestLevelDifference()));
+                difference ->
+                        texts.text(
+                                "largest.levels",
+                                difference.difference().largestLevelDifference()));
     }
 
-    private String compared(Function<PictureDifference, String> reading) {
+    /** Wrong pixels of the other method. */
+    String other() {
+        return state.otherDifference()
+                .map(difference -> texts.text("wrongPixels.count", difference.wrongPixels()))
+                .orElseGet(() -> texts.text("comparing"));
+    }
+
+    /** Steps done, cuts so far, and what was counted for the whole picture. */
+    List<String> work() {
+        if (!state.choice().drawing())
+            return List.of(texts.text("stepNow.off"), "–", "–", "–", "–");
+        if (state.drawn().isEmpty()) return List.of(texts.text("stepNow.none"), "–", "–", "–", "–");
+        Drawn drawn = state.drawn().get();
+        int done = Math.min(state.step(), drawn.steps().size());
+        VisibilityWork work = drawn.work();
+        return List.of(
+                texts.text("stepNow.of", count(done), count(drawn.steps().size())),
+                cuts(drawn, done),
+                count(work.comparisons()),
+                count(work.depthTests()),
+                count(work.pixelsWritten()));
+    }
+
+    /** So far and in all; in all only where they were made before the first step. */
+    private String cuts(Drawn drawn, int done) {
+        String all = count(drawn.work().splits());
+        return drawn.cutsOnTheWay() ? texts.text("cuts.of", count(drawn.cuts(done)), all) : all;
+    }
+
+    /** What stands behind the timeline. */
+    String timeline() {
+        if (!state.choice().drawing()) return texts.text("turntable", thetaOfPi());
+        int last = state.drawn().map(drawn -> drawn.steps().size()).orElse(0);
+        return count(Math.min(state.step(), last)) + " / " + count(last);
+    }
+
+    String decision() {
+        return state.drawn()
+                .map(Drawn::decision)
+                .map(said -> texts.textOr("decision." + state.choice().visibility(), said))
+                .orElse("");
+    }
+
+    String pixel() {
+        if (state.chosen().isEmpty()) return texts.text("pixel.none");
+        ChosenPixel at = state.chosen().get();
+        String place = "(" + at.x() + ", " + at.y() + ")";
+        boolean untold = state.pixel().isPresent() && !state.pixel().get().told();
+        return untold ? texts.text("pixel.untold", place) : place;
+    }
+
+    String stored() {
+        return state.pixel()
+                .filter(report -> report.stored().isPresent())
+                .map(report -> Shown.number(report.stored().getAsDouble(), 7, texts.locale()))
+                .orElse("–");
+    }
+
+    private String count(long number) {
+        return NumberFormat.getIntegerInstance(texts.locale()).format(number);
+    }
+
+    private String compared(Function<Compared, String> reading) {
         if (!state.choice().difference()) return "–";
         return state.difference().map(reading).orElseGet(() -> texts.text("comparing"));
     }

@@ -7,19 +7,27 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
+import java.awt.RenderingHints;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
+import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.util.List;
+import java.util.Optional;
 import javax.accessibility.AccessibleRole;
+import javax.swing.BorderFactory;
+import javax.swing.JLabel;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.scene.Vase;
 
@@ -33,11 +41,21 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     private static final double WHEEL = 1.08;
     private static final double ZOOM = 1.25;
 
+    /** View units that a mouse may move between press and release of a click. */
+    private static final int CLICK = 3;
+
     private final transient VisibilityLabModel model;
+    private final transient Texts texts;
+    private final CountingPanel counting;
+    private final JLabel pointed = new JLabel();
 
     VisibilityStage(VisibilityLabModel model, Texts texts) {
         super(AccessibleRole.CANVAS);
         this.model = model;
+        this.texts = texts;
+        counting = new CountingPanel(model, texts);
+        add(counting);
+        addReadOut();
         setName("stage");
         setFocusable(true);
         setOpaque(true);
@@ -64,6 +82,10 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         bind(KeyEvent.VK_DOWN, 0, -Vase.PHI_STEP);
         bind(KeyEvent.VK_LEFT, -Vase.THETA_STEP, 0);
         bind(KeyEvent.VK_RIGHT, Vase.THETA_STEP, 0);
+        bindPixel(KeyEvent.VK_UP, 0, -1);
+        bindPixel(KeyEvent.VK_DOWN, 0, 1);
+        bindPixel(KeyEvent.VK_LEFT, -1, 0);
+        bindPixel(KeyEvent.VK_RIGHT, 1, 0);
         for (String key : new String[] {"typed +", "typed ="})
             KeyBinding.whenFocused(
                     this,
@@ -73,6 +95,23 @@ final class VisibilityStage extends SelfDrawn implements Settling {
                 this,
                 KeyStroke.getKeyStroke("typed -"),
                 () -> model.choose(choice -> choice.zoomed(1 / ZOOM)));
+    }
+
+    private void addReadOut() {
+        pointed.setOpaque(true);
+        pointed.setBackground(StageColours.now().ground());
+        pointed.setForeground(StageColours.now().ink());
+        pointed.setBorder(BorderFactory.createEmptyBorder(2, 5, 2, 5));
+        pointed.setVisible(false);
+        pointed.setName("pointed");
+        add(pointed);
+    }
+
+    private void bindPixel(int key, int right, int down) {
+        KeyBinding.whenFocused(
+                this,
+                KeyStroke.getKeyStroke(key, InputEvent.SHIFT_DOWN_MASK),
+                () -> model.movePixel(right, down));
     }
 
     private void bind(int key, double dTheta, double dPhi) {
@@ -85,11 +124,29 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         model.settle();
     }
 
-    /** The picture is as large as the stage, in the screen's own dots. */
+    /** The pictures fill the stage, in the screen's own dots. */
     @Override
     public void doLayout() {
         double scale = DevicePixels.scale(this);
         model.resize(DevicePixels.count(getWidth(), scale), DevicePixels.count(getHeight(), scale));
+        Dimension size = counting.getPreferredSize();
+        counting.setBounds(
+                (getWidth() - size.width) / 2,
+                (getHeight() - size.height) / 2,
+                size.width,
+                size.height);
+        Dimension place = pointed.getPreferredSize();
+        pointed.setBounds(8, getHeight() - place.height - 8, place.width, place.height);
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        VisibilityChoice choice = model.state().choice();
+        if (choice.view().isChart()) model.charts().ask(choice.view(), texts.language());
+        counting.refresh(choice.view().isChart());
+        pointed.setVisible(pointed.isVisible() && !choice.view().isChart());
+        revalidate();
+        repaint();
     }
 
     @Override
@@ -103,12 +160,134 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         g.setColor(StageColours.now().ground());
         g.fillRect(0, 0, getWidth(), getHeight());
         VisibilityLabState state = model.state();
-        state.difference()
-                .map(difference -> difference.mask().image())
-                .or(() -> state.picture().map(picture -> picture.raster().image()))
-                .ifPresent(image -> DevicePixels.paint(g, image));
+        if (state.choice().view().isChart()) paintChart(g);
+        else paintPictures(g, state);
         g.dispose();
         paintFocus((Graphics2D) graphics.create());
+    }
+
+    /** As large as it fits, in the middle. */
+    private void paintChart(Graphics2D g) {
+        g.setColor(Color.WHITE);
+        g.fillRect(0, 0, getWidth(), getHeight());
+        Optional<ChartStudies.Chart> chart = model.charts().chart();
+        if (chart.isEmpty()) return;
+        var image = chart.get().image();
+        double fit =
+                Math.min(
+                        (double) getWidth() / image.getWidth(),
+                        (double) getHeight() / image.getHeight());
+        int width = (int) (fit * image.getWidth());
+        int height = (int) (fit * image.getHeight());
+        g.setRenderingHint(
+                RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
+        g.drawImage(
+                image, (getWidth() - width) / 2, (getHeight() - height) / 2, width, height, null);
+    }
+
+    private void paintPictures(Graphics2D g, VisibilityLabState state) {
+        state.picture()
+                .ifPresent(picture -> paintPicture(g, picture, state.difference(), state, false));
+        if (state.other().isPresent() && !state.choice().comparison().isEmpty())
+            paintPicture(g, state.other().get(), state.otherDifference(), state, true);
+        sayProblem(g, state.problem());
+    }
+
+    private void paintPicture(
+            Graphics2D g,
+            Picture picture,
+            Optional<Compared> difference,
+            VisibilityLabState state,
+            boolean second) {
+        double scale = DevicePixels.scale(this);
+        double left = second ? secondLeft(picture, scale) : 0;
+        boolean marked = state.choice().view() == StageView.COLOURS;
+        var over = (Graphics2D) g.create();
+        over.translate(left, 0);
+        DevicePixels.paint(
+                (Graphics2D) over.create(),
+                difference
+                        .filter(found -> marked)
+                        .map(found -> found.difference().mask().image())
+                        .orElse(picture.raster().image()));
+        over.clipRect(
+                0,
+                0,
+                (int) Math.ceil(picture.raster().width() / scale),
+                (int) Math.ceil(picture.raster().height() / scale));
+        var overlay = new StageOverlay(over, scale);
+        if (!second && state.drawn().isPresent() && state.step() != Frame.ALL)
+            overlay.step(state.drawn().get(), state.step());
+        state.chosen()
+                .filter(pixel -> pixel.second() == second)
+                .ifPresent(pixel -> overlay.pixel(pixel.x(), pixel.y()));
+        if (!state.choice().comparison().isEmpty()) overlay.name(picture.request().visibility(), 0);
+        picture.refusal().ifPresent(message -> refuse(overlay, over, picture, message, scale));
+        over.dispose();
+    }
+
+    /** Where the second picture begins, in view units; between the two is a gap. */
+    private static double secondLeft(Picture picture, double scale) {
+        return (picture.raster().width() + VisibilityLabModel.GAP) / scale;
+    }
+
+    /** Says why the method drew nothing: in its own words where those are the window's language. */
+    private void refuse(
+            StageOverlay overlay, Graphics2D g, Picture picture, String message, double scale) {
+        String method = picture.request().visibility();
+        String own = texts.text("refused.by", method, message);
+        String said =
+                texts.language() == Language.ENGLISH ? own : texts.textOr("refused." + method, own);
+        int width = (int) (picture.raster().width() / scale);
+        say(overlay, g, said, width, getHeight() / 2);
+    }
+
+    private void sayProblem(Graphics2D g, String problem) {
+        if (!problem.isEmpty())
+            say(
+                    new StageOverlay(g, 1),
+                    g,
+                    texts.text("problem", problem),
+                    getWidth(),
+                    getHeight() / 2);
+    }
+
+    private static void say(
+            StageOverlay overlay, Graphics2D g, String sentence, int width, int bottom) {
+        List<String> lines = Wrapping.lines(sentence, width - 48, g.getFontMetrics()::stringWidth);
+        StageColours colours = StageColours.now();
+        overlay.sentence(lines, 24, bottom, colours.ground(), colours.ink());
+    }
+
+    /** The pixel under a place of the stage, of whichever picture lies there. */
+    private Optional<ChosenPixel> pixelAt(Point view) {
+        VisibilityLabState state = model.state();
+        if (state.picture().isEmpty() || state.choice().view().isChart()) return Optional.empty();
+        double scale = DevicePixels.scale(this);
+        Picture first = state.picture().get();
+        double left = secondLeft(first, scale);
+        boolean second = state.other().isPresent() && view.x >= left;
+        int x = (int) Math.floor((view.x - (second ? left : 0)) * scale);
+        int y = (int) Math.floor(view.y * scale);
+        return first.raster().contains(x, y)
+                ? Optional.of(new ChosenPixel(second, x, y))
+                : Optional.empty();
+    }
+
+    private void point(Point view) {
+        Optional<ChosenPixel> pixel = pixelAt(view);
+        pointed.setVisible(pixel.isPresent());
+        if (pixel.isEmpty()) return;
+        VisibilityLabState state = model.state();
+        Picture picture = pixel.get().second() ? state.other().get() : state.picture().get();
+        int argb = picture.raster().argb(pixel.get().x(), pixel.get().y());
+        pointed.setText(
+                texts.text(
+                        "pointed",
+                        Integer.toString(pixel.get().x()),
+                        Integer.toString(pixel.get().y()),
+                        (argb >> 16 & 255) + " " + (argb >> 8 & 255) + " " + (argb & 255)));
+        revalidate();
     }
 
     /** Blue between two white lines, so that it is seen on any picture. */
@@ -124,19 +303,26 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         g.dispose();
     }
 
-    /** One drag turns the eye as one change for undo. */
+    /** One drag turns the eye as one change for undo; a click chooses a pixel. */
     private final class Turning extends MouseAdapter {
         private Point last = new Point();
+        private Point pressed = new Point();
+        private boolean moved;
 
         @Override
         public void mousePressed(MouseEvent e) {
             requestFocusInWindow();
             last = e.getPoint();
+            pressed = e.getPoint();
+            moved = false;
             model.beginDrag();
         }
 
         @Override
         public void mouseDragged(MouseEvent e) {
+            if (model.state().choice().view().isChart()) return;
+            moved |= pressed.distance(e.getPoint()) > CLICK;
+            if (!moved) return;
             model.turn((last.x - e.getX()) * DRAG, (last.y - e.getY()) * DRAG);
             last = e.getPoint();
         }
@@ -144,10 +330,22 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         @Override
         public void mouseReleased(MouseEvent e) {
             model.endDrag();
+            if (!moved) pixelAt(e.getPoint()).ifPresent(model::choosePixel);
+        }
+
+        @Override
+        public void mouseMoved(MouseEvent e) {
+            point(e.getPoint());
+        }
+
+        @Override
+        public void mouseExited(MouseEvent e) {
+            pointed.setVisible(false);
         }
 
         @Override
         public void mouseWheelMoved(MouseWheelEvent e) {
+            if (model.state().choice().view().isChart()) return;
             double turned = e.getPreciseWheelRotation();
             if (e.isControlDown()) model.choose(choice -> choice.zoomed(Math.pow(ZOOM, -turned)));
             else model.retreat(Math.pow(WHEEL, turned));

@@ -23,6 +23,7 @@ import rasterlab.engine.clip.volume.SteppedVolumeClipper;
 import rasterlab.engine.clip.volume.VolumeClipTopic;
 import rasterlab.engine.fill.FillTopic;
 import rasterlab.engine.fill.TracedFill;
+import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
@@ -62,6 +63,7 @@ class TopicTextsTest {
                 "polygon",
                 "clip",
                 "visibility",
+                "light",
                 "spline");
     }
 
@@ -133,7 +135,9 @@ class TopicTextsTest {
         Stream<? extends Method<?>> methods =
                 topic.equals("line")
                         ? new LineTopic().methods().stream()
-                        : Renderer.visibilityMethods().stream();
+                        : topic.equals("light")
+                                ? new ColorTopic().methods().stream()
+                                : Renderer.visibilityMethods().stream();
         methods.forEach(method -> about(method, said));
         if (topic.equals("line"))
             for (Hazard<Segment> hazard : new LineTopic().hazards()) {

@@ -117,6 +117,18 @@ class ClippedTextTest {
             for (int round = 0; round < 2; round++) OffscreenPainter.paint(polygon, width, height);
             assertEquals(List.of(), clipped(polygon), mode.name());
         }
+        JComponent hidden = tabs.get().named("visibility").panel();
+        OffscreenPainter.onEventThread(
+                () -> {
+                    models.get().visibility().compare("globe", "newell", "z24");
+                    models.get().visibility().watchSteps(true);
+                });
+        for (int round = 0; round < 2; round++) OffscreenPainter.paint(hidden, width, height);
+        assertEquals(List.of(), clipped(hidden), "visibility with everything");
+        OffscreenPainter.onEventThread(() -> models.get().light().showColours(true));
+        JComponent light = tabs.get().named("light").panel();
+        for (int round = 0; round < 2; round++) OffscreenPainter.paint(light, width, height);
+        assertEquals(List.of(), clipped(light), "colour models");
         OffscreenPainter.onEventThread(
                 () -> {
                     tabs.get().close();

@@ -107,6 +107,9 @@ class MnemonicsTest {
                         models.coordinates().views().choose(ViewKind.SPHERICAL_LEFT);
                         models.coordinates().show(CoordinatesMode.VIEWS);
                         check.accept("spherical view", shown(content));
+                        models.light().showColours(true);
+                        content.show("light");
+                        check.accept("colours", shown(content));
                         content.show("spline");
                         models.spline().curve().chooseForm(CurveForm.PIECES);
                         check.accept("pieces", shown(content));

@@ -7,16 +7,21 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PictureDifference;
-import rasterlab.engine.scene.Vase;
 
 class HazardViewTest {
     @ParameterizedTest(name = "the view shows no wrong pixel: {0}")
-    @EnumSource(names = {"ROUNDED", "THREE_CORNERS", "MEAN"})
+    @EnumSource(
+            names = {
+                "ROUNDED",
+                "THREE_CORNERS",
+                "MEAN",
+                "CYCLIC",
+                "PIERCING",
+                "COPLANAR",
+                "COARSE"
+            })
     void methodFailsInTheView(HazardView view) {
-        var first =
-                new VisibilityChoice(
-                        "vase", "painter", "tone", "perspective", Vase.CAMERA, 1, false, false);
-        RenderRequest request = view.shown(first).plain(400, 300);
+        RenderRequest request = view.shown(VisibilityChoice.first()).plain(400, 300);
         var renderer = new Renderer();
         PictureDifference difference =
                 PictureDifference.of(

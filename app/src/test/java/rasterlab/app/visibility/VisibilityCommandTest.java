@@ -2,6 +2,7 @@ package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.awt.image.BufferedImage;
@@ -12,18 +13,29 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.Lab;
+import rasterlab.engine.light.LightTerm;
+import rasterlab.engine.pipeline.Cull;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.pipeline.Stereo;
+import rasterlab.engine.pipeline.paint.Sides;
+import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.pipeline.wire.HiddenLines;
+import rasterlab.engine.texture.TextureEnvironment.Mode;
+import rasterlab.engine.texture.Wrap;
 
 @Timeout(60)
 class VisibilityCommandTest {
@@ -37,7 +49,76 @@ class VisibilityCommandTest {
                 mistake(
                         "edges are asked of a method without",
                         choice -> choice.withEdges(true).withVisibility("zfloat")),
-                mistake("hazard's view is lost", HazardView.MEAN::shown));
+                mistake("hazard's view is lost", HazardView.MEAN::shown),
+                mistake("wires are drawn otherwise", VisibilityCommandTest::wires),
+                mistake(
+                        "near and far are lost",
+                        choice -> choice.with(choice.look().withNear(0.9).withFar(1.05))),
+                mistake("textures lie otherwise", VisibilityCommandTest::textured),
+                mistake(
+                        "light is lost",
+                        choice ->
+                                choice.withScene("sphere")
+                                        .withShading("phong")
+                                        .withVisibility("zfloat")
+                                        .with(choice.look().withTerms(Set.of(LightTerm.SPECULAR)))),
+                mistake(
+                        "backs are lit otherwise",
+                        choice ->
+                                choice.withShading("flat")
+                                        .with(choice.look().withSides(Sides.ONE))),
+                mistake("depth cue is lost", choice -> choice.with(choice.look().withCue(0.55))),
+                mistake(
+                        "culling is lost",
+                        choice -> choice.with(choice.look().withCull(Cull.FRONT))),
+                mistake(
+                        "an eye is lost",
+                        choice ->
+                                choice.with(
+                                        choice.look()
+                                                .withStereo(Optional.of(Stereo.Kind.SIDE_BY_SIDE))
+                                                .withEyes(0.1))),
+                mistake(
+                        "eyes are asked of a parallel projection",
+                        choice ->
+                                choice.withProjection("isometric")
+                                        .with(
+                                                choice.look()
+                                                        .withStereo(
+                                                                Optional.of(
+                                                                        Stereo.Kind.ANAGLYPH)))));
+    }
+
+    private static VisibilityChoice wires(VisibilityChoice choice) {
+        return choice.withScene("cube")
+                .withShading("wire")
+                .withVisibility("zfloat")
+                .withEdges(true)
+                .with(choice.look().withHidden(HiddenLines.DASHED).withCrease(20));
+    }
+
+    private static VisibilityChoice textured(VisibilityChoice choice) {
+        return choice.withScene("globe")
+                .withShading("flat")
+                .withVisibility("zfloat")
+                .with(
+                        choice.look()
+                                .withTexture(TextureMode.NEAREST)
+                                .withWrap(Optional.of(Wrap.CLAMP))
+                                .withEnvironment(Optional.of(Mode.REPLACE)));
+    }
+
+    @Test
+    void comparisonHasACommandForEachPicture() {
+        try (var model =
+                new VisibilityLabModel(
+                        new Renderer()::render, Runnable::run, Throwable::printStackTrace)) {
+            model.compare("cube", "painter", "warnock");
+            List<String> lines = VisibilityCommand.of(model).lines().toList();
+            assertEquals(2, lines.size());
+            assertTrue(lines.get(0).contains("--visibility painter"), lines.get(0));
+            assertTrue(lines.get(1).contains("--visibility warnock"), lines.get(1));
+        }
     }
 
     private static Arguments mistake(String name, UnaryOperator<VisibilityChoice> change) {

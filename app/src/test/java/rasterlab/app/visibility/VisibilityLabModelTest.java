@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -15,7 +17,10 @@ import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.language.Language;
 import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Vase;
 
@@ -191,5 +196,149 @@ class VisibilityLabModelTest {
             settle();
             assertEquals(List.of(), failures, view.code());
         }
+    }
+
+    @Test
+    void comparedPicturesShareTheStage() throws InterruptedException {
+        model.resize(106, 40);
+        model.choose(choice -> choice.withComparison("newell").withDifference(true));
+        settle();
+        assertEquals(50, model.state().picture().orElseThrow().raster().width());
+        assertEquals(50, model.state().other().orElseThrow().raster().width());
+        assertEquals("newell", model.state().other().orElseThrow().request().visibility());
+        assertEquals(0, model.state().otherDifference().orElseThrow().wrongPixels());
+        model.choose(choice -> choice.withComparison(""));
+        settle();
+        assertTrue(model.state().other().isEmpty(), "the second picture stayed");
+    }
+
+    @Test
+    void stepsAreAllDrawnUntilOneIsChosen() throws InterruptedException {
+        model.resize(60, 40);
+        model.watchSteps(true);
+        settle();
+        var steps = new DrawingSteps(model);
+        assertEquals(300, steps.last());
+        assertEquals(300, steps.step());
+        steps.goTo(7);
+        settle();
+        assertEquals(7, steps.step());
+        model.turn(0.1, 0);
+        settle();
+        assertEquals(7, steps.step(), "turning lost the step");
+        model.choose(choice -> choice.withVisibility("newell"));
+        settle();
+        assertEquals(steps.last(), steps.step(), "another method begins with its whole picture");
+    }
+
+    @Test
+    void fewStepsLeaveAnEmptierPicture() throws InterruptedException {
+        model.resize(60, 40);
+        model.watchSteps(true);
+        settle();
+        model.goTo(0);
+        settle();
+        Raster none = model.state().picture().orElseThrow().raster();
+        int background = 0xFF000000 | model.state().choice().shown().scene().backgroundRgb();
+        for (int argb : none.argb()) assertEquals(background, argb);
+        model.goTo(150);
+        settle();
+        int drawn = 0;
+        for (int argb : model.state().picture().orElseThrow().raster().argb())
+            if (argb != background) drawn++;
+        assertTrue(drawn > 20, "drawn pixels " + drawn);
+    }
+
+    @Test
+    void pixelsHistoryIsThatOfThePresentPicture() throws InterruptedException {
+        model.resize(60, 40);
+        model.choosePixel(new ChosenPixel(false, 500, 20));
+        assertEquals(59, model.state().chosen().orElseThrow().x(), "outside goes to the edge");
+        model.choosePixel(new ChosenPixel(false, 30, 20));
+        settle();
+        assertTrue(model.state().pixel().orElseThrow().touches().size() >= 2);
+        model.turn(0.3, 0.2);
+        assertTrue(model.state().pixel().isEmpty(), "the old view's history stayed");
+        settle();
+        assertTrue(model.state().pixel().isPresent());
+        model.movePixel(1, -2);
+        assertEquals(new ChosenPixel(false, 31, 18), model.state().chosen().orElseThrow());
+    }
+
+    @Test
+    void methodThatRefusesSaysWhyInsteadOfFailing() throws InterruptedException {
+        try (var real = new Renderer();
+                var lab = new VisibilityLabModel(real::render, events::add, failures::add)) {
+            lab.resize(30, 20);
+            lab.choose(choice -> choice.withVisibility("convex").withDifference(true));
+            lab.settle();
+            for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+            String said = lab.state().picture().orElseThrow().refusal().orElseThrow();
+            assertTrue(said.contains("convex closed body"), said);
+            assertEquals(List.of(), failures);
+        }
+    }
+
+    @Test
+    void brokenFileIsToldWithItsLineAndChangesNothing(@TempDir Path folder) throws Exception {
+        VisibilityChoice before = model.state().choice();
+        Path broken = Files.writeString(folder.resolve("broken.obj"), "v 0 0 0\nv 1 zero 0\n");
+        model.open(broken);
+        settle();
+        assertTrue(model.state().problem().contains("broken.obj:2"), model.state().problem());
+        assertEquals(before, model.state().choice());
+        Path scene = Files.writeString(folder.resolve("a.scene.json"), "{\"version\": 7}");
+        model.open(scene);
+        settle();
+        assertTrue(model.state().problem().contains("$.version"), model.state().problem());
+        model.open(folder.resolve("notes.txt"));
+        settle();
+        assertTrue(model.state().problem().contains("allowed are .obj"), model.state().problem());
+    }
+
+    @Test
+    void savedViewComesBackWhenItIsOpened(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("mine.scene.json");
+        model.choose(
+                choice ->
+                        choice.withScene("torus")
+                                .withVisibility("warnock")
+                                .withShading("phong")
+                                .withProjection("isometric"));
+        model.turn(0.7, 0.2);
+        VisibilityChoice saved = model.state().choice();
+        model.save(file);
+        settle();
+        model.reset();
+        model.open(file);
+        settle();
+        assertEquals("", model.state().problem());
+        assertEquals(saved, model.state().choice());
+    }
+
+    @Test
+    void openedModelIsShownUnderItsFilesName(@TempDir Path folder) throws Exception {
+        Path file =
+                Files.writeString(
+                        folder.resolve("tent.obj"),
+                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+        model.open(file);
+        settle();
+        assertEquals("tent.obj", model.state().choice().scene());
+        assertEquals(4, model.state().choice().shown().scene().mesh().faceCount());
+        assertTrue(
+                VisibilityCommand.of(model).startsWith("./lab render " + file),
+                VisibilityCommand.of(model));
+    }
+
+    @Test
+    void countedChartIsShownAndACancelledOneIsNot() throws InterruptedException {
+        model.charts().ask(StageView.PRECISION, Language.ENGLISH);
+        settle();
+        assertEquals(StageView.PRECISION, model.charts().chart().orElseThrow().asked().view());
+        model.charts().ask(StageView.GROWTH, Language.ENGLISH);
+        model.charts().cancel();
+        settle();
+        assertTrue(model.charts().chart().isEmpty(), "a chart that was given up is shown");
     }
 }

@@ -201,7 +201,7 @@ public final class Renderer implements AutoCloseable {
             return Optional.empty();
         }
         int background = seen.scene().backgroundRgb();
-        Optional<Veil> veil = look.cue().map(cue -> new Veil(cue, view, background));
+        Optional<Veil> veil = veil(look, seen);
         String chosen = visibility(request).chosen();
         ShadingMethod shading = ShadingMethod.named(shading(request).chosen());
         Visibility method = named(visibilities, chosen).implementation();
@@ -209,8 +209,7 @@ public final class Renderer implements AutoCloseable {
             new WirePicture(view, wire(look), background, veil, out).draw(method, cancelled);
         else if (chosen.equals(PIPELINE) && drawsDirectly(look, shading))
             direct().draw(lights(look, seen), directLook(look, shading), out, cancelled);
-        else
-            return Optional.of(method.draw(view, paint(look, shading, seen, veil), out, cancelled));
+        else return Optional.of(method.draw(view, paint(look, shading, seen), out, cancelled));
         return Optional.empty();
     }
 
@@ -251,9 +250,15 @@ public final class Renderer implements AutoCloseable {
         return whole ? look.wire().withoutHiding() : look.wire();
     }
 
-    private static FacePaint paint(
-            Look look, ShadingMethod shading, RequestView seen, Optional<Veil> veil) {
-        var paints = new Paints(lights(look, seen), look.texture(), veil, look.outline());
+    private static Optional<Veil> veil(Look look, RequestView seen) {
+        int background = seen.scene().backgroundRgb();
+        return look.cue().map(cue -> new Veil(cue, seen.viewed(), background));
+    }
+
+    /** The colours of the faces that a request shows, with a shading that is not wire or auto. */
+    static FacePaint paint(Look look, ShadingMethod shading, RequestView seen) {
+        var paints =
+                new Paints(lights(look, seen), look.texture(), veil(look, seen), look.outline());
         return switch (shading) {
             case TONE -> paints.tone();
             case FLAT -> paints.flat();

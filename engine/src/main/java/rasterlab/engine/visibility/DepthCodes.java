@@ -12,6 +12,12 @@ interface DepthCodes {
      */
     void row(double base, double perColumn, int from, int to, int[] codes);
 
+    /** The depth that a code stands for, as the buffer is said to store it. */
+    double depth(int code);
+
+    /** Whether the larger of two such depths is the nearer one. */
+    boolean largerIsNearer();
+
     /** Makes ready what depends on the range only. */
     @FunctionalInterface
     interface Format {

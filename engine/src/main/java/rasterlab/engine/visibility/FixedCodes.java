@@ -46,6 +46,17 @@ final class FixedCodes implements DepthCodes {
         }
     }
 
+    /** The whole number, from 0 on the near plane. */
+    @Override
+    public double depth(int code) {
+        return (double) ((long) code - offset);
+    }
+
+    @Override
+    public boolean largerIsNearer() {
+        return false;
+    }
+
     private static double limited(double value, double most) {
         return Math.max(-most, Math.min(most, value));
     }

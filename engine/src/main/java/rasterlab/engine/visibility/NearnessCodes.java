@@ -11,4 +11,16 @@ final class NearnessCodes implements DepthCodes {
             codes[x - from] = ~(bits ^ (bits >> 31 & Integer.MAX_VALUE));
         }
     }
+
+    /** The nearness. */
+    @Override
+    public double depth(int code) {
+        int turned = ~code;
+        return Float.intBitsToFloat(turned ^ (turned >> 31 & Integer.MAX_VALUE));
+    }
+
+    @Override
+    public boolean largerIsNearer() {
+        return true;
+    }
 }

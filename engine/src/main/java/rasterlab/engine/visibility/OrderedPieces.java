@@ -1,6 +1,7 @@
 package rasterlab.engine.visibility;
 
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import rasterlab.contract.DepthOrder;
 import rasterlab.engine.raster.Raster;
@@ -55,7 +56,7 @@ final class OrderedPieces implements SteppedVisibility {
         return walk.work();
     }
 
-    private final class Walk implements VisibilityWalk {
+    private final class Walk implements PiecesWalk {
         private final ViewedMesh view;
         private final SightSpace space;
         private final Tally tally = new Tally();
@@ -64,7 +65,8 @@ final class OrderedPieces implements SteppedVisibility {
         private final ScreenPolygon whole;
         private final Raster out;
         private final SpanSink cut = this::fillCut;
-        private CutLine[] cuts;
+        private CutLine[] cuts = {};
+        private double[] sightCorners = {};
         private int face;
 
         Walk(ViewedMesh view, FacePaint paint, Raster out, Runnable pulse) {
@@ -91,6 +93,7 @@ final class OrderedPieces implements SteppedVisibility {
         /** The pixels that the whole face owns on the piece's sides of all its cuts. */
         private void paint(int polygon, double[] corners) {
             face = space.face(polygon);
+            sightCorners = corners;
             cuts = order.cuts().stream().map(space::line).toArray(CutLine[]::new);
             whole.load(view, face);
             if (cuts.length == 0) brush.fill(whole, face);
@@ -112,6 +115,12 @@ final class OrderedPieces implements SteppedVisibility {
         @Override
         public boolean advance() {
             return order.advance();
+        }
+
+        @Override
+        public Optional<double[]> piece() {
+            boolean cut = order.step().kind() == OrderStep.Kind.PAINT && cuts.length > 0;
+            return cut ? Optional.of(space.toPixels(sightCorners)) : Optional.empty();
         }
 
         @Override

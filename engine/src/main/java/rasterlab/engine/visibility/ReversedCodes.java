@@ -20,4 +20,15 @@ final class ReversedCodes implements DepthCodes {
             codes[x - from] = -Float.floatToRawIntBits(Math.max(0f, Math.min(1f, reversed)));
         }
     }
+
+    /** From 1 on the near plane to 0 on the far one. */
+    @Override
+    public double depth(int code) {
+        return Float.intBitsToFloat(-code);
+    }
+
+    @Override
+    public boolean largerIsNearer() {
+        return true;
+    }
 }

@@ -86,6 +86,19 @@ final class SightSpace {
         return faces[polygon];
     }
 
+    /** Where the picture shows corners of a polygon of {@link #sight}: x and y of each. */
+    double[] toPixels(double[] corners) {
+        PictureFit fit = view.fit();
+        double across = central ? shrink / view.transform().distance() : shrink;
+        var pixels = new double[corners.length / 3 * 2];
+        for (int k = 0; 3 * k < corners.length; k++) {
+            double scale = 1 / (across * corners[3 * k + 2]);
+            pixels[2 * k] = fit.toPixelX(corners[3 * k] * scale);
+            pixels[2 * k + 1] = fit.toPixelY(corners[3 * k + 1] * scale);
+        }
+        return pixels;
+    }
+
     /**
      * A cut as a line on the picture: pixel (x, y) is seen along (σX/ρ, σY/ρ, 1) or (σX, σY, 1).
      */

@@ -1,6 +1,7 @@
 package rasterlab.engine.visibility;
 
 import java.util.Arrays;
+import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import rasterlab.engine.raster.Raster;
@@ -28,6 +29,11 @@ final class ZBuffer implements SteppedVisibility {
         this.format = format;
     }
 
+    /** The same method with buffers of its own. */
+    ZBuffer alone() {
+        return new ZBuffer(format);
+    }
+
     @Override
     public String decision() {
         return "pixels in which the face is nearer than what they held";
@@ -45,7 +51,7 @@ final class ZBuffer implements SteppedVisibility {
         return buffer;
     }
 
-    private final class Walk implements VisibilityWalk {
+    private final class Walk implements BufferedWalk {
         private final ViewedMesh view;
         private final Tally tally = new Tally();
         private final FaceBrush brush;
@@ -141,6 +147,37 @@ final class ZBuffer implements SteppedVisibility {
         @Override
         public VisibilityStep step() {
             return new VisibilityStep.Drawn(face, nearer);
+        }
+
+        @Override
+        public OptionalDouble held(int x, int y) {
+            int code = nearest[y * width + x];
+            return code == DepthCodes.EMPTY
+                    ? OptionalDouble.empty()
+                    : OptionalDouble.of(depths.depth(code));
+        }
+
+        /** Along the face's whole span, since a sum along it drifts. */
+        @Override
+        public OptionalDouble offered(int x, int y) {
+            var found = new double[] {Double.NaN};
+            if (!plane.load(view, face)) return OptionalDouble.empty();
+            polygon.load(view, face);
+            polygon.fill(
+                    width,
+                    height,
+                    (row, from, to) -> {
+                        if (row != y || x < from || x >= to) return;
+                        depths.row(
+                                plane.base + row * plane.perRow, plane.perColumn, from, to, codes);
+                        found[0] = depths.depth(codes[x - from]);
+                    });
+            return Double.isNaN(found[0]) ? OptionalDouble.empty() : OptionalDouble.of(found[0]);
+        }
+
+        @Override
+        public boolean largerIsNearer() {
+            return depths.largerIsNearer();
         }
 
         @Override

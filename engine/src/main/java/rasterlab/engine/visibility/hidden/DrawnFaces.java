@@ -1,5 +1,6 @@
 package rasterlab.engine.visibility.hidden;
 
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.visibility.SteppedVisibility;
@@ -18,13 +19,13 @@ public record DrawnFaces(FacePicture picture, VisibilityWork work) {
 
     /** Draws all at once. */
     public static DrawnFaces by(Visibility method, SurfaceView input) {
+        return by(method, input, Thread.currentThread()::isInterrupted);
+    }
+
+    /** Draws all at once, as long as {@code cancelled} says false. */
+    static DrawnFaces by(Visibility method, SurfaceView input, BooleanSupplier cancelled) {
         var out = new Raster(input.width(), input.height());
-        VisibilityWork work =
-                method.draw(
-                        input.view(),
-                        FacePicture.NUMBERS,
-                        out,
-                        Thread.currentThread()::isInterrupted);
+        VisibilityWork work = method.draw(input.view(), FacePicture.NUMBERS, out, cancelled);
         return new DrawnFaces(FacePicture.of(out), work);
     }
 

@@ -3,6 +3,9 @@ package rasterlab.engine.visibility.hidden;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import java.util.function.DoubleConsumer;
 import java.util.stream.Stream;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.visibility.Visibilities;
@@ -53,11 +56,26 @@ public record Growth(String method, Axis axis, int[] sizes, long[] work) {
 
     /** All methods but those that draw no scattered faces, on all three axes. */
     public static List<Growth> all() {
+        return all(share -> {}, () -> false);
+    }
+
+    /**
+     * The same, told how far it is.
+     *
+     * @param progress gets the share that is done, 0 to 1, after each method on each axis
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    public static List<Growth> all(DoubleConsumer progress, BooleanSupplier cancelled) {
         var growths = new ArrayList<Growth>();
+        List<Method<Visibility>> methods = methods().toList();
+        double whole = Axis.values().length * methods.size();
         for (Axis axis : Axis.values()) {
             List<SurfaceView> views =
                     Arrays.stream(axis.sizes).mapToObj(n -> view(axis, n)).toList();
-            methods().forEach(method -> growths.add(of(method, axis, views)));
+            for (Method<Visibility> method : methods) {
+                growths.add(of(method, axis, views, cancelled));
+                progress.accept(growths.size() / whole);
+            }
         }
         return growths;
     }
@@ -72,12 +90,15 @@ public record Growth(String method, Axis axis, int[] sizes, long[] work) {
                 .methods().stream().filter(method -> !method.name().equals("convex"));
     }
 
-    private static Growth of(Method<Visibility> method, Axis axis, List<SurfaceView> views) {
-        long[] work =
-                views.stream()
-                        .mapToLong(
-                                view -> DrawnFaces.by(method.implementation(), view).work().total())
-                        .toArray();
+    private static Growth of(
+            Method<Visibility> method,
+            Axis axis,
+            List<SurfaceView> views,
+            BooleanSupplier cancelled) {
+        var work = new long[views.size()];
+        for (int i = 0; i < work.length; i++)
+            work[i] =
+                    DrawnFaces.by(method.implementation(), views.get(i), cancelled).work().total();
         return new Growth(method.name(), axis, axis.sizes, work);
     }
 

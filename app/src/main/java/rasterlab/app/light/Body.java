@@ -1,0 +1,54 @@
+package rasterlab.app.light;
+
+import java.util.List;
+import java.util.Optional;
+import rasterlab.contract.VertexNormals;
+import rasterlab.engine.light.normals.NormalsTopic;
+import rasterlab.engine.scene.Mesh;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.SmoothedMesh;
+import rasterlab.engine.scene.catalogue.Scenes;
+
+/**
+ * What is lit.
+ *
+ * @param name of a scene
+ * @param detail faces once round, for a scene that is made in steps
+ * @param normals {@value #OWN}, or a method of topic {@code vertex-normals}
+ */
+record Body(String name, int detail, String normals) {
+    /** Normals as the scene has them: those of its surface. */
+    static final String OWN = "own";
+
+    static final List<String> NAMES = List.of("sphere", "torus", "revolution", "vase", "cube");
+    static final List<String> NORMALS = List.of(OWN, "plain", "area", "angle");
+    static final int COARSEST = 4;
+    static final int FINEST = 64;
+
+    boolean hasDetail() {
+        return Scenes.namesWithDetail().contains(name);
+    }
+
+    /** Its faces with their normals; takes long for many faces. */
+    Scene scene() {
+        Scene scene = hasDetail() ? Scenes.named(name, detail) : Scenes.named(name);
+        return withMesh(scene, method().map(m -> SmoothedMesh.of(scene.mesh(), m)));
+    }
+
+    private Optional<VertexNormals> method() {
+        if (normals.equals(OWN)) return Optional.empty();
+        return Optional.of(new NormalsTopic().method(normals).implementation());
+    }
+
+    private static Scene withMesh(Scene scene, Optional<Mesh> mesh) {
+        return new Scene(
+                scene.name(),
+                mesh.orElse(scene.mesh()),
+                scene.finishes(),
+                scene.finishOf(),
+                scene.light(),
+                scene.backgroundRgb(),
+                scene.defaultCamera(),
+                scene.pictureScale());
+    }
+}

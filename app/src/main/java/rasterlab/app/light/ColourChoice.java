@@ -1,0 +1,108 @@
+package rasterlab.app.light;
+
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import rasterlab.contract.ColorConverter;
+import rasterlab.contract.ColorModel;
+import rasterlab.engine.color.ColorTopic;
+import rasterlab.engine.color.FormulaColors;
+
+/**
+ * A colour, as it was written last, and how its cube is turned.
+ *
+ * @param model in which it was written
+ * @param components its numbers there
+ * @param method whose round trips are shown
+ * @param yaw of the cube about the vertical, radians
+ * @param pitch of the cube towards the eye, radians
+ * @param outside whether the last number tried would have left the cube
+ */
+record ColourChoice(
+        ColorModel model,
+        List<Double> components,
+        String method,
+        double yaw,
+        double pitch,
+        boolean outside) {
+    ColourChoice {
+        components = List.copyOf(components);
+    }
+
+    static ColourChoice first() {
+        return new ColourChoice(
+                ColorModel.RGB, List.of(0.85, 0.45, 0.2), "formula", 0.62, 0.42, false);
+    }
+
+    /**
+     * The same with another number; a colour outside the cube is not taken.
+     *
+     * @param in the model whose number it is
+     */
+    ColourChoice with(ColorModel in, int index, double value) {
+        double[] numbers = in(in);
+        if (Double.isNaN(numbers[0])) numbers[0] = 0;
+        numbers[index] = value;
+        try {
+            new FormulaColors().convert(in, numbers, ColorModel.RGB);
+        } catch (IllegalArgumentException e) {
+            return new ColourChoice(model, components, method, yaw, pitch, true);
+        }
+        return new ColourChoice(in, list(numbers), method, yaw, pitch, false);
+    }
+
+    ColourChoice withMethod(String name) {
+        return new ColourChoice(model, components, name, yaw, pitch, outside);
+    }
+
+    /** Turned; it never stands on its head. */
+    ColourChoice turned(double right, double down) {
+        double tilted = Math.max(-1.4, Math.min(1.4, pitch + down));
+        return new ColourChoice(model, components, method, yaw + right, tilted, outside);
+    }
+
+    /** The numbers in a model; those it was written in as they were written. */
+    double[] in(ColorModel other) {
+        double[] own = components.stream().mapToDouble(Double::doubleValue).toArray();
+        return other == model ? own : new FormulaColors().convert(model, own, other);
+    }
+
+    /** 0xRRGGBB. */
+    int rgb() {
+        double[] rgb = in(ColorModel.RGB);
+        int value = 0;
+        for (double share : rgb) value = value << 8 | (int) Math.round(255 * share);
+        return value;
+    }
+
+    /**
+     * How far red, green and blue come back from each model, by the chosen method: the largest
+     * difference; NaN where it refuses or gives no number.
+     */
+    Map<ColorModel, Double> roundTrips() {
+        ColorConverter converter = new ColorTopic().method(method).implementation();
+        var errors = new EnumMap<ColorModel, Double>(ColorModel.class);
+        double[] rgb = in(ColorModel.RGB);
+        for (ColorModel each : ColorModel.values())
+            if (each != ColorModel.RGB) errors.put(each, error(converter, rgb, each));
+        return errors;
+    }
+
+    private static double error(ColorConverter converter, double[] rgb, ColorModel by) {
+        try {
+            double[] there = converter.convert(ColorModel.RGB, rgb, by);
+            double[] back = converter.convert(by, there, ColorModel.RGB);
+            double worst = 0;
+            for (int c = 0; c < 3; c++) worst = Math.max(worst, Math.abs(back[c] - rgb[c]));
+            for (double share : back) if (Double.isNaN(share)) return Double.NaN;
+            return worst;
+        } catch (IllegalArgumentException refused) {
+            return Double.NaN; // What the table says of such a method.
+        }
+    }
+
+    private static List<Double> list(double[] numbers) {
+        return Arrays.stream(numbers).boxed().toList();
+    }
+}

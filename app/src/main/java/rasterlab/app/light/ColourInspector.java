@@ -1,0 +1,106 @@
+package rasterlab.app.light;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import javax.swing.JLabel;
+import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.NumberSlider;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Texts;
+import rasterlab.contract.ColorModel;
+import rasterlab.engine.color.ColorTopic;
+import rasterlab.engine.study.Method;
+
+/** One colour on the sliders of all models, and how it comes back from each. */
+final class ColourInspector {
+    private static final int NOTCHES = 255;
+
+    private final LightLabModel model;
+    private final Texts texts;
+    private final Texts translations;
+    private final Inspector column;
+    private final ModeRow mode;
+    private final List<Row> rows = new ArrayList<>();
+    private final NameChooser method;
+    private final Map<ColorModel, JLabel> errors = new EnumMap<>(ColorModel.class);
+    private final JLabel hex;
+    private final AboutText about;
+
+    private record Row(ColorModel model, int index, NumberSlider slider) {}
+
+    ColourInspector(LightLabModel model, Texts texts) {
+        this.model = model;
+        this.texts = texts;
+        translations = Texts.of("light", "topic", texts.language());
+        column = new Inspector(texts);
+        mode = new ModeRow(model, texts, column);
+        hex = column.value("hex");
+        for (ColorModel each : ColorModel.values()) {
+            column.heading("model." + each.code());
+            for (int i = 0; i < each.size(); i++) slider(each, i);
+        }
+        column.heading("heading.trip");
+        List<String> methods = new ColorTopic().methods().stream().map(Method::name).toList();
+        method =
+                new NameChooser(
+                        "colourMethod",
+                        methods,
+                        name -> name,
+                        name -> model.colour(colour -> colour.withMethod(name)));
+        column.row("colourMethod", method);
+        for (ColorModel each : ColorModel.values())
+            if (each != ColorModel.RGB) errors.put(each, column.value("trip." + each.code()));
+        column.heading("heading.about");
+        about = new AboutText("about", texts.language());
+        column.wide(about);
+    }
+
+    private void slider(ColorModel of, int index) {
+        String key = of.code() + "." + of.component(index);
+        var slider =
+                new NumberSlider(
+                        key,
+                        texts.text(
+                                "slider.hint", of.code().toUpperCase(Locale.ROOT), texts.text(key)),
+                        0,
+                        of.highest(index),
+                        false,
+                        NOTCHES,
+                        value -> model.colour(colour -> colour.with(of, index, value)));
+        column.row(key, slider);
+        rows.add(new Row(of, index, slider));
+    }
+
+    Inspector column() {
+        return column;
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        mode.refresh();
+        ColourChoice colour = model.state().colour();
+        hex.setText(
+                String.format(Locale.ROOT, "#%06X", colour.rgb())
+                        + (colour.outside() ? "   " + texts.text("outside") : ""));
+        for (Row row : rows) {
+            double value = colour.in(row.model())[row.index()];
+            boolean hue = row.model().isHue(row.index());
+            String said =
+                    Double.isNaN(value) ? "–" : Shown.number(value, hue ? 0 : 3, texts.locale());
+            row.slider().show(Double.isNaN(value) ? 0 : value, hue ? said + "°" : said);
+        }
+        method.show(colour.method());
+        colour.roundTrips().forEach((each, error) -> errors.get(each).setText(error(error)));
+        about.show(translations, new ColorTopic().method(colour.method()), "", "");
+    }
+
+    private String error(double error) {
+        if (Double.isNaN(error)) return texts.text("trip.none");
+        return error == 0 ? texts.text("trip.exact") : Shown.number(error, 6, texts.locale());
+    }
+}

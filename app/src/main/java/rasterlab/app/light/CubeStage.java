@@ -1,0 +1,123 @@
+package rasterlab.app.light;
+
+import java.awt.BasicStroke;
+import java.awt.Cursor;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import javax.accessibility.AccessibleRole;
+import javax.swing.KeyStroke;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.SelfDrawn;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgPicture;
+import rasterlab.app.language.Texts;
+
+/** The colour cube, turned by mouse and arrow keys. */
+final class CubeStage extends SelfDrawn {
+    private static final long serialVersionUID = 1L;
+
+    private static final double DRAG = Math.PI / 400;
+    private static final double KEY = Math.PI / 36;
+
+    private final transient LightLabModel model;
+    private final transient Texts texts;
+
+    CubeStage(LightLabModel model, Texts texts) {
+        super(AccessibleRole.CANVAS);
+        this.model = model;
+        this.texts = texts;
+        setName("cube");
+        setFocusable(true);
+        setOpaque(true);
+        setCursor(Cursor.getPredefinedCursor(Cursor.MOVE_CURSOR));
+        getAccessibleContext().setAccessibleName(texts.text("cube"));
+        getAccessibleContext().setAccessibleDescription(texts.text("cube.hint"));
+        var mouse = new Turning();
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
+        addFocusListener(
+                new FocusAdapter() {
+                    @Override
+                    public void focusGained(FocusEvent e) {
+                        repaint();
+                    }
+
+                    @Override
+                    public void focusLost(FocusEvent e) {
+                        repaint();
+                    }
+                });
+        bind(KeyEvent.VK_LEFT, -KEY, 0);
+        bind(KeyEvent.VK_RIGHT, KEY, 0);
+        bind(KeyEvent.VK_UP, 0, -KEY);
+        bind(KeyEvent.VK_DOWN, 0, KEY);
+    }
+
+    private void bind(int key, double right, double down) {
+        KeyBinding.whenFocused(
+                this,
+                KeyStroke.getKeyStroke(key, 0),
+                () -> model.colour(colour -> colour.turned(right, down)));
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(800, 600);
+    }
+
+    /** What is shown, as an SVG document. */
+    String svg() {
+        return SvgPicture.of(getWidth(), getHeight(), this::paintAll);
+    }
+
+    private void paintAll(Graphics2D g) {
+        g.setColor(StageColours.now().margin());
+        g.fillRect(0, 0, getWidth(), getHeight());
+        var cube = (Graphics2D) g.create();
+        new CubePainter(cube, model.state().colour(), texts, getWidth(), getHeight()).paint();
+        cube.dispose();
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        var g = (Graphics2D) graphics.create();
+        paintAll(g);
+        if (isFocusOwner()) {
+            g.setColor(StageColours.now().focus());
+            g.setStroke(new BasicStroke(2));
+            g.drawRect(1, 1, getWidth() - 2, getHeight() - 2);
+        }
+        g.dispose();
+    }
+
+    private final class Turning extends MouseAdapter {
+        private Point last = new Point();
+
+        @Override
+        public void mousePressed(MouseEvent e) {
+            requestFocusInWindow();
+            last = e.getPoint();
+            model.beginDrag();
+        }
+
+        @Override
+        public void mouseDragged(MouseEvent e) {
+            double right = (e.getX() - last.x) * DRAG;
+            double down = (e.getY() - last.y) * DRAG;
+            model.colour(colour -> colour.turned(right, down));
+            last = e.getPoint();
+        }
+
+        @Override
+        public void mouseReleased(MouseEvent e) {
+            model.endDrag();
+        }
+    }
+}

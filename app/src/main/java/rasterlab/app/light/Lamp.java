@@ -1,0 +1,131 @@
+package rasterlab.app.light;
+
+import java.util.Locale;
+import rasterlab.contract.Attenuation;
+import rasterlab.contract.LightSource;
+import rasterlab.contract.SpotCone;
+import rasterlab.engine.light.Light;
+
+/**
+ * A light that can be moved.
+ *
+ * @param kind what it is
+ * @param on whether it shines
+ * @param x world coordinate; of a sun, of the direction to it
+ * @param y world coordinate
+ * @param z world coordinate
+ * @param rgb its colour 0xRRGGBB
+ * @param strength of its diffuse and specular light, {@value #FAINTEST} to {@value #STRONGEST}
+ * @param constant of the attenuation, 0 or more
+ * @param linear of the attenuation, per {@value #UNIT} world units
+ * @param quadratic of the attenuation, per square of that
+ * @param cutoff half the opening of a spot's cone in degrees, 1 to 90
+ * @param exponent of the spot's cone, 0 to 128
+ */
+record Lamp(
+        Kind kind,
+        boolean on,
+        double x,
+        double y,
+        double z,
+        int rgb,
+        double strength,
+        double constant,
+        double linear,
+        double quadratic,
+        double cutoff,
+        double exponent) {
+    static final double FAINTEST = 0.05;
+    static final double STRONGEST = 20;
+
+    /** World units that a distance of 1 in the attenuation stands for. */
+    static final double UNIT = 100;
+
+    /** What a light is. */
+    enum Kind {
+        /** Shines from its place all around. */
+        POINT,
+        /** Infinitely far in its direction. */
+        SUN,
+        /** Shines from its place in a cone towards the scene's middle. */
+        SPOT;
+
+        String code() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /** White, all around, without attenuation. */
+    static Lamp at(double x, double y, double z) {
+        return new Lamp(Kind.POINT, true, x, y, z, 0xFFFFFF, 1, 1, 0, 0, 25, 8);
+    }
+
+    Lamp withKind(Kind other) {
+        return new Lamp(
+                other, on, x, y, z, rgb, strength, constant, linear, quadratic, cutoff, exponent);
+    }
+
+    Lamp switched(boolean shining) {
+        return new Lamp(
+                kind, shining, x, y, z, rgb, strength, constant, linear, quadratic, cutoff,
+                exponent);
+    }
+
+    Lamp moved(double toX, double toY, double toZ) {
+        return new Lamp(
+                kind, on, toX, toY, toZ, rgb, strength, constant, linear, quadratic, cutoff,
+                exponent);
+    }
+
+    Lamp coloured(int other) {
+        return new Lamp(
+                kind, on, x, y, z, other, strength, constant, linear, quadratic, cutoff, exponent);
+    }
+
+    Lamp withStrength(double other) {
+        return new Lamp(
+                kind, on, x, y, z, rgb, other, constant, linear, quadratic, cutoff, exponent);
+    }
+
+    /** Something stays of the divisor: it is never 0. */
+    Lamp attenuated(double c, double l, double q) {
+        boolean none = c == 0 && l == 0 && q == 0;
+        return new Lamp(kind, on, x, y, z, rgb, strength, none ? 1 : c, l, q, cutoff, exponent);
+    }
+
+    Lamp withCutoff(double degrees) {
+        return new Lamp(
+                kind, on, x, y, z, rgb, strength, constant, linear, quadratic, degrees, exponent);
+    }
+
+    Lamp withExponent(double other) {
+        return new Lamp(
+                kind, on, x, y, z, rgb, strength, constant, linear, quadratic, cutoff, other);
+    }
+
+    /** What it sends out. */
+    LightSource source() {
+        double[] light = {
+            strength * (rgb >> 16 & 255) / 255,
+            strength * (rgb >> 8 & 255) / 255,
+            strength * (rgb & 255) / 255
+        };
+        Attenuation attenuation =
+                kind == Kind.SUN
+                        ? Attenuation.none()
+                        : new Attenuation(constant, linear / UNIT, quadratic / (UNIT * UNIT));
+        return new LightSource(new double[3], light, light, attenuation, cone());
+    }
+
+    private SpotCone cone() {
+        boolean aims = kind == Kind.SPOT && (x != 0 || y != 0 || z != 0);
+        return aims ? new SpotCone(new double[] {-x, -y, -z}, cutoff, exponent) : SpotCone.none();
+    }
+
+    /** In its place; a sun in the middle shines from above. */
+    Light light() {
+        boolean middle = x == 0 && y == 0 && z == 0;
+        if (kind == Kind.SUN) return Light.from(source(), x, y, middle ? 1 : z);
+        return Light.at(source(), x, y, z);
+    }
+}

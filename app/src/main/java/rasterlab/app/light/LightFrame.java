@@ -1,0 +1,108 @@
+package rasterlab.app.light;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import rasterlab.engine.light.face.SeenBrightness;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.visibility.SeenPoint;
+import rasterlab.engine.visibility.ViewedMesh;
+
+/**
+ * A choice to be drawn.
+ *
+ * @param width of each of the three pictures, in device pixels
+ * @param height of each
+ */
+record LightFrame(LightChoice choice, int width, int height) {
+    /** The shadings side by side. */
+    static final List<ShadingMethod> SHADINGS =
+            List.of(ShadingMethod.FLAT, ShadingMethod.GOURAUD, ShadingMethod.PHONG);
+
+    /** Samples of a profile, and how many of them a place of the eye looks to each side. */
+    private static final int SAMPLES = 401;
+
+    private static final int REACH = 12;
+
+    /** Makes a picture, or throws CancellationException once it is of no use any more. */
+    @FunctionalInterface
+    interface PictureMaker {
+        Raster picture(RenderRequest request, BooleanSupplier cancelled);
+    }
+
+    /**
+     * One shading's picture.
+     *
+     * @param brightness along the line
+     * @param reported what the eye makes of it
+     */
+    record Picture(ShadingMethod shading, Raster raster, double[] brightness, double[] reported) {}
+
+    /**
+     * All that is shown of a choice.
+     *
+     * @param pictures by flat, Gouraud's and Phong's shading
+     * @param places where the lamps are on them
+     * @param faceArrows normals of faces: x and y of both ends of each, in pixels
+     * @param cornerArrows normals of corners likewise
+     * @param point the formula at the chosen point; empty where no face is
+     */
+    record Drawn(
+            LightChoice choice,
+            int width,
+            int height,
+            List<Picture> pictures,
+            PicturePlaces places,
+            double[] faceArrows,
+            double[] cornerArrows,
+            Optional<PointReading> point) {}
+
+    /**
+     * @param body the choice's scene
+     */
+    Drawn drawn(Scene body, PictureMaker maker, BooleanSupplier cancelled) {
+        var pictures = new ArrayList<Picture>();
+        for (ShadingMethod shading : SHADINGS) {
+            RenderRequest request = choice.request(body, shading, width, height);
+            pictures.add(profiled(shading, maker.picture(request, cancelled)));
+        }
+        var places = PicturePlaces.of(choice, body, width, height);
+        ViewedMesh view = places.view();
+        boolean arrows = choice.arrows();
+        return new Drawn(
+                choice,
+                width,
+                height,
+                List.copyOf(pictures),
+                places,
+                arrows ? places.faceArrows() : new double[0],
+                arrows ? places.cornerArrows() : new double[0],
+                SeenPoint.at(view, column(choice.line().atX()), row(choice.line().atY()))
+                        .map(point -> PointReading.of(choice, view, point)));
+    }
+
+    private Picture profiled(ShadingMethod shading, Raster raster) {
+        LightChoice.Marks line = choice.line();
+        double[] brightness =
+                SeenBrightness.along(
+                        raster,
+                        line.fromX() * (width - 1),
+                        line.fromY() * (height - 1),
+                        line.toX() * (width - 1),
+                        line.toY() * (height - 1),
+                        SAMPLES);
+        return new Picture(shading, raster, brightness, SeenBrightness.reported(brightness, REACH));
+    }
+
+    private int column(double share) {
+        return (int) Math.max(0, Math.min(width - 1, Math.floor(share * width)));
+    }
+
+    private int row(double share) {
+        return (int) Math.max(0, Math.min(height - 1, Math.floor(share * height)));
+    }
+}

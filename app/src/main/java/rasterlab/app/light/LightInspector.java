@@ -1,0 +1,244 @@
+package rasterlab.app.light;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
+import javax.swing.JCheckBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.FormulaView;
+import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.NumberSlider;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Texts;
+import rasterlab.contract.Reflection;
+import rasterlab.engine.light.LightTerm;
+import rasterlab.engine.light.Substance;
+
+/** The lighting lab's controls and the formula with live numbers. */
+final class LightInspector {
+    private static final int NOTCHES = 100;
+
+    private final LightLabModel model;
+    private final Texts texts;
+    private final Inspector column;
+    private final ModeRow mode;
+    private final NameChooser body;
+    private final NumberSlider detail;
+    private final NameChooser normals;
+    private final JCheckBox arrows;
+    private final JCheckBox mach;
+    private final NameChooser substance;
+    private final List<Setting> settings = new ArrayList<>();
+    private final Map<LightTerm, JCheckBox> terms = new EnumMap<>(LightTerm.class);
+    private final NameChooser reflection;
+    private final JCheckBox localViewer;
+    private final JCheckBox twoSided;
+    private final NumberSlider ambient;
+    private final LampControls lamps;
+    private final FormulaView formula = new FormulaView("formula");
+    private final JLabel place;
+
+    private record Setting(ToDoubleFunction<MaterialChoice> value, NumberSlider slider) {}
+
+    private interface Change {
+        MaterialChoice of(MaterialChoice material, double number);
+    }
+
+    LightInspector(LightLabModel model, Texts texts) {
+        this.model = model;
+        this.texts = texts;
+        column = new Inspector(texts);
+        mode = new ModeRow(model, texts, column);
+        body = names("body", Body.NAMES, this::chooseBody);
+        detail =
+                new NumberSlider(
+                        "detail",
+                        texts.text("detail.hint"),
+                        Body.COARSEST,
+                        Body.FINEST,
+                        true,
+                        40,
+                        this::chooseDetail);
+        column.row("detail", detail);
+        normals = names("normals", Body.NORMALS, this::chooseNormals);
+        arrows = box("arrows", on -> model.choose(choice -> choice.withArrows(on)));
+        mach = box("mach", on -> model.choose(choice -> choice.withMach(on)));
+
+        column.heading("heading.formula");
+        place = column.value("place");
+        column.wide(formula);
+
+        column.heading("heading.lamps");
+        lamps = new LampControls(model, texts, column);
+
+        column.heading("heading.material");
+        substance =
+                names(
+                        "substance",
+                        Substance.names(),
+                        name ->
+                                model.choose(
+                                        choice ->
+                                                choice.with(
+                                                        MaterialChoice.of(Substance.named(name)))));
+        addMaterial();
+
+        column.heading("heading.terms");
+        column.row("terms", termBoxes());
+        reflection =
+                names(
+                        "reflection",
+                        Stream.of(Reflection.values()).map(LightInspector::code).toList(),
+                        name -> model.choose(choice -> choice.with(reflection(name))));
+        ambient =
+                new NumberSlider(
+                        "ambient",
+                        texts.text("ambient.hint"),
+                        0,
+                        1,
+                        false,
+                        NOTCHES,
+                        share -> model.choose(choice -> choice.withAmbient(share)));
+        column.row("ambient", ambient);
+        localViewer = box("localViewer", on -> model.choose(c -> c.withLocalViewer(on)));
+        twoSided = box("twoSided", on -> model.choose(c -> c.withTwoSides(on)));
+    }
+
+    private void addMaterial() {
+        material("ka", MaterialChoice.MOST, MaterialChoice::ambient, MaterialChoice::withAmbient);
+        material("kd", MaterialChoice.MOST, MaterialChoice::diffuse, MaterialChoice::withDiffuse);
+        material("ks", MaterialChoice.MOST, MaterialChoice::specular, MaterialChoice::withSpecular);
+        material("ke", 1, MaterialChoice::emission, MaterialChoice::withEmission);
+        material("shininess", 200, MaterialChoice::shininess, MaterialChoice::withShininess);
+    }
+
+    private static String code(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    private static Reflection reflection(String code) {
+        return Reflection.valueOf(code.toUpperCase(Locale.ROOT).replace('-', '_'));
+    }
+
+    /** A body is seen first with the detail and normals that were chosen last. */
+    private void chooseBody(String name) {
+        model.choose(
+                choice ->
+                        choice.with(
+                                new Body(name, choice.body().detail(), choice.body().normals())));
+    }
+
+    private void chooseDetail(double faces) {
+        model.choose(
+                choice ->
+                        choice.with(
+                                new Body(
+                                        choice.body().name(),
+                                        (int) Math.round(faces),
+                                        choice.body().normals())));
+    }
+
+    private void chooseNormals(String method) {
+        model.choose(
+                choice ->
+                        choice.with(
+                                new Body(choice.body().name(), choice.body().detail(), method)));
+    }
+
+    private NameChooser names(String key, List<String> names, Consumer<String> chosen) {
+        var chooser =
+                new NameChooser(key, names, name -> texts.textOr(key + "." + name, name), chosen);
+        column.row(key, chooser);
+        return chooser;
+    }
+
+    private JCheckBox box(String key, Consumer<Boolean> chosen) {
+        var box = new JCheckBox(texts.label(key));
+        box.setName(key);
+        box.setMnemonic(texts.mnemonic(key));
+        box.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
+        box.setToolTipText(texts.text(key + ".hint"));
+        box.addActionListener(e -> chosen.accept(box.isSelected()));
+        column.wide(box);
+        return box;
+    }
+
+    private void material(
+            String key, double most, ToDoubleFunction<MaterialChoice> value, Change change) {
+        var slider =
+                new NumberSlider(
+                        key,
+                        texts.text(key + ".hint"),
+                        0,
+                        most,
+                        false,
+                        NOTCHES,
+                        number ->
+                                model.choose(
+                                        choice ->
+                                                choice.with(change.of(choice.material(), number))));
+        column.row(key, slider);
+        settings.add(new Setting(value, slider));
+    }
+
+    private JPanel termBoxes() {
+        var boxes = new JPanel(new MigLayout("insets 0, gap 8 2, wrap 2", "[][]"));
+        for (LightTerm term : LightTerm.values()) {
+            var box = new JCheckBox(texts.text("term." + term.code()));
+            box.setName("term." + term.code());
+            box.addActionListener(
+                    e -> model.choose(choice -> switched(choice, term, box.isSelected())));
+            terms.put(term, box);
+            boxes.add(box);
+        }
+        return boxes;
+    }
+
+    private static LightChoice switched(LightChoice choice, LightTerm term, boolean on) {
+        var seen = EnumSet.noneOf(LightTerm.class);
+        seen.addAll(choice.terms());
+        if (on) seen.add(term);
+        else seen.remove(term);
+        return choice.withTerms(seen);
+    }
+
+    Inspector column() {
+        return column;
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        LightLabState state = model.state();
+        LightChoice choice = state.choice();
+        mode.refresh();
+        body.show(choice.body().name());
+        column.showRow(detail, choice.body().hasDetail());
+        detail.show(choice.body().detail(), Integer.toString(choice.body().detail()));
+        normals.show(choice.body().normals());
+        arrows.setSelected(choice.arrows());
+        mach.setSelected(choice.mach());
+        substance.show(choice.material().substance().code());
+        for (Setting each : settings) {
+            double value = each.value().applyAsDouble(choice.material());
+            each.slider().show(value, Shown.number(value, 2, texts.locale()));
+        }
+        terms.forEach((term, box) -> box.setSelected(choice.terms().contains(term)));
+        reflection.show(code(choice.reflection()));
+        ambient.show(choice.ambient(), Shown.number(choice.ambient(), 2, texts.locale()));
+        localViewer.setSelected(choice.localViewer());
+        twoSided.setSelected(choice.twoSided());
+        lamps.refresh();
+        var readings = new LightReadings(state, texts);
+        place.setText(readings.place());
+        formula.show(readings.formula());
+    }
+}

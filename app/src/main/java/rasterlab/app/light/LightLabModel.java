@@ -1,0 +1,193 @@
+package rasterlab.app.light;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.LatestOnly;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.transform.SphericalView;
+
+/**
+ * The lighting lab without its window: what is lit, by which lamps, and a colour in all models.
+ *
+ * <p>Pictures are made on a thread of the model's own; answers and commands all run on the thread
+ * of the executor it is given. Each change publishes a new immutable {@link LightLabState}.
+ */
+public final class LightLabModel implements AutoCloseable {
+    private static final double NEAREST = 250;
+    private static final double FARTHEST = 4000;
+    private static final double STEEPEST = Math.PI - 0.05;
+
+    /** What undo brings back. */
+    private record Chosen(LightChoice light, boolean colours, ColourChoice colour) {}
+
+    /** The body drawn last; only the worker's thread uses it. */
+    private record Made(Body body, Scene scene) {}
+
+    private final LatestOnly<LightFrame, LightFrame.Drawn> pictures;
+    private final Renderer renderer = new Renderer();
+    private final History<Chosen> history = new History<>();
+    private final List<Consumer<LightLabState>> listeners = new ArrayList<>();
+    private Optional<Made> made = Optional.empty();
+    private int width;
+    private int height;
+    private LightLabState state =
+            new LightLabState(
+                    LightChoice.first(), false, Optional.empty(), ColourChoice.first(), false);
+
+    /**
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what drawing threw, on any thread
+     */
+    public LightLabModel(Executor events, Consumer<Throwable> onFailure) {
+        pictures =
+                new LatestOnly<>(
+                        "lit pictures",
+                        this::drawn,
+                        (frame, drawn) -> events.execute(() -> accept(drawn)),
+                        onFailure);
+    }
+
+    private LightFrame.Drawn drawn(LightFrame frame, BooleanSupplier cancelled) {
+        Body body = frame.choice().body();
+        if (made.filter(last -> last.body().equals(body)).isEmpty())
+            made = Optional.of(new Made(body, body.scene()));
+        return frame.drawn(made.get().scene(), renderer::render, cancelled);
+    }
+
+    LightLabState state() {
+        return state;
+    }
+
+    /** Tells the listener each new state from now on; the answer ends that. */
+    Runnable listen(Consumer<LightLabState> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /**
+     * The size of each of the three pictures, in device pixels, from 1 to {@link
+     * Raster#LARGEST_SIDE}; before the first call nothing is drawn.
+     */
+    void resize(int newWidth, int newHeight) {
+        if (newWidth == width && newHeight == height) return;
+        Raster.checkSize(newWidth, newHeight);
+        width = newWidth;
+        height = newHeight;
+        pictures.ask(new LightFrame(state.choice(), width, height));
+    }
+
+    /** Changes the light and remembers how it was. */
+    void choose(UnaryOperator<LightChoice> change) {
+        LightChoice next = change.apply(state.choice());
+        if (next.equals(state.choice())) return;
+        history.remember(chosen());
+        show(new Chosen(next, state.colours(), state.colour()));
+    }
+
+    /** Changes the colour and remembers how it was. */
+    void colour(UnaryOperator<ColourChoice> change) {
+        ColourChoice next = change.apply(state.colour());
+        if (next.equals(state.colour())) return;
+        history.remember(chosen());
+        show(new Chosen(state.choice(), state.colours(), next));
+    }
+
+    /** Shows colour models instead of light, or light again. */
+    public void showColours(boolean shown) {
+        if (shown == state.colours()) return;
+        history.remember(chosen());
+        show(new Chosen(state.choice(), shown, state.colour()));
+    }
+
+    /** Draws the normals of faces and corners, or no more. */
+    public void drawNormals(boolean drawn) {
+        choose(choice -> choice.withArrows(drawn));
+    }
+
+    /** Turns the eye by angles in radians; it stays above one pole and below the other. */
+    void turn(double dTheta, double dPhi) {
+        choose(
+                choice -> {
+                    SphericalView eye = choice.camera();
+                    double phi = Math.max(0.05, Math.min(STEEPEST, eye.phiRadians() + dPhi));
+                    double theta = (eye.thetaRadians() + dTheta) % (2 * Math.PI);
+                    return choice.with(new SphericalView(theta, phi, eye.rho()));
+                });
+    }
+
+    /** Moves the eye away by a factor. */
+    void retreat(double factor) {
+        choose(
+                choice -> {
+                    SphericalView eye = choice.camera();
+                    double rho = Math.max(NEAREST, Math.min(FARTHEST, eye.rho() * factor));
+                    return choice.with(
+                            new SphericalView(eye.thetaRadians(), eye.phiRadians(), rho));
+                });
+    }
+
+    void beginDrag() {
+        history.beginDrag(chosen());
+    }
+
+    void endDrag() {
+        history.endDrag(chosen());
+        publish(state.choice(), state.drawn());
+    }
+
+    void undo() {
+        history.undo().ifPresent(this::show);
+    }
+
+    /** Back to the first light and colour; can be undone. */
+    void reset() {
+        var first = new Chosen(LightChoice.first(), state.colours(), ColourChoice.first());
+        if (first.equals(chosen())) return;
+        history.remember(chosen());
+        show(first);
+    }
+
+    /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
+    void settle() throws InterruptedException {
+        pictures.settle();
+    }
+
+    /** Ends the threads. */
+    @Override
+    public void close() {
+        pictures.close();
+        renderer.close();
+    }
+
+    private Chosen chosen() {
+        return new Chosen(state.choice(), state.colours(), state.colour());
+    }
+
+    private void show(Chosen next) {
+        boolean other = !next.light().equals(state.choice());
+        state =
+                new LightLabState(
+                        next.light(), next.colours(), state.drawn(), next.colour(), false);
+        publish(next.light(), state.drawn());
+        if (other && width > 0) pictures.ask(new LightFrame(next.light(), width, height));
+    }
+
+    private void accept(LightFrame.Drawn drawn) {
+        publish(state.choice(), Optional.of(drawn));
+    }
+
+    private void publish(LightChoice choice, Optional<LightFrame.Drawn> drawn) {
+        state =
+                new LightLabState(
+                        choice, state.colours(), drawn, state.colour(), !history.isEmpty());
+        List.copyOf(listeners).forEach(listener -> listener.accept(state));
+    }
+}

@@ -1,0 +1,168 @@
+package rasterlab.app.light;
+
+import java.awt.CardLayout;
+import java.util.function.Consumer;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import rasterlab.app.canvas.Actions;
+import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.contract.ColorModel;
+
+/** The lighting lab as the window shows it, in one language: light, or colour models. */
+public final class LightPanel extends LabPanel {
+    private static final long serialVersionUID = 1L;
+
+    private static final String LIGHT = "light";
+    private static final String COLOURS = "colours";
+
+    private final transient LightLabModel model;
+    private final transient Texts texts;
+    private final transient Consumer<Throwable> onFailure;
+    private final CardLayout cards = new CardLayout();
+    private final JPanel shown = new JPanel(cards);
+    private final LightStage stage;
+    private final CubeStage cube;
+    private final transient LightInspector light;
+    private final transient ColourInspector colours;
+    private final StepPlayer orbit;
+    private final StepPlayer turning;
+    private final Actions lightActions;
+    private final Actions colourActions;
+    private final transient Runnable unsubscribe;
+
+    /**
+     * @param onFailure told what a control could not do
+     */
+    public LightPanel(LightLabModel model, Language language, Consumer<Throwable> onFailure) {
+        this.model = model;
+        this.onFailure = onFailure;
+        setName("light");
+        texts = Texts.of("light", language);
+        stage = new LightStage(model, texts);
+        cube = new CubeStage(model, texts);
+        light = new LightInspector(model, texts);
+        colours = new ColourInspector(model, texts);
+        Texts canvas = Texts.of("canvas", language);
+        orbit = new StepPlayer(canvas, new LampOrbit(model), this::orbitReading);
+        turning = new StepPlayer(canvas, new CubeTurning(model), this::turningReading);
+        lightActions = actions(canvas, () -> Copying.picture(stage, onFailure));
+        colourActions = actions(canvas, () -> Copying.picture(cube, onFailure));
+        lightActions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        colourActions.add("copySvg", () -> Copying.svg(cube.svg(), onFailure));
+        colourActions.add("copyCommand", () -> Copying.text(command(), onFailure));
+        shown.add(new LabLayout(chips(), stage, light.column(), lightActions, orbit), LIGHT);
+        shown.add(
+                new LabLayout(colourChips(), cube, colours.column(), colourActions, turning),
+                COLOURS);
+        add(shown);
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        orbit.bindKeys(stage);
+        turning.bindKeys(cube);
+        unsubscribe = model.listen(state -> refresh());
+        refresh();
+    }
+
+    private Actions actions(Texts canvas, Runnable copy) {
+        var actions = new Actions(canvas);
+        actions.add("undo", model::undo);
+        actions.add("reset", model::reset);
+        actions.add("copyPicture", copy);
+        return actions;
+    }
+
+    private String orbitReading() {
+        Lamp lamp = model.state().choice().lamp();
+        double degrees = Math.toDegrees(Math.atan2(lamp.y(), lamp.x()));
+        return texts.text("orbit", Shown.number(Math.rint(degrees), 0, texts.locale()));
+    }
+
+    private String turningReading() {
+        double degrees = Math.toDegrees(model.state().colour().yaw()) % 360;
+        return Shown.number(Math.rint(degrees), 0, texts.locale()) + "°";
+    }
+
+    /** Writes the colour in all models. */
+    private String command() {
+        ColourChoice colour = model.state().colour();
+        return "echo '{\"%s\": %s}' | ./lab run color %s"
+                .formatted(colour.model().code(), colour.components(), colour.method());
+    }
+
+    private Chips chips() {
+        var chips = new Chips(texts.text("hazards"));
+        for (LightHazard hazard : LightHazard.values())
+            chips.add(
+                    hazard.code(),
+                    texts.text("hazard." + hazard.code()),
+                    texts.text("hazard." + hazard.code() + ".hint"),
+                    () -> model.choose(choice -> hazard.shown()));
+        return chips;
+    }
+
+    /** Colours on which models or methods fail. */
+    private Chips colourChips() {
+        var chips = new Chips(texts.text("hazards"));
+        chip(chips, "grey", 0.5, 0.5, 0.5);
+        chip(chips, "black", 0, 0, 0);
+        chip(chips, "nearly-grey", 0.5, 0.5, 0.501);
+        chip(chips, "orange", 0.85, 0.45, 0.2);
+        chip(chips, "deep-blue", 0.02, 0.01, 0.09);
+        return chips;
+    }
+
+    private void chip(Chips chips, String name, double red, double green, double blue) {
+        double[] rgb = {red, green, blue};
+        chips.add(
+                name,
+                texts.text("colour." + name),
+                texts.text("colour." + name + ".hint"),
+                () ->
+                        model.colour(
+                                colour -> {
+                                    ColourChoice next = colour;
+                                    for (int i = 0; i < 3; i++)
+                                        next = next.with(ColorModel.RGB, i, rgb[i]);
+                                    return next;
+                                }));
+    }
+
+    /** Gives the keyboard to the picture, whose arrow keys turn the scene or the cube. */
+    @Override
+    public void focusPicture() {
+        if (model.state().colours()) cube.requestFocusInWindow();
+        else stage.requestFocusInWindow();
+    }
+
+    /** Stops listening and playing; the model lives on. */
+    @Override
+    public void close() {
+        orbit.stop();
+        turning.stop();
+        unsubscribe.run();
+    }
+
+    private void refresh() {
+        cards.show(shown, model.state().colours() ? COLOURS : LIGHT);
+        if (model.state().colours()) {
+            orbit.stop();
+            cube.repaint();
+            colours.refresh();
+            turning.refresh();
+            colourActions.enable("undo", model.state().undoable());
+        } else {
+            turning.stop();
+            stage.repaint();
+            light.refresh();
+            orbit.refresh();
+            lightActions.enable("undo", model.state().undoable());
+        }
+    }
+}

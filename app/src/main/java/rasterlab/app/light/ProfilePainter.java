@@ -1,0 +1,123 @@
+package rasterlab.app.light;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Texts;
+
+/** Brightness along the line by the three shadings, and what the eye makes of it. */
+final class ProfilePainter {
+    private static final int LEFT = 44;
+    private static final int RIGHT = 14;
+    private static final int BOTTOM = 22;
+
+    /** What the eye reports runs over by so much at most. */
+    private static final double LEAST = -0.15;
+
+    private static final double MOST = 1.15;
+
+    private final Graphics2D g;
+    private final Texts texts;
+    private final LightFrame.Drawn drawn;
+    private final StageColours colours = StageColours.now();
+
+    ProfilePainter(Graphics2D g, Texts texts, LightFrame.Drawn drawn) {
+        this.g = g;
+        this.texts = texts;
+        this.drawn = drawn;
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        g.setRenderingHint(
+                RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+    }
+
+    void paint(int width, int height) {
+        g.setColor(colours.ground());
+        g.fillRect(0, 0, width, height);
+        int top = g.getFontMetrics().getHeight() + 12;
+        var box = new Rectangle2D.Double(LEFT, top, width - LEFT - RIGHT, height - top - BOTTOM);
+        if (box.width < 10 || box.height < 10) return;
+        axes(box);
+        boolean mach = drawn.choice().mach();
+        for (int i = 0; i < drawn.pictures().size(); i++) {
+            LightFrame.Picture picture = drawn.pictures().get(i);
+            Color colour = MethodColours.edgeOn(colours.ground(), LightPainter.COLOURS.get(i));
+            if (mach) curve(picture.reported(), box, colour, true);
+            curve(picture.brightness(), box, colour, false);
+        }
+        legend(box, mach);
+    }
+
+    private double y(double brightness, Rectangle2D box) {
+        double share = (brightness - LEAST) / (MOST - LEAST);
+        return box.getMaxY() - box.getHeight() * Math.max(0, Math.min(1, share));
+    }
+
+    private void axes(Rectangle2D box) {
+        FontMetrics metrics = g.getFontMetrics();
+        g.setStroke(new BasicStroke(1f));
+        for (double level = 0; level <= 1; level += 0.25) {
+            double y = y(level, box);
+            g.setColor(level == 0 ? colours.axis() : colours.grid());
+            g.draw(new Line2D.Double(box.getX(), y, box.getMaxX(), y));
+            g.setColor(colours.ink());
+            String text = Shown.number(level, 2, texts.locale());
+            g.drawString(
+                    text,
+                    (float) (box.getX() - 8 - metrics.stringWidth(text)),
+                    (float) (y + metrics.getAscent() / 2.0 - 1));
+        }
+        g.setColor(colours.ink());
+        int base = (int) box.getMaxY() + metrics.getAscent() + 3;
+        g.drawString("A", (int) box.getX(), base);
+        g.drawString("B", (int) box.getMaxX() - metrics.stringWidth("B"), base);
+        String along = texts.text("profile.along");
+        g.drawString(along, (int) (box.getCenterX() - metrics.stringWidth(along) / 2.0), base);
+    }
+
+    private void curve(double[] values, Rectangle2D box, Color colour, boolean dashed) {
+        var path = new Path2D.Double();
+        for (int i = 0; i < values.length; i++) {
+            double x = box.getX() + box.getWidth() * i / (values.length - 1);
+            if (i == 0) path.moveTo(x, y(values[i], box));
+            else path.lineTo(x, y(values[i], box));
+        }
+        g.setStroke(
+                dashed
+                        ? new BasicStroke(1.2f, 1, 1, 10f, new float[] {5f, 4f}, 0f)
+                        : new BasicStroke(2.2f, 1, 1));
+        g.setColor(colour);
+        g.draw(path);
+    }
+
+    private void legend(Rectangle2D box, boolean mach) {
+        FontMetrics metrics = g.getFontMetrics();
+        int x = (int) box.getX();
+        int base = metrics.getAscent() + 5;
+        for (int i = 0; i < drawn.pictures().size(); i++) {
+            String name = drawn.pictures().get(i).shading().code();
+            x = entry(x, base, name, LightPainter.COLOURS.get(i), false);
+        }
+        if (mach) entry(x, base, texts.text("profile.eye"), colours.ink(), true);
+    }
+
+    private int entry(int x, int base, String text, Color colour, boolean dashed) {
+        g.setStroke(
+                dashed
+                        ? new BasicStroke(1.2f, 1, 1, 10f, new float[] {5f, 4f}, 0f)
+                        : new BasicStroke(2.2f, 1, 1));
+        g.setColor(MethodColours.edgeOn(colours.ground(), colour));
+        g.draw(new Line2D.Double(x, base - 5, x + 22, base - 5));
+        g.setColor(colours.ink());
+        g.drawString(text, x + 28, base);
+        return x + 28 + g.getFontMetrics().stringWidth(text) + 18;
+    }
+}

@@ -1,0 +1,115 @@
+package rasterlab.app.visibility;
+
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.language.Language;
+import rasterlab.app.precision.DepthPrecisionChart;
+
+/**
+ * Charts counted in the background, with progress; what was counted is kept.
+ *
+ * <p>Used on one thread, that of the executor it is given.
+ */
+final class ChartStudies implements AutoCloseable {
+    /** A chart in a language. */
+    record Question(StageView view, Language language) {}
+
+    /** A finished chart. */
+    record Chart(Question asked, BufferedImage image) {}
+
+    private final Executor events;
+    private final LatestOnly<Question, Chart> work;
+    private final List<Runnable> listeners = new ArrayList<>();
+    private Optional<GrowthChart> growth = Optional.empty();
+    private Optional<Question> asked = Optional.empty();
+    private Optional<Chart> chart = Optional.empty();
+    private double progress;
+
+    ChartStudies(Executor events, Consumer<Throwable> onFailure) {
+        this.events = events;
+        work =
+                new LatestOnly<>(
+                        "chart",
+                        this::made,
+                        (question, found) -> events.execute(() -> accept(found)),
+                        onFailure);
+    }
+
+    /** Asks for a chart unless it is there or on its way. */
+    void ask(StageView view, Language language) {
+        var question = new Question(view, language);
+        if (asked.equals(Optional.of(question))) return;
+        asked = Optional.of(question);
+        chart = Optional.empty();
+        progress = 0;
+        work.ask(question);
+    }
+
+    /** Gives the chart up that is being made. */
+    void cancel() {
+        asked = chart.map(Chart::asked);
+        work.cancel();
+    }
+
+    /** The chart asked for last; empty while it is made. */
+    Optional<Chart> chart() {
+        return chart;
+    }
+
+    /** The share of the work that is done, 0 to 1. */
+    double progress() {
+        return progress;
+    }
+
+    /** Told when there is more to show, from now on; the answer ends that. */
+    Runnable listen(Runnable listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    void settle() throws InterruptedException {
+        work.settle();
+    }
+
+    @Override
+    public void close() {
+        work.close();
+    }
+
+    private Chart made(Question question, BooleanSupplier cancelled) {
+        if (question.view() == StageView.PRECISION)
+            return new Chart(question, DepthPrecisionChart.image(question.language()));
+        return new Chart(question, counted(cancelled).image(question.language()));
+    }
+
+    /** Only the worker's thread comes here. */
+    private GrowthChart counted(BooleanSupplier cancelled) {
+        if (growth.isEmpty())
+            growth =
+                    Optional.of(
+                            GrowthChart.counted(
+                                    share -> events.execute(() -> accept(share)), cancelled));
+        return growth.get();
+    }
+
+    private void accept(double share) {
+        progress = share;
+        tell();
+    }
+
+    private void accept(Chart found) {
+        if (!asked.equals(Optional.of(found.asked()))) return;
+        chart = Optional.of(found);
+        tell();
+    }
+
+    private void tell() {
+        List.copyOf(listeners).forEach(Runnable::run);
+    }
+}

@@ -1,0 +1,188 @@
+package rasterlab.app.visibility;
+
+import java.util.Optional;
+import java.util.Set;
+import rasterlab.app.model.TextureChange;
+import rasterlab.engine.light.LightTerm;
+import rasterlab.engine.pipeline.Cull;
+import rasterlab.engine.pipeline.DrawnDepths;
+import rasterlab.engine.pipeline.Look;
+import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.pipeline.Stereo;
+import rasterlab.engine.pipeline.paint.DepthCue;
+import rasterlab.engine.pipeline.paint.Sides;
+import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.pipeline.wire.HiddenLines;
+import rasterlab.engine.pipeline.wire.WireStyle;
+import rasterlab.engine.texture.TextureEnvironment.Mode;
+import rasterlab.engine.texture.Wrap;
+import rasterlab.engine.transform.Projection;
+
+/**
+ * How a scene is drawn beside method, shading and projection.
+ *
+ * @param texture how textures are looked up
+ * @param change how they lie
+ * @param terms of the light
+ * @param sides how backs are lit
+ * @param cull which faces are left out
+ * @param hidden what becomes of hidden wires
+ * @param crease degrees below which a wire is left out, 0 to 180
+ * @param cue share of the background in what is farthest, 0 to 1; 0 for none
+ * @param stereo how two eyes are shown; empty for one eye
+ * @param eyes their separation as a share of ρ
+ * @param near the nearest depth as a share of ρ; 0 for all
+ * @param far the farthest as a share of ρ, above near; infinite for all
+ */
+record LookChoice(
+        TextureMode texture,
+        TextureChange change,
+        Set<LightTerm> terms,
+        Sides sides,
+        Cull cull,
+        HiddenLines hidden,
+        double crease,
+        double cue,
+        Optional<Stereo.Kind> stereo,
+        double eyes,
+        double near,
+        double far) {
+    /** Everything as it usually is. */
+    static final LookChoice USUAL =
+            new LookChoice(
+                    TextureMode.AUTO,
+                    new TextureChange(Optional.empty(), Optional.empty()),
+                    LightTerm.all(),
+                    Sides.SCENE,
+                    Cull.NONE,
+                    HiddenLines.REMOVED,
+                    0,
+                    0,
+                    Optional.empty(),
+                    Stereo.USUAL,
+                    0,
+                    Double.POSITIVE_INFINITY);
+
+    LookChoice {
+        if (!(near >= 0 && near < far))
+            throw new IllegalArgumentException(
+                    "near must be from 0 to below far, got near %s, far %s".formatted(near, far));
+        terms = Set.copyOf(terms);
+    }
+
+    LookChoice withTexture(TextureMode other) {
+        return new LookChoice(
+                other, change, terms, sides, cull, hidden, crease, cue, stereo, eyes, near, far);
+    }
+
+    LookChoice withWrap(Optional<Wrap> wrap) {
+        return with(new TextureChange(wrap, change.environment()));
+    }
+
+    LookChoice withEnvironment(Optional<Mode> environment) {
+        return with(new TextureChange(change.wrap(), environment));
+    }
+
+    private LookChoice with(TextureChange other) {
+        return new LookChoice(
+                texture, other, terms, sides, cull, hidden, crease, cue, stereo, eyes, near, far);
+    }
+
+    LookChoice withTerms(Set<LightTerm> other) {
+        return new LookChoice(
+                texture, change, other, sides, cull, hidden, crease, cue, stereo, eyes, near, far);
+    }
+
+    LookChoice withSides(Sides other) {
+        return new LookChoice(
+                texture, change, terms, other, cull, hidden, crease, cue, stereo, eyes, near, far);
+    }
+
+    LookChoice withCull(Cull other) {
+        return new LookChoice(
+                texture, change, terms, sides, other, hidden, crease, cue, stereo, eyes, near, far);
+    }
+
+    LookChoice withHidden(HiddenLines other) {
+        return new LookChoice(
+                texture, change, terms, sides, cull, other, crease, cue, stereo, eyes, near, far);
+    }
+
+    LookChoice withCrease(double degrees) {
+        return new LookChoice(
+                texture, change, terms, sides, cull, hidden, degrees, cue, stereo, eyes, near, far);
+    }
+
+    LookChoice withCue(double share) {
+        return new LookChoice(
+                texture, change, terms, sides, cull, hidden, crease, share, stereo, eyes, near,
+                far);
+    }
+
+    LookChoice withStereo(Optional<Stereo.Kind> other) {
+        return new LookChoice(
+                texture, change, terms, sides, cull, hidden, crease, cue, other, eyes, near, far);
+    }
+
+    LookChoice withEyes(double share) {
+        return new LookChoice(
+                texture, change, terms, sides, cull, hidden, crease, cue, stereo, share, near, far);
+    }
+
+    /** A near plane that would pass the far one stays before it. */
+    LookChoice withNear(double share) {
+        return new LookChoice(
+                texture,
+                change,
+                terms,
+                sides,
+                cull,
+                hidden,
+                crease,
+                cue,
+                stereo,
+                eyes,
+                Math.min(share, 0.99 * far),
+                far);
+    }
+
+    /** A far plane that would pass the near one stays behind it. */
+    LookChoice withFar(double share) {
+        return new LookChoice(
+                texture,
+                change,
+                terms,
+                sides,
+                cull,
+                hidden,
+                crease,
+                cue,
+                stereo,
+                eyes,
+                near,
+                Math.max(share, near / 0.99));
+    }
+
+    /** Two eyes need perspective. */
+    Optional<Stereo.Kind> seenStereo(Projection projection) {
+        return projection == Projection.PERSPECTIVE ? stereo : Optional.empty();
+    }
+
+    Look look(String visibility, ShadingMethod shading, Projection projection, double rho) {
+        Look look =
+                Look.of(visibility, shading)
+                        .withTexture(texture)
+                        .withLight(terms, sides)
+                        .withCull(cull);
+        if (shading == ShadingMethod.WIRE) look = look.withWire(new WireStyle(hidden, crease));
+        if (cue > 0) look = look.withCue(new DepthCue(cue));
+        Optional<Stereo.Kind> kind = seenStereo(projection);
+        return kind.isPresent() ? look.withStereo(new Stereo(kind.get(), eyes * rho)) : look;
+    }
+
+    /** In world units. */
+    DrawnDepths depths(Projection projection, double rho) {
+        DrawnDepths all = DrawnDepths.all(projection, rho);
+        return new DrawnDepths(near > 0 ? near * rho : all.near(), far * rho);
+    }
+}

@@ -1,0 +1,50 @@
+package rasterlab.app.visibility;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import rasterlab.app.model.TextureChange;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.texture.Texture;
+
+/**
+ * What is looked at.
+ *
+ * @param name one of {@link Scenes#names()}, or the file's
+ * @param file where it was read from; empty for a scene that the lab has
+ * @param image the picture laid on all its faces, where one was opened
+ */
+record SceneChoice(String name, Optional<Path> file, Optional<Path> image, Scene scene) {
+    /**
+     * @throws IllegalArgumentException for an unknown name
+     */
+    static SceneChoice named(String name) {
+        return new SceneChoice(name, Optional.empty(), Optional.empty(), Scenes.named(name));
+    }
+
+    static SceneChoice opened(Path file, Scene scene) {
+        return new SceneChoice(
+                file.getFileName().toString(), Optional.of(file), Optional.empty(), scene);
+    }
+
+    /**
+     * @throws IllegalArgumentException if the scene has no place for a texture
+     */
+    SceneChoice covered(Path picture, Texture texture) {
+        return new SceneChoice(
+                name, file, Optional.of(picture), TextureChange.covered(scene, texture));
+    }
+
+    boolean textured() {
+        return scene.finishes().stream().anyMatch(finish -> finish.texture().isPresent());
+    }
+
+    /** The fewest components of a texture; 4 where there is none. */
+    int fewestComponents() {
+        return scene.finishes().stream()
+                .flatMap(finish -> finish.texture().stream())
+                .mapToInt(laid -> laid.texture().components())
+                .min()
+                .orElse(4);
+    }
+}

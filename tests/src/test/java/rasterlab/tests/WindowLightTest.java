@@ -1,0 +1,174 @@
+package rasterlab.tests;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Set;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JSlider;
+import org.assertj.swing.core.MouseButton;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.language.Language;
+
+/** The lighting lab's window under a real display, by mouse and keyboard. */
+class WindowLightTest extends WindowHarness {
+    private static final List<String> LISTS =
+            List.of("body", "normals", "kind", "lampColour", "substance", "reflection");
+
+    @BeforeEach
+    void showLighting() {
+        if (window == null) return;
+        show("light");
+        await("lit pictures", () -> colours("stage").size() > 50);
+    }
+
+    private Component named(String name) {
+        return window.robot().finder().findByName(frame, name);
+    }
+
+    private int number(String slider) {
+        return GuiActionRunner.execute(() -> ((JSlider) named(slider)).getValue());
+    }
+
+    private String text(String label) {
+        return GuiActionRunner.execute(() -> ((JLabel) named(label)).getText());
+    }
+
+    private void drag(String name, Point from, int right, int down) {
+        Component stage = named(name);
+        robot.pressMouse(stage, from, MouseButton.LEFT_BUTTON);
+        robot.moveMouse(stage, from.x + right / 2, from.y + down / 2);
+        robot.moveMouse(stage, from.x + right, from.y + down);
+        robot.releaseMouseButtons();
+        robot.waitForIdle();
+    }
+
+    /** A share of the first picture, which is as wide as a third of the stage. */
+    private Point onFirstPicture(double x, double y) {
+        Dimension stage = named("stage").getSize();
+        return new Point((int) (x * (stage.width - 12) / 3), (int) (y * 0.64 * stage.height));
+    }
+
+    @Test
+    void draggedRingShowsTheFormulaElsewhere() {
+        String before = text("place.value");
+        drag("stage", onFirstPicture(0.4, 0.42), 30, 40);
+        await("another place", () -> !text("place.value").equals(before));
+        window.button("undo").click();
+        await("the first place", () -> text("place.value").equals(before));
+    }
+
+    @Test
+    void lampMovesByItsSliderAndByShiftAndArrows() {
+        Set<Integer> before = colours("stage");
+        int x = number("x");
+        GuiActionRunner.execute(() -> ((JSlider) named("x")).setValue(20));
+        await("other light", () -> !colours("stage").equals(before));
+        window.button("undo").click();
+        robot.waitForIdle();
+        assertEquals(x, number("x"));
+        focus("stage");
+        int z = number("z");
+        robot.pressKey(KeyEvent.VK_SHIFT);
+        for (int i = 0; i < 4; i++) press(KeyEvent.VK_UP);
+        robot.releaseKey(KeyEvent.VK_SHIFT);
+        await("the lamp is higher", () -> number("z") > z);
+    }
+
+    @Test
+    void draggedGroundAndArrowsTurnTheBody() {
+        String before = text("place.value");
+        drag("stage", onFirstPicture(0.5, 0.9), 70, 20);
+        await("another point under the ring", () -> !text("place.value").equals(before));
+        focus("stage");
+        String turned = text("place.value");
+        press(KeyEvent.VK_LEFT);
+        await("turned by a key", () -> !text("place.value").equals(turned));
+    }
+
+    @Test
+    void lampsAreAddedChosenAndTakenAway() {
+        window.button("grow").click();
+        assertEquals(3, lamps());
+        GuiActionRunner.execute(() -> ((JComboBox<?>) named("lamp")).setSelectedIndex(0));
+        window.button("shrink").click();
+        assertEquals(2, lamps());
+    }
+
+    private int lamps() {
+        robot.waitForIdle();
+        return GuiActionRunner.execute(() -> ((JComboBox<?>) named("lamp")).getItemCount());
+    }
+
+    @Test
+    void everyEntryOfEveryListAndEveryBoxCanBeChosen() {
+        for (String list : LISTS) {
+            var box = (JComboBox<?>) named(list);
+            for (int i = box.getItemCount() - 1; i >= 0; i--) {
+                int entry = i;
+                GuiActionRunner.execute(() -> box.setSelectedIndex(entry));
+            }
+        }
+        for (String box :
+                List.of("arrows", "mach", "lamp.on", "term.specular", "localViewer", "twoSided"))
+            GuiActionRunner.execute(() -> window.checkBox(box).target().doClick());
+        robot.waitForIdle();
+        assertFalse(window.checkBox("lamp.on").target().isSelected());
+    }
+
+    @Test
+    void chipShowsItsBody() {
+        window.button("chip.rounded-cube").click();
+        robot.waitForIdle();
+        assertEquals("cube", window.comboBox("body").target().getSelectedItem());
+    }
+
+    @Test
+    void colourModelsFollowEachOtherAndTheCubeTurns() {
+        window.comboBox("mode").selectItem(1);
+        await("the cube", () -> colours("cube").size() > 500);
+        int cyan = number("cmy.cyan");
+        GuiActionRunner.execute(() -> ((JSlider) named("rgb.red")).setValue(0));
+        robot.waitForIdle();
+        assertNotEquals(cyan, number("cmy.cyan"));
+        assertEquals(255, number("cmy.cyan"));
+        String before = text("player.count");
+        drag("cube", new Point(200, 200), 90, 0);
+        assertNotEquals(before, text("player.count"));
+        window.comboBox("mode").selectItem(0);
+        await("light again", () -> named("stage").isShowing());
+    }
+
+    @Test
+    void languageKeepsTheModeAndTheColour() {
+        window.comboBox("mode").selectItem(1);
+        GuiActionRunner.execute(() -> ((JSlider) named("rgb.red")).setValue(0));
+        String before = text("hex.value");
+        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        robot.waitForIdle();
+        assertEquals(before, text("hex.value"));
+    }
+
+    @ParameterizedTest(name = "the pictures leave the window: {0}×{1}")
+    @CsvSource({"900, 600", "1280, 720", "2560, 1440"})
+    void stageFillsWhatTheWindowLeavesIt(int width, int height) {
+        window.resizeTo(new Dimension(width, height));
+        robot.waitForIdle();
+        Rectangle stage = GuiActionRunner.execute(() -> named("stage").getBounds());
+        assertTrue(stage.width > frame.getWidth() / 3, stage.toString());
+        assertTrue(stage.height > frame.getHeight() / 2, stage.toString());
+    }
+}

@@ -1,0 +1,185 @@
+package rasterlab.tests;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JTable;
+import org.assertj.swing.core.MouseButton;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.language.Language;
+import rasterlab.app.visibility.VisibilityLabState;
+
+/** The hidden-surface lab's window under a real display, by mouse and keyboard. */
+class WindowVisibilityTest extends WindowHarness {
+    /** Each list of choices of the inspector that is always there. */
+    private static final List<String> LISTS =
+            List.of(
+                    "scene",
+                    "method",
+                    "comparison",
+                    "shading",
+                    "projection",
+                    "view",
+                    "timeline",
+                    "cull",
+                    "sides",
+                    "stereo");
+
+    @BeforeEach
+    void showHiddenSurfaces() {
+        if (window == null) return;
+        show("visibility");
+        await("a first picture", () -> state().picture().isPresent());
+    }
+
+    private VisibilityLabState state() {
+        return GuiActionRunner.execute(() -> models.visibility().state());
+    }
+
+    private Component named(String name) {
+        return window.robot().finder().findByName(frame, name);
+    }
+
+    private void click(String name, Point place) {
+        robot.moveMouse(named(name), place);
+        robot.pressMouse(named(name), place, MouseButton.LEFT_BUTTON);
+        robot.releaseMouseButtons();
+        robot.waitForIdle();
+    }
+
+    private Point middle(String name) {
+        Dimension size = named(name).getSize();
+        return new Point(size.width / 2, size.height / 2);
+    }
+
+    @Test
+    void dragTurnsTheSceneAsOneChange() {
+        var before = state().choice();
+        Component stage = named("stage");
+        Point middle = middle("stage");
+        robot.pressMouse(stage, middle, MouseButton.LEFT_BUTTON);
+        robot.moveMouse(stage, middle.x + 40, middle.y + 10);
+        robot.moveMouse(stage, middle.x + 80, middle.y + 20);
+        robot.releaseMouseButtons();
+        robot.waitForIdle();
+        assertNotEquals(before.camera(), state().choice().camera());
+        window.button("undo").click();
+        robot.waitForIdle();
+        assertEquals(before, state().choice());
+    }
+
+    @Test
+    void clickShowsThePixelsHistoryAndShiftWithArrowsMovesIt() {
+        double theta = theta();
+        click("stage", middle("stage"));
+        await("faces that touched the pixel", () -> rows() >= 2);
+        assertEquals(theta, theta(), "a click turned the scene");
+        String before = pixel();
+        focus("stage");
+        robot.pressKey(KeyEvent.VK_SHIFT);
+        press(KeyEvent.VK_RIGHT);
+        robot.releaseKey(KeyEvent.VK_SHIFT);
+        robot.waitForIdle();
+        assertNotEquals(before, pixel());
+        assertEquals(theta, theta(), "moving the pixel turned the scene");
+    }
+
+    private String pixel() {
+        return GuiActionRunner.execute(() -> ((JLabel) named("pixel.value")).getText());
+    }
+
+    private int rows() {
+        return GuiActionRunner.execute(() -> ((JTable) named("history")).getRowCount());
+    }
+
+    @Test
+    void timelineStepsThroughTheOrderAndTheListFollows() {
+        window.comboBox("timeline").selectItem(1);
+        await("300 faces in order", () -> steps().getModel().getSize() == 300);
+        window.button("player.toStart").click();
+        robot.waitForIdle();
+        window.button("player.forward").click();
+        window.button("player.forward").click();
+        await("the list stands at the second step", () -> selected() == 1);
+        GuiActionRunner.execute(() -> steps().setSelectedIndex(9));
+        await(
+                "the timeline stands at the tenth",
+                () -> window.slider("player.position").target().getValue() == 10);
+    }
+
+    private JList<?> steps() {
+        return (JList<?>) named("steps");
+    }
+
+    private int selected() {
+        return GuiActionRunner.execute(() -> steps().getSelectedIndex());
+    }
+
+    @Test
+    void chipShowsWhatFailsBesideWhatDoesNot() {
+        window.button("chip.cyclic").click();
+        window.comboBox("comparison").selectItem("newell");
+        await("both are compared", () -> state().otherDifference().isPresent());
+        assertTrue(state().difference().orElseThrow().wrongPixels() > 1000);
+        assertEquals(0, state().otherDifference().orElseThrow().wrongPixels());
+    }
+
+    @Test
+    void chartIsCountedInTheBackgroundAndCanBeGivenUp() {
+        window.comboBox("view").selectItem(2);
+        window.button("counting.cancel").click();
+        robot.waitForIdle();
+        assertEquals(
+                0,
+                GuiActionRunner.execute(() -> window.comboBox("view").target().getSelectedIndex()));
+        window.comboBox("view").selectItem(3);
+        await("the chart is there", () -> colours("stage").size() > 20);
+    }
+
+    @Test
+    void everyEntryOfEveryListCanBeChosen() {
+        for (String list : LISTS) {
+            int entries = window.comboBox(list).target().getItemCount();
+            for (int i = entries - 1; i >= 0; i--) {
+                int entry = i;
+                GuiActionRunner.execute(
+                        () -> window.comboBox(list).target().setSelectedIndex(entry));
+            }
+            robot.waitForIdle();
+        }
+        await("the last picture", () -> state().picture().isPresent());
+    }
+
+    @Test
+    void languageKeepsSceneAndPixel() {
+        click("stage", middle("stage"));
+        var before = state().choice();
+        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        robot.waitForIdle();
+        assertEquals(before, state().choice());
+        await("the history is shown again", () -> rows() >= 2);
+    }
+
+    @ParameterizedTest(name = "the picture leaves the window: {0}×{1}")
+    @CsvSource({"900, 600", "1280, 720", "2560, 1440"})
+    void stageFillsWhatTheWindowLeavesIt(int width, int height) {
+        window.resizeTo(new Dimension(width, height));
+        robot.waitForIdle();
+        Rectangle stage = GuiActionRunner.execute(() -> named("stage").getBounds());
+        assertTrue(stage.width > frame.getWidth() / 3, stage.toString());
+        assertTrue(stage.height > frame.getHeight() / 2, stage.toString());
+    }
+}
