@@ -6,6 +6,7 @@ dependencies {
     implementation(project(":engine"))
     implementation(project(":exercises"))
     implementation(libs.jackson.databind)
+    implementation(libs.jackson.datatype.jdk8)
     implementation(libs.rsyntaxtextarea)
     implementation(libs.flatlaf)
     implementation(libs.miglayout.swing)

@@ -8,6 +8,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
@@ -20,13 +21,13 @@ import rasterlab.engine.transform.SphericalView;
  * <p>Pictures are made on a thread of the model's own; answers and commands all run on the thread
  * of the executor it is given. Each change publishes a new immutable {@link LightLabState}.
  */
-public final class LightLabModel implements AutoCloseable {
+public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoCloseable {
     private static final double NEAREST = 250;
     private static final double FARTHEST = 4000;
     private static final double STEEPEST = Math.PI - 0.05;
 
     /** What undo brings back. */
-    private record Chosen(LightChoice light, boolean colours, ColourChoice colour) {}
+    record Chosen(LightChoice light, boolean colours, ColourChoice colour) {}
 
     /** The body drawn last; only the worker's thread uses it. */
     private record Made(Body body, Scene scene) {}
@@ -153,6 +154,21 @@ public final class LightLabModel implements AutoCloseable {
         if (first.equals(chosen())) return;
         history.remember(chosen());
         show(first);
+    }
+
+    @Override
+    public Class<Chosen> keptType() {
+        return Chosen.class;
+    }
+
+    @Override
+    public Chosen kept() {
+        return chosen();
+    }
+
+    @Override
+    public void bringBack(Chosen choice) {
+        show(choice);
     }
 
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */

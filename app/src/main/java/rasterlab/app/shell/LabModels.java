@@ -65,6 +65,7 @@ public record LabModels(
         kept.put("polygon", polygon);
         kept.put("clip", clip);
         kept.put("visibility", visibility);
+        kept.put("light", light);
         kept.put("spline", spline);
         kept.put("spline.curve", spline.curve());
         kept.put("spline.function", spline.function());

@@ -1,5 +1,7 @@
 package rasterlab.app.visibility;
 
+import com.fasterxml.jackson.annotation.JsonCreator;
+import com.fasterxml.jackson.annotation.JsonValue;
 import java.nio.file.Path;
 import java.util.Optional;
 import rasterlab.app.model.TextureChange;
@@ -18,8 +20,15 @@ record SceneChoice(String name, Optional<Path> file, Optional<Path> image, Scene
     /**
      * @throws IllegalArgumentException for an unknown name
      */
+    @JsonCreator
     static SceneChoice named(String name) {
         return new SceneChoice(name, Optional.empty(), Optional.empty(), Scenes.named(name));
+    }
+
+    /** What {@link #named} brings back; only scenes that the lab has are kept between runs. */
+    @JsonValue
+    String kept() {
+        return name;
     }
 
     static SceneChoice opened(Path file, Scene scene) {

@@ -280,9 +280,12 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         return VisibilityChoice.class;
     }
 
+    /** How the lab opens where a file is shown, which may be gone by the next run. */
     @Override
     public VisibilityChoice kept() {
-        return state.choice();
+        SceneChoice shown = state.choice().shown();
+        boolean ofTheLab = shown.file().isEmpty() && shown.image().isEmpty();
+        return ofTheLab ? state.choice() : VisibilityChoice.first();
     }
 
     @Override

@@ -134,6 +134,7 @@ class LabsFileTest {
         models.line().chooseMethod("dda");
         models.clip().chooseMode(ClipMode.VOLUME);
         models.visibility().turn(0.1, 0.2);
+        models.light().drawNormals(true);
         models.spline().show(SplineMode.FUNCTION);
         models.spline().curve().chooseForm(CurveForm.PIECES);
         models.spline().function().chooseEnds(SplineEnds.slopes(-1.25, 3));
