@@ -28,11 +28,11 @@ record PicturePlaces(ViewedMesh view) {
     double[] toPicture(double x, double y, double z) {
         ViewTransform transform = view.transform();
         double least = NEAREST * transform.distance();
-        double depth = Math.max(least, transform.toView(2, x, y, z));
+        double depth = Math.max(least, transform.toEye(2, x, y, z));
         double shrink = transform.distance() / depth;
         return new double[] {
-            view.fit().toPixelX(transform.toView(0, x, y, z) * shrink),
-            view.fit().toPixelY(transform.toView(1, x, y, z) * shrink),
+            view.fit().toPixelX(transform.toEye(0, x, y, z) * shrink),
+            view.fit().toPixelY(transform.toEye(1, x, y, z) * shrink),
             depth
         };
     }

@@ -13,6 +13,7 @@ import rasterlab.app.outcome.PictureFile;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.Texture;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
@@ -53,7 +54,7 @@ final class SceneFiles {
         String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
         if (name.endsWith(SceneText.EXTENSION)) return seen(file, SceneText.view(file));
         if (name.endsWith(MODEL)) {
-            Scene model = ModelFile.read(file, note -> {});
+            Scene model = ModelFile.read(file, UpAxis.Z, note -> {});
             return choice -> choice.with(SceneChoice.opened(file, model));
         }
         if (!name.matches(".*\\.(png|jpg|jpeg)"))

@@ -29,7 +29,7 @@ public final class FaceOutlines {
     public static Optional<double[]> cut(ViewedMesh view, int face, int by) {
         var polygon = new ScreenPolygon(view.mesh().mostCorners());
         polygon.load(view, face);
-        double[] corners = polygon.viewCorners();
+        double[] corners = polygon.eyeCorners();
         var ends = new double[4];
         int found = 0;
         for (int at = 0; at < corners.length && found < 2; at += 3) {

@@ -41,11 +41,11 @@ class SeenPointTest {
         SeenPoint point = SeenPoint.at(view, 130, 150).orElseThrow();
         double[] p = point.position();
         ViewTransform transform = view.transform();
-        double shrink = transform.distance() / transform.toView(2, p[0], p[1], p[2]);
+        double shrink = transform.distance() / transform.toEye(2, p[0], p[1], p[2]);
         assertEquals(
-                130, view.fit().toPixelX(transform.toView(0, p[0], p[1], p[2]) * shrink), 1e-9);
+                130, view.fit().toPixelX(transform.toEye(0, p[0], p[1], p[2]) * shrink), 1e-9);
         assertEquals(
-                150, view.fit().toPixelY(transform.toView(1, p[0], p[1], p[2]) * shrink), 1e-9);
+                150, view.fit().toPixelY(transform.toEye(1, p[0], p[1], p[2]) * shrink), 1e-9);
     }
 
     @Test
