@@ -8,8 +8,8 @@ import java.util.Locale;
  * slows them all.
  */
 final class Turns {
-    /** For each way: by then the compiler has done with what is run most. */
-    private static final double WARM_UP_SECONDS = 2;
+    /** For each way: by then, on a quiet machine, the compiler has done with what is run most. */
+    private static final double WARM_UP_SECONDS = 3;
 
     private static final int WARM_UP_ROUNDS = 5;
 
