@@ -15,7 +15,7 @@ dependencies {
     implementation(libs.jmh.core)
     annotationProcessor(libs.jmh.generator.annprocess)
     testImplementation(project(":exercises"))
-    testImplementation(project(":app"))
+    implementation(project(":app"))
     testImplementation(project(":grader"))
     testImplementation(libs.archunit)
     testImplementation(libs.jackson.databind)

@@ -75,6 +75,7 @@ final class PixelFill {
 
     private void collect(TinyScan scan, ScreenVertices v) {
         boolean early = blending.early();
+        boolean tests = blending.testsDepth();
         float[] depth = out.depth();
         float za = v.depth[scan.a];
         float zb = v.depth[scan.b] - za;
@@ -85,7 +86,7 @@ final class PixelFill {
             float atB = scan.edgeB[k] * scan.inverseArea;
             float atC = scan.edgeC[k] * scan.inverseArea;
             float here = za + atB * zb + atC * zc;
-            if (!(here < depth[cell])) continue;
+            if (!(here < depth[cell]) && tests) continue;
             if (early) depth[cell] = here;
             else batch.depth[kept] = here;
             batch.cell[kept] = cell;
@@ -98,6 +99,7 @@ final class PixelFill {
     /** What is nearest of the n pixels of a row from its pixel {@code first} on. */
     private void collect(TriangleScan scan, ScreenVertices v, int row, int first, int n) {
         boolean early = blending.early();
+        boolean tests = blending.testsDepth();
         float[] depth = out.depth();
         float za = v.depth[scan.a];
         float zb = v.depth[scan.b] - za;
@@ -114,7 +116,7 @@ final class PixelFill {
         for (int cell = from; cell < from + n; cell++) {
             k += 1;
             float here = z + k * step;
-            if (!(here < depth[cell])) continue;
+            if (!(here < depth[cell]) && tests) continue;
             if (early) depth[cell] = here;
             else batch.depth[kept] = here;
             batch.cell[kept] = cell;
@@ -179,7 +181,8 @@ final class PixelFill {
         for (int i = 0; i < n; i++) {
             int cell = batch.cell[i];
             int color = batch.argb[i];
-            if (color >>> 24 < blending.leastAlpha() || !(batch.depth[i] < depth[cell])) continue;
+            boolean hidden = blending.testsDepth() && !(batch.depth[i] < depth[cell]);
+            if (color >>> 24 < blending.leastAlpha() || hidden) continue;
             argb[cell] = blending.mixed() ? Blending.over(color, argb[cell]) : 0xFF000000 | color;
             if (blending.writesDepth()) depth[cell] = batch.depth[i];
         }

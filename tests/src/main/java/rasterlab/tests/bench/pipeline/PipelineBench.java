@@ -4,6 +4,8 @@ import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import rasterlab.app.opengl.context.NoOpenGl;
+import rasterlab.app.opengl.context.OffscreenContext;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 
 /**
@@ -36,7 +38,7 @@ public final class PipelineBench {
         int cores = Runtime.getRuntime().availableProcessors();
         try (var pipeline = new TrianglePipeline()) {
             String missing = "";
-            try (var gl = GlContext.open()) {
+            try (var gl = OffscreenContext.open(OffscreenContext.Profile.CORE)) {
                 out.println(machine(cores) + "; OpenGL: " + gl.renderer());
                 print(openGlJobs(pipeline, cores));
             } catch (NoOpenGl e) {
