@@ -10,6 +10,7 @@ import rasterlab.app.clip.ClipPanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LinePanel;
+import rasterlab.app.opengl.OpenGlPanel;
 import rasterlab.app.spline.SplinePanel;
 import rasterlab.app.visibility.VisibilityPanel;
 import rasterlab.engine.naming.Named;
@@ -40,6 +41,7 @@ public final class LabTabs implements AutoCloseable {
         add.accept(
                 "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));
         add.accept("spline", () -> new SplinePanel(models.spline(), language, onFailure));
+        add.accept("opengl", () -> new OpenGlPanel(models.opengl(), language, onFailure));
         return new LabTabs(language, tabs);
     }
 

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import rasterlab.app.language.Language;
+import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
 import rasterlab.app.shell.LabTheme;
@@ -28,7 +29,9 @@ final class LabPictures implements TourPart {
                     new Shot(
                             "function",
                             "spline",
-                            models -> models.spline().show(SplineMode.FUNCTION)));
+                            models -> models.spline().show(SplineMode.FUNCTION)),
+                    new Shot("opengl", "opengl", models -> {}),
+                    new Shot("globe", "opengl", LabPictures::showGlobe));
 
     @Override
     public String key() {
@@ -66,5 +69,10 @@ final class LabPictures implements TourPart {
         models.line().chooseMethod("bresenham-textbook");
         models.clip().chooseMethod("cohen-sutherland-textbook");
         models.clip().compareWith("cohen-sutherland");
+    }
+
+    private static void showGlobe(LabModels models) {
+        models.opengl().set(Setting.SCENE, "globe");
+        models.opengl().set(Setting.MIN_FILTER, "GL_LINEAR_MIPMAP_LINEAR");
     }
 }

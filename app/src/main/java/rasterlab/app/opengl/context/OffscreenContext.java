@@ -10,6 +10,7 @@ import org.lwjgl.egl.EGL14;
 import org.lwjgl.egl.EGL15;
 import org.lwjgl.opengl.GL;
 import org.lwjgl.opengl.GL11C;
+import org.lwjgl.opengl.GLCapabilities;
 import org.lwjgl.system.JNI;
 import org.lwjgl.system.MemoryStack;
 
@@ -20,10 +21,12 @@ public final class OffscreenContext implements AutoCloseable {
 
     private final long display;
     private final long context;
+    private final GLCapabilities capabilities;
 
-    private OffscreenContext(long display, long context) {
+    private OffscreenContext(long display, long context, GLCapabilities capabilities) {
         this.display = display;
         this.context = context;
+        this.capabilities = capabilities;
     }
 
     /** What a context has of OpenGL. */
@@ -91,8 +94,7 @@ public final class OffscreenContext implements AutoCloseable {
                     context != EGL10.EGL_NO_CONTEXT,
                     "no context of OpenGL %d.%d".formatted(profile.major, profile.minor));
             EGL10.eglMakeCurrent(display, EGL10.EGL_NO_SURFACE, EGL10.EGL_NO_SURFACE, context);
-            GL.createCapabilities();
-            return new OffscreenContext(display, context);
+            return new OffscreenContext(display, context, GL.createCapabilities());
         }
     }
 
@@ -116,6 +118,19 @@ public final class OffscreenContext implements AutoCloseable {
         if (!done) throw new NoOpenGl(otherwise);
     }
 
+    /** Makes the context current on this thread, where it must not be current elsewhere. */
+    public void take() {
+        EGL10.eglMakeCurrent(display, EGL10.EGL_NO_SURFACE, EGL10.EGL_NO_SURFACE, context);
+        GL.setCapabilities(capabilities);
+    }
+
+    /** Leaves this thread without a context. */
+    public void leave() {
+        GL.setCapabilities(null);
+        EGL10.eglMakeCurrent(
+                display, EGL10.EGL_NO_SURFACE, EGL10.EGL_NO_SURFACE, EGL10.EGL_NO_CONTEXT);
+    }
+
     /** What draws, such as llvmpipe. */
     public String renderer() {
         return Optional.ofNullable(GL11C.glGetString(GL11C.GL_RENDERER)).orElse("unnamed")
@@ -126,9 +141,7 @@ public final class OffscreenContext implements AutoCloseable {
     /** Ends the context; the display is every context's of this program and stays. */
     @Override
     public void close() {
-        GL.setCapabilities(null);
-        EGL10.eglMakeCurrent(
-                display, EGL10.EGL_NO_SURFACE, EGL10.EGL_NO_SURFACE, EGL10.EGL_NO_CONTEXT);
+        leave();
         EGL10.eglDestroyContext(display, context);
     }
 }

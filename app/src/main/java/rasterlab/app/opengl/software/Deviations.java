@@ -2,6 +2,7 @@ package rasterlab.app.opengl.software;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.Setting;
 
@@ -22,6 +23,8 @@ public enum Deviations {
     DECAL,
     /** OpenGL may choose between levels of detail within bounds. */
     LEVEL_OF_DETAIL,
+    /** Where a front and a back face meet, both edges have one depth. */
+    SHARED_EDGES,
     /** Depths are whole numbers in OpenGL, floating ones in the engine. */
     DEPTH_BITS;
 
@@ -33,6 +36,7 @@ public enum Deviations {
         if (choice.is(Setting.ALPHA_TEST, "GL_LESS")) found.add(ALPHA_LESS);
         if (choice.is(Setting.BLEND, "GL_SRC_ALPHA:GL_ONE")
                 || choice.is(Setting.BLEND, "GL_ZERO:GL_SRC_COLOR")) found.add(BLEND_FUNC);
+        if (choice.is(Setting.POLYGON_MODE, "GL_LINE")) found.add(SHARED_EDGES);
         if (choice.is(Setting.NEAR_FAR, "0.001:100000")) found.add(DEPTH_BITS);
         if (choice.is(Setting.TEXTURE_2D, "on")) addTextures(choice, found);
         return List.copyOf(found);
@@ -47,6 +51,6 @@ public enum Deviations {
 
     /** Lower-case name with hyphens, part of keys. */
     public String code() {
-        return name().toLowerCase(java.util.Locale.ROOT).replace('_', '-');
+        return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 }

@@ -11,6 +11,11 @@ import org.joml.Matrix4d;
  * sections 3.3 and 3.4.
  */
 final class Strokes {
+    /**
+     * Half a step of the raster, in pixels: a point between two columns belongs to the right one.
+     */
+    private static final double TIE = 1.0 / 512;
+
     private final Matrix4d projection;
     private final double perPixelX;
     private final double perPixelY;
@@ -45,10 +50,10 @@ final class Strokes {
     }
 
     void point(double[] a) {
-        double[] low = moved(a, -0.5, -0.5);
-        double[] high = moved(a, 0.5, 0.5);
-        triangle(low, moved(a, 0.5, -0.5), high);
-        triangle(low, high, moved(a, -0.5, 0.5));
+        double[] low = moved(a, TIE - 0.5, -0.5);
+        double[] high = moved(a, TIE + 0.5, 0.5);
+        triangle(low, moved(a, TIE + 0.5, -0.5), high);
+        triangle(low, high, moved(a, TIE - 0.5, 0.5));
     }
 
     private void triangle(double[] a, double[] b, double[] c) {

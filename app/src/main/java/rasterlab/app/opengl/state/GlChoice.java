@@ -56,7 +56,7 @@ public record GlChoice(
     public static GlChoice first() {
         var options = new EnumMap<Setting, String>(Setting.class);
         for (Setting each : Setting.values()) options.put(each, each.options().get(0));
-        return new GlChoice(options, 30, 25, 5.5, Optional.empty());
+        return new GlChoice(options, 33, 25, 5.5, Optional.empty());
     }
 
     public String get(Setting setting) {
