@@ -3,15 +3,16 @@ package rasterlab.app.opengl;
 import java.awt.Font;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
+import javax.swing.text.DefaultCaret;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
-import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 import rasterlab.app.opengl.call.GlCall;
 import rasterlab.app.opengl.context.GlReport;
@@ -20,6 +21,9 @@ import rasterlab.app.opengl.state.Group;
 
 /** The OpenGL lab's states, live numbers and what is known of the difference. */
 final class OpenGlInspector {
+    /** More are seen in the log. */
+    private static final int MOST_CALLS = 4;
+
     private final OpenGlLabModel model;
     private final Texts texts;
     private final Inspector column;
@@ -35,7 +39,6 @@ final class OpenGlInspector {
     private final JLabel version;
     private final JLabel renderer;
     private final JLabel limits;
-    private Group shown = Group.SCENE;
 
     /**
      * @param onOpen asks the user for an image file
@@ -49,7 +52,7 @@ final class OpenGlInspector {
                         "group",
                         Arrays.stream(Group.values()).map(Group::code).toList(),
                         name -> texts.text("group." + name),
-                        this::showGroup);
+                        name -> model.touch(named(name).settings().get(0)));
         group.setLightWeightPopupEnabled(false);
         column.row("group", group);
         rows = new SettingRows(model, texts, column, onOpen);
@@ -66,6 +69,8 @@ final class OpenGlInspector {
         version = column.value("version");
         renderer = column.value("renderer");
         limits = column.value("limits");
+        column.heading("heading.lacking");
+        write(area("lacking", false), lacking());
     }
 
     private JButton openButton(Runnable onOpen) {
@@ -83,6 +88,9 @@ final class OpenGlInspector {
         var area = new JTextArea();
         area.setName(name);
         area.setEditable(false);
+        // A new text is not to scroll the inspector.
+        if (area.getCaret() instanceof DefaultCaret caret)
+            caret.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
         area.setOpaque(false);
         area.setBorder(null);
         area.setLineWrap(true);
@@ -98,15 +106,14 @@ final class OpenGlInspector {
         return column;
     }
 
-    private void showGroup(String code) {
-        shown = Group.valueOf(code.toUpperCase(java.util.Locale.ROOT));
-        model.touch(shown.settings().get(0));
-        refresh();
+    private static Group named(String code) {
+        return Group.valueOf(code.toUpperCase(Locale.ROOT));
     }
 
     /** Shows the model's present state. */
     void refresh() {
         OpenGlLabState state = model.state();
+        Group shown = state.touched().group();
         group.show(shown.code());
         rows.refresh(shown);
         boolean images = shown == Group.TEXTURE;
@@ -133,15 +140,16 @@ final class OpenGlInspector {
 
     /** The calls that the setting makes in this frame, or those it would make. */
     private String calls(OpenGlLabState state) {
-        String made =
+        List<String> made =
                 state.calls().stream()
                         .filter(each -> each.setting().equals(Optional.of(state.touched())))
                         .map(GlCall::text)
                         .map(line -> line + ";")
                         .distinct()
-                        .collect(Collectors.joining("\n"));
-        String key = "setting." + state.touched().code();
-        return made.isEmpty() ? texts.text("call.none", texts.text(key + ".call")) : made;
+                        .toList();
+        if (made.isEmpty()) return texts.text("call.none", state.touched().call());
+        String shown = made.stream().limit(MOST_CALLS).collect(Collectors.joining("\n"));
+        return made.size() > MOST_CALLS ? shown + "\n…" : shown;
     }
 
     private void compare(OpenGlLabState state) {
@@ -152,7 +160,8 @@ final class OpenGlInspector {
                                         texts.text(
                                                 "off.pixels",
                                                 c.plain().plainlyWrongPixels(),
-                                                Shown.number(100 * c.share(), 3, texts.locale())))
+                                                String.format(
+                                                        texts.locale(), "%.3f", 100 * c.share())))
                         .orElse("–"));
         rounded.setText(found.map(c -> texts.text("pixels", c.rounded())).orElse("–"));
         largest.setText(
@@ -171,6 +180,13 @@ final class OpenGlInspector {
         if (named.isEmpty()) return texts.text("why.none");
         return named.stream()
                 .map(each -> texts.text("why." + each.code()))
+                .collect(Collectors.joining("\n"));
+    }
+
+    /** All that the two halves do not have in common. */
+    private String lacking() {
+        return Arrays.stream(Deviations.values())
+                .map(each -> "• " + texts.text("why." + each.code()))
                 .collect(Collectors.joining("\n"));
     }
 

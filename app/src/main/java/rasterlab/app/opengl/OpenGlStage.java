@@ -5,20 +5,19 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.GraphicsEnvironment;
+import java.awt.GridLayout;
 import java.awt.Point;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
-import net.miginfocom.swing.MigLayout;
 import org.lwjgl.opengl.awt.AWTGLCanvas;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
@@ -52,11 +51,7 @@ final class OpenGlStage extends JPanel implements Settling {
     private boolean unusable;
 
     OpenGlStage(OpenGlLabModel model, Texts texts, Consumer<Path> onImage) {
-        super(
-                new MigLayout(
-                        "insets 0, gap 8 4, wrap 2",
-                        "[grow,fill,sg,0::][grow,fill,sg,0::]",
-                        "[][grow,fill,sg pictures,0::][][grow,fill,sg pictures,0::][]"));
+        super(new BorderLayout(0, 4));
         this.model = model;
         this.texts = texts;
         openGl =
@@ -64,13 +59,15 @@ final class OpenGlStage extends JPanel implements Settling {
                         "opengl.picture",
                         texts.text("openGl"),
                         () -> model.state().pictures().openGl(),
-                        this::missing);
+                        this::missing,
+                        this::resized);
         software =
                 new PicturePane(
                         "software.picture",
                         texts.text("software"),
                         () -> model.state().pictures().software(),
-                        () -> texts.text("drawing"));
+                        () -> texts.text("drawing"),
+                        () -> {});
         difference =
                 new PicturePane(
                         "difference.picture",
@@ -80,19 +77,19 @@ final class OpenGlStage extends JPanel implements Settling {
                                         .pictures()
                                         .difference()
                                         .map(found -> found.plain().mask()),
-                        () -> texts.text("difference.none"));
+                        () -> texts.text("difference.none"),
+                        () -> {});
         log = new CallLog(texts);
         openGl.setLayout(new BorderLayout());
-        add(title("openGl"));
-        add(title("software"));
-        add(openGl);
-        add(software);
-        add(title("difference"));
-        add(title("calls"));
-        add(difference);
-        add(new JScrollPane(log));
+        var fields = new JPanel(new GridLayout(2, 2, 8, 6));
+        fields.add(field("openGl", openGl));
+        fields.add(field("software", software));
+        fields.add(field("difference", difference));
+        fields.add(field("calls", new JScrollPane(log)));
+        add(fields);
         reading.setName("reading");
-        add(reading, "span 2, wmin 0");
+        reading.setMinimumSize(new Dimension());
+        add(reading, BorderLayout.SOUTH);
         setTransferHandler(new ImageDrop(onImage));
         listen();
         refresh();
@@ -105,11 +102,14 @@ final class OpenGlStage extends JPanel implements Settling {
                 .orElse(texts.text("drawing"));
     }
 
-    private JLabel title(String key) {
+    private JPanel field(String key, JComponent content) {
         var label = new JLabel(texts.text(key));
         label.setName("title." + key);
         label.setFont(label.getFont().deriveFont(Font.BOLD));
-        return label;
+        var field = new JPanel(new BorderLayout(0, 4));
+        field.add(label, BorderLayout.NORTH);
+        field.add(content);
+        return field;
     }
 
     private void listen() {
@@ -136,13 +136,6 @@ final class OpenGlStage extends JPanel implements Settling {
         bind(KeyEvent.VK_RIGHT, KEY, 0);
         for (String key : new String[] {"typed +", "typed ="}) zoom(key, 1 / ZOOM);
         zoom("typed -", ZOOM);
-        openGl.addComponentListener(
-                new ComponentAdapter() {
-                    @Override
-                    public void componentResized(ComponentEvent e) {
-                        resized();
-                    }
-                });
     }
 
     private void bind(int key, double right, double down) {
@@ -166,12 +159,6 @@ final class OpenGlStage extends JPanel implements Settling {
 
     CallLog log() {
         return log;
-    }
-
-    @Override
-    public void doLayout() {
-        super.doLayout();
-        resized();
     }
 
     private void resized() {

@@ -20,22 +20,32 @@ final class PicturePane extends SelfDrawn {
 
     private final transient Supplier<Optional<Raster>> picture;
     private final transient Supplier<String> otherwise;
+    private final transient Runnable resized;
 
     /**
      * @param said the name for assistive technology
      * @param otherwise what is said where there is no picture
+     * @param resized told when the pane is laid out
      */
     PicturePane(
             String name,
             String said,
             Supplier<Optional<Raster>> picture,
-            Supplier<String> otherwise) {
+            Supplier<String> otherwise,
+            Runnable resized) {
         super(AccessibleRole.CANVAS);
         this.picture = picture;
         this.otherwise = otherwise;
+        this.resized = resized;
         setName(name);
         setOpaque(true);
         getAccessibleContext().setAccessibleName(said);
+    }
+
+    @Override
+    public void doLayout() {
+        super.doLayout();
+        resized.run();
     }
 
     @Override

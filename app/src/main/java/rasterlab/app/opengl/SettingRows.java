@@ -38,7 +38,7 @@ final class SettingRows {
                         option -> choose(setting, option));
         // A light pop-up would be hidden by OpenGL's window.
         chooser.setLightWeightPopupEnabled(false);
-        chooser.setToolTipText(texts.text("setting." + setting.code() + ".call"));
+        chooser.setToolTipText(setting.call());
         chooser.addFocusListener(
                 new FocusAdapter() {
                     @Override

@@ -19,7 +19,8 @@ final class ShapeCalls {
 
     /** Each frame anew. */
     void direct(Shape shape) {
-        calls.free().add(text(shape), () -> draw(shape));
+        calls.of(Setting.SCENE).add(text(shape), () -> draw(shape));
+        calls.free();
     }
 
     /** Once into a display list, which each frame calls. */
@@ -36,7 +37,7 @@ final class ShapeCalls {
     }
 
     private static String text(Shape shape) {
-        return "glBegin(%s); %d × {glColor4f; glNormal3f; glTexCoord2f; glVertex3f}; glEnd()"
+        return "glBegin(%s); %d × (glColor4f, glNormal3f, glTexCoord2f, glVertex3f); glEnd()"
                 .formatted(shape.mode(), shape.indices().length);
     }
 

@@ -23,6 +23,8 @@ public enum Deviations {
     DECAL,
     /** OpenGL may choose between levels of detail within bounds. */
     LEVEL_OF_DETAIL,
+    /** Where lines meet, either may draw the common pixel. */
+    LINE_ENDS,
     /** Where a front and a back face meet, both edges have one depth. */
     SHARED_EDGES,
     /** Depths are whole numbers in OpenGL, floating ones in the engine. */
@@ -36,6 +38,10 @@ public enum Deviations {
         if (choice.is(Setting.ALPHA_TEST, "GL_LESS")) found.add(ALPHA_LESS);
         if (choice.is(Setting.BLEND, "GL_SRC_ALPHA:GL_ONE")
                 || choice.is(Setting.BLEND, "GL_ZERO:GL_SRC_COLOR")) found.add(BLEND_FUNC);
+        boolean wire = choice.is(Setting.SCENE, "sphere");
+        boolean told =
+                choice.is(Setting.SHADE_MODEL, "GL_FLAT") || !choice.is(Setting.BLEND, "off");
+        if (wire && told) found.add(LINE_ENDS);
         if (choice.is(Setting.POLYGON_MODE, "GL_LINE")) found.add(SHARED_EDGES);
         if (choice.is(Setting.NEAR_FAR, "0.001:100000")) found.add(DEPTH_BITS);
         if (choice.is(Setting.TEXTURE_2D, "on")) addTextures(choice, found);

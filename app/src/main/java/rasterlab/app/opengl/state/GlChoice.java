@@ -82,12 +82,15 @@ public record GlChoice(
         return GlName.valueOf(options.get(setting));
     }
 
-    /** The same with another option; a scene comes with its texture or without one. */
+    /** The same with another option; a scene comes with a material and a texture, or without. */
     public GlChoice with(Setting setting, String option) {
         var next = new EnumMap<>(options);
         next.put(setting, option);
-        if (setting == Setting.SCENE)
-            next.put(Setting.TEXTURE_2D, option.equals("sphere") ? "off" : "on");
+        if (setting == Setting.SCENE) {
+            boolean bare = option.equals("sphere");
+            next.put(Setting.TEXTURE_2D, bare ? "off" : "on");
+            next.put(Setting.FRONT_MATERIAL, bare ? "brass" : "chalk");
+        }
         if (setting == Setting.COMPONENTS && !option.equals("3") && !option.equals("4"))
             next.replace(Setting.ENV_MODE, "GL_DECAL", "GL_MODULATE");
         return new GlChoice(next, turn, tilt, distance, file);

@@ -24,7 +24,7 @@ public record GlFrame(GlChoice choice, int width, int height, Optional<Texture> 
     public static final double ALPHA_REFERENCE = 0.5;
 
     /** Half the height that is seen at distance 1. */
-    private static final double SPREAD = 0.38;
+    private static final double SPREAD = 0.32;
 
     /** Degrees by which the texture matrix may turn. */
     public static final double TURNED_TEXTURE = 30;

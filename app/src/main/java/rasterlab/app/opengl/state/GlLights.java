@@ -6,7 +6,7 @@ import java.util.List;
 
 /** The lights that the settings ask for. */
 final class GlLights {
-    private static final double[] FRONT = {1.7, 1.4, 2};
+    private static final double[] FRONT = {1.25, 0.85, 1.9};
 
     /** Above the tube's middle, so that the lamp is not in every point's way. */
     private static final double[] INSIDE = {0, 0.25, 0};

@@ -27,6 +27,9 @@ public record GlMaterial(double[] ambient, double[] diffuse, double[] specular, 
                             rgb(0.633, 0.727811, 0.633),
                             DARK);
             case "plastic" -> new GlMaterial(DARK, rgb(0.5, 0, 0), rgb(0.7, 0.6, 0.6), DARK);
+            case "chalk" ->
+                    new GlMaterial(
+                            rgb(0.9, 0.9, 0.9), rgb(0.85, 0.85, 0.85), rgb(0.2, 0.2, 0.2), DARK);
             case "glowing" ->
                     new GlMaterial(
                             rgb(0.1, 0.1, 0.1), rgb(0.3, 0.3, 0.4), DARK, rgb(0.35, 0.2, 0.05));

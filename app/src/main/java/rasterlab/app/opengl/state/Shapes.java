@@ -14,6 +14,7 @@ final class Shapes {
     private static final double TUBE = 0.7;
     private static final double HALF_HEIGHT = 0.9;
     private static final double QUAD = 1.3;
+    private static final double LAMP = 0.05;
     private static final double GLOBE = 1.35;
 
     private Shapes() {}
@@ -61,7 +62,7 @@ final class Shapes {
                         ball.st(),
                         rgb,
                         ball.indices())
-                .scaledTo(0.07, x, y, z);
+                .scaledTo(LAMP, x, y, z);
     }
 
     private static Shape ball(String name, boolean lit, int meridians, int parallels) {
