@@ -22,7 +22,8 @@ class WindowKeysTest extends WindowHarness {
     private static final int FOCUS = StageColours.LIGHT.focus().getRGB();
 
     /** In the order of the window. */
-    private static final List<String> TABS = List.of("line", "clip", "visibility");
+    private static final List<String> TABS =
+            List.of("line", "clip", "visibility", "spline", "opengl");
 
     /** Radians that an arrow key turns the vase about its axis, as in the coursework. */
     private static final double STEP = 0.03 * Math.PI;

@@ -129,7 +129,7 @@ class WindowTest extends WindowHarness {
 
     @Test
     void everyControlCanBeNamedByAssistiveTechnology() {
-        for (String tab : List.of("line", "clip", "visibility", "spline")) {
+        for (String tab : List.of("line", "clip", "visibility", "spline", "opengl")) {
             show(tab);
             List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
             assertEquals(List.of(), nameless, tab);

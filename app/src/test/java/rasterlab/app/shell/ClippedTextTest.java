@@ -20,6 +20,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.opengl.state.Group;
+import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.Sampling;
 import rasterlab.app.spline.SplineLabModel;
@@ -74,6 +76,13 @@ class ClippedTextTest {
             OffscreenPainter.onEventThread(() -> other.accept(models.get().spline()));
             OffscreenPainter.paint(spline.panel(), width, height);
             assertEquals(List.of(), clipped(spline.panel()), "spline");
+        }
+        JComponent opengl = tabs.get().named("opengl").panel();
+        for (Group group : Group.values()) {
+            Setting shown = group.settings().get(0);
+            OffscreenPainter.onEventThread(() -> models.get().opengl().touch(shown));
+            OffscreenPainter.paint(opengl, width, height);
+            assertEquals(List.of(), clipped(opengl), group.name());
         }
         JComponent clip = tabs.get().named("clip").panel();
         for (ClipMode mode : ClipMode.values()) {
