@@ -72,12 +72,14 @@ class WindowOpenGlTest extends WindowHarness {
         return state().pictures().openGl().orElseThrow();
     }
 
+    private Set<Integer> drawn() {
+        return IntStream.of(picture().argb()).boxed().collect(Collectors.toSet());
+    }
+
     @Test
     void screenShowsWhatOpenGlHasDrawn() {
-        Raster read = picture();
-        Set<Integer> drawn = IntStream.of(read.argb()).boxed().collect(Collectors.toSet());
-        await("OpenGL's window has its picture", () -> colours("opengl.canvas").equals(drawn));
-        assertTrue(drawn.size() > 100, "only " + drawn.size() + " colours");
+        await("OpenGL's window has its picture", () -> colours("opengl.canvas").equals(drawn()));
+        assertTrue(drawn().size() > 100, "only " + drawn().size() + " colours");
     }
 
     @Test
@@ -160,9 +162,11 @@ class WindowOpenGlTest extends WindowHarness {
 
     @Test
     void hiddenAndShownAgainItDrawsOn() {
+        Set<Integer> before = drawn();
         show("line");
         GuiActionRunner.execute(() -> models.opengl().set(Setting.SCENE, "globe"));
         show("opengl");
+        await("the picture of the other scene", () -> !drawn().equals(before));
         screenShowsWhatOpenGlHasDrawn();
         assertTrue(choice().is(Setting.SCENE, "globe"));
     }

@@ -113,9 +113,9 @@ final class GlCanvas extends AWTGLCanvas {
         finished = Optional.of(new Finished(frame, picture));
     }
 
-    /** Objects that OpenGL keeps for this canvas. */
-    int objectCount() {
-        return objects.count();
+    /** What OpenGL keeps for this canvas now. */
+    GlObjects objects() {
+        return objects;
     }
 
     /** Whether there is a context now. */

@@ -15,6 +15,7 @@ import javax.swing.JFrame;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import rasterlab.app.opengl.call.GlObjects;
 import rasterlab.app.opengl.state.Setting;
 
 /** OpenGL's window with what it keeps; skipped without a display or without OpenGL on it. */
@@ -60,10 +61,11 @@ class GlCanvasTest {
 
     @Test
     void windowThatGoesGivesEverythingBack() throws Exception {
-        assertTrue(canvas.objectCount() >= 2, "a texture and a list");
+        GlObjects kept = canvas.objects();
+        assertTrue(kept.count() >= 2, "a texture and a list");
         EventQueue.invokeAndWait(() -> frame.remove(canvas));
         assertFalse(canvas.hasContext());
-        assertEquals(0, canvas.objectCount());
+        assertEquals(0, kept.count());
     }
 
     @Test
@@ -76,7 +78,7 @@ class GlCanvasTest {
                 });
         draw();
         assertTrue(canvas.hasContext());
-        assertTrue(canvas.objectCount() >= 2, "uploaded again");
+        assertTrue(canvas.objects().count() >= 2, "uploaded again");
         assertFalse(unusable);
     }
 
@@ -93,6 +95,6 @@ class GlCanvasTest {
                             });
                     draw();
                 }
-        assertTrue(canvas.objectCount() <= 30, canvas.objectCount() + " objects");
+        assertTrue(canvas.objects().count() <= 30, canvas.objects().count() + " objects");
     }
 }
