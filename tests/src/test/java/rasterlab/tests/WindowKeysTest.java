@@ -24,7 +24,7 @@ class WindowKeysTest extends WindowHarness {
 
     /** In the order of the window. */
     private static final List<String> TABS =
-            List.of("coordinates", "line", "polygon", "clip", "visibility");
+            List.of("coordinates", "line", "polygon", "clip", "visibility", "light", "spline", "opengl");
 
     /** Radians that an arrow key turns the vase about its axis, as in the coursework. */
     private static final double STEP = 0.03 * Math.PI;

@@ -153,6 +153,7 @@ class WindowTest extends WindowHarness {
                         "visibility",
                         "light",
                         "spline",
+                        "opengl",
                         "study",
                         "exercises")) {
             show(tab);

@@ -11,6 +11,7 @@ import rasterlab.app.coordinates.CoordinatesLabModel;
 import rasterlab.app.exercise.ExerciseLabModel;
 import rasterlab.app.light.LightLabModel;
 import rasterlab.app.line.LineLabModel;
+import rasterlab.app.opengl.OpenGlLabModel;
 import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonTopics;
 import rasterlab.app.spline.SplineLabModel;
@@ -30,6 +31,7 @@ public record LabModels(
         VisibilityLabModel visibility,
         LightLabModel light,
         SplineLabModel spline,
+        OpenGlLabModel opengl,
         StudyLabModel study,
         ExerciseLabModel exercises)
         implements AutoCloseable {
@@ -48,6 +50,7 @@ public record LabModels(
                 new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
                 new LightLabModel(EventQueue::invokeLater, onFailure),
                 new SplineLabModel(EventQueue::invokeLater, onFailure),
+                new OpenGlLabModel(EventQueue::invokeLater, onFailure),
                 new StudyLabModel(Topics.all(), EventQueue::invokeLater, onFailure),
                 new ExerciseLabModel(
                         () -> Catalogue.builtIn().all(), EventQueue::invokeLater, onFailure));
@@ -82,6 +85,7 @@ public record LabModels(
         visibility.close();
         light.close();
         spline.close();
+        opengl.close();
         study.close();
         exercises.close();
     }

@@ -13,6 +13,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.light.LightPanel;
 import rasterlab.app.line.LinePanel;
+import rasterlab.app.opengl.OpenGlPanel;
 import rasterlab.app.polygon.PolygonPanel;
 import rasterlab.app.spline.SplinePanel;
 import rasterlab.app.study.StudyPanel;
@@ -53,6 +54,7 @@ public final class LabTabs implements AutoCloseable {
                 "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));
         add.accept("light", () -> new LightPanel(models.light(), language, onFailure));
         add.accept("spline", () -> new SplinePanel(models.spline(), language, onFailure));
+        add.accept("opengl", () -> new OpenGlPanel(models.opengl(), language, onFailure));
         add.accept("study", () -> new StudyPanel(models.study(), opening, language, onFailure));
         add.accept(
                 "exercises",

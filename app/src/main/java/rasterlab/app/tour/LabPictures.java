@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
@@ -50,6 +51,8 @@ final class LabPictures implements TourPart {
                             "function",
                             "spline",
                             models -> models.spline().show(SplineMode.FUNCTION)),
+                    new Shot("opengl", "opengl", models -> {}),
+                    new Shot("globe", "opengl", LabPictures::showGlobe),
                     new Shot("study", "study", models -> {}),
                     new Shot("exercises", "exercises", models -> {}));
 
@@ -99,5 +102,10 @@ final class LabPictures implements TourPart {
     private static void showOverflow(LabModels models) {
         models.polygon().show(PolygonMode.TRIANGLE, "past-2-15");
         models.polygon().chooseMethod("sign-int");
+    }
+
+    private static void showGlobe(LabModels models) {
+        models.opengl().set(Setting.SCENE, "globe");
+        models.opengl().set(Setting.MIN_FILTER, "GL_LINEAR_MIPMAP_LINEAR");
     }
 }

@@ -25,6 +25,8 @@ import rasterlab.app.coordinates.list.Example;
 import rasterlab.app.coordinates.stack.StackProgram;
 import rasterlab.app.coordinates.view.ViewKind;
 import rasterlab.app.language.Language;
+import rasterlab.app.opengl.state.Group;
+import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.spline.CurveForm;
@@ -104,6 +106,13 @@ class ClippedTextTest {
             for (int round = 0; round < 2; round++)
                 OffscreenPainter.paint(coordinates.panel(), width, height);
             assertEquals(List.of(), clipped(coordinates.panel()), "coordinates");
+        }
+        JComponent opengl = tabs.get().named("opengl").panel();
+        for (Group group : Group.values()) {
+            Setting shown = group.settings().get(0);
+            OffscreenPainter.onEventThread(() -> models.get().opengl().touch(shown));
+            OffscreenPainter.paint(opengl, width, height);
+            assertEquals(List.of(), clipped(opengl), group.name());
         }
         JComponent clip = tabs.get().named("clip").panel();
         for (ClipMode mode : ClipMode.values()) {

@@ -119,6 +119,22 @@ public final class TextureSampler {
         return nearest(levels[(int) (within(lambda) + 0.5)], s, t);
     }
 
+    /** The linear filter in the nearest level. */
+    public int linearLevel(double s, double t, double lambda) {
+        int level = (int) (within(lambda) + 0.5);
+        return linear(levels[level], alongS.within(s), alongT.within(t));
+    }
+
+    /** The nearest texels of the two levels around λ, mixed by how near the levels are. */
+    public int nearestBetween(double s, double t, double lambda) {
+        double level = within(lambda);
+        int finer = (int) level;
+        int fine = nearest(levels[finer], s, t);
+        if (finer == highest) return fine;
+        int coarser = (int) ((level - finer) * WHOLE + 0.5);
+        return TexelMix.packed(TexelMix.of(fine, nearest(levels[finer + 1], s, t), coarser));
+    }
+
     /**
      * The linear filter in the two levels around λ, mixed by how near they are; the linear filter
      * alone for λ ≤ 0, where the picture is not made smaller.

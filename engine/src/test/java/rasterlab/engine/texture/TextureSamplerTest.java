@@ -141,4 +141,20 @@ class TextureSamplerTest {
         for (double square = from; square < 2 * from; square += from / 50)
             assertTrue(Math.abs(DetailLevel.quick(square) - DetailLevel.of(square)) < 0.005);
     }
+
+    /** Level 0 has 0, 10, 20, 30, level 1 has 5 and 25, level 2 has 15. */
+    @ParameterizedTest(name = "λ = {0} at s = {1}: {2} in the level, {3} between levels")
+    @CsvSource({
+        "0, 0.5, 15, 20",
+        "0.25, 0.3, 7, 9",
+        "0.75, 0.25, 5, 6",
+        "1, 0.25, 5, 5",
+        "1.5, 0.8, 15, 20",
+        "9, 0.25, 15, 15",
+    })
+    void levelsAreMixedOrChosen(double lambda, double s, int inLevel, int between) {
+        var sampler = new TextureSampler(STAIRS, Wrap.CLAMP_TO_EDGE, Wrap.CLAMP_TO_EDGE);
+        assertEquals(grey(inLevel), sampler.linearLevel(s, 0.5, lambda));
+        assertEquals(grey(between), sampler.nearestBetween(s, 0.5, lambda));
+    }
 }

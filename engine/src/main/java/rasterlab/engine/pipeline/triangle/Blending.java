@@ -11,26 +11,41 @@ package rasterlab.engine.pipeline.triangle;
  * @param leastAlpha pixels whose alpha, 0 to 255, is below this leave no trace; 0 keeps all
  * @param mixed whether what is behind shines through
  * @param writesDepth whether the pixel hides what comes later and is farther
+ * @param testsDepth whether what is there may hide the pixel; if not, it neither writes its depth
  */
-public record Blending(int leastAlpha, boolean mixed, boolean writesDepth) {
+public record Blending(int leastAlpha, boolean mixed, boolean writesDepth, boolean testsDepth) {
     /** Hides what is behind. */
-    public static final Blending OPAQUE = new Blending(0, false, true);
+    public static final Blending OPAQUE = new Blending(0, false, true, true);
 
     /** Lets what is behind shine through, and hides what comes later and is farther. */
-    public static final Blending OVER = new Blending(0, true, true);
+    public static final Blending OVER = new Blending(0, true, true, true);
 
     /** The same, but hides nothing that comes later. */
-    public static final Blending GLASS = new Blending(0, true, false);
+    public static final Blending GLASS = new Blending(0, true, false, true);
 
     public Blending {
         if (leastAlpha < 0 || leastAlpha > 255)
             throw new IllegalArgumentException(
                     "least alpha must be from 0 to 255, got " + leastAlpha);
+        if (writesDepth && !testsDepth)
+            throw new IllegalArgumentException("depth that is not tested must not be written");
     }
 
     /** The same with the alpha test. */
     public Blending dropBelow(int alpha) {
-        return new Blending(alpha, mixed, writesDepth);
+        return new Blending(alpha, mixed, writesDepth, testsDepth);
+    }
+
+    /** The same without a trace in the depths. */
+    public Blending withoutWriting() {
+        return new Blending(leastAlpha, mixed, false, testsDepth);
+    }
+
+    /**
+     * The same over everything that is there, in the mesh's order, without a trace in the depths.
+     */
+    public Blending withoutDepth() {
+        return new Blending(leastAlpha, mixed, false, false);
     }
 
     /** Whether depth may be written before the colour is known. */

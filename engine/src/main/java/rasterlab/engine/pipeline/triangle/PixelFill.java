@@ -23,6 +23,9 @@ final class PixelFill {
     private int count;
     private int firstFlat;
 
+    /** Depths of nothing, as large as the largest picture without a depth test. */
+    private float[] nothing = {};
+
     /** Whether the batch may still know of pixels from behind. */
     private boolean fromBehind;
 
@@ -54,7 +57,7 @@ final class PixelFill {
      */
     void fill(TriangleScan scan, ScreenVertices v, int third) {
         int first = batch.count;
-        float[] depth = out.depth();
+        float[] depth = testedDepth();
         weights.load(scan, v);
         for (int row = 0; row < scan.rows; row++) {
             if (scan.count[row] == 0) continue;
@@ -84,9 +87,19 @@ final class PixelFill {
         interpolate(scan, v, third, first);
     }
 
+    /** The depths that pixels are tested against: where none is, of something infinitely far. */
+    private float[] testedDepth() {
+        if (blending.testsDepth()) return out.depth();
+        if (nothing.length < out.depth().length) {
+            nothing = new float[out.depth().length];
+            Arrays.fill(nothing, Float.POSITIVE_INFINITY);
+        }
+        return nothing;
+    }
+
     private void collect(TinyScan scan, ScreenVertices v) {
         boolean early = blending.early();
-        float[] depth = out.depth();
+        float[] depth = testedDepth();
         float za = v.depth[scan.a];
         float zb = v.depth[scan.b] - za;
         float zc = v.depth[scan.c] - za;
@@ -160,7 +173,8 @@ final class PixelFill {
         for (int i = 0; i < n; i++) {
             int cell = batch.cell[i];
             int color = batch.argb[i];
-            if (color >>> 24 < blending.leastAlpha() || !(batch.depth[i] < depth[cell])) continue;
+            boolean hidden = blending.testsDepth() && !(batch.depth[i] < depth[cell]);
+            if (color >>> 24 < blending.leastAlpha() || hidden) continue;
             argb[cell] = blending.mixed() ? Blending.over(color, argb[cell]) : 0xFF000000 | color;
             if (blending.writesDepth()) depth[cell] = batch.depth[i];
         }

@@ -107,4 +107,20 @@ class BlendedPixelsTest {
                 assertThrows(IllegalArgumentException.class, () -> Blending.OPAQUE.dropBelow(256));
         assertEquals("least alpha must be from 0 to 255, got 256", thrown.getMessage());
     }
+
+    @Test
+    void withoutDepthTheLastSheetWins() {
+        assertEquals(0xFF00FF00, draw(Blending.OPAQUE.withoutDepth(), red(1, 1), green(1, 5)));
+        assertEquals(DepthRaster.FARTHEST, out.depth()[0], "a depth was written");
+    }
+
+    @Test
+    void sheetThatWritesNoDepthHidesNothing() {
+        assertEquals(0xFF00FF00, draw(Blending.OPAQUE.withoutWriting(), red(1, 1), green(1, 5)));
+    }
+
+    @Test
+    void depthIsNotWrittenUntested() {
+        assertThrows(IllegalArgumentException.class, () -> new Blending(0, false, true, false));
+    }
 }

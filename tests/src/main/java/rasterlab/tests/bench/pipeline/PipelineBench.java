@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import rasterlab.app.opengl.context.NoOpenGl;
+import rasterlab.app.opengl.context.OffscreenContext;
 import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 
@@ -42,7 +44,7 @@ public final class PipelineBench {
         try {
             out.println("our pipeline runs " + Way.names());
             String missing = "";
-            try (var gl = GlContext.open()) {
+            try (var gl = OffscreenContext.open(OffscreenContext.Profile.CORE)) {
                 out.println(machine(cores) + "; OpenGL: " + gl.renderer());
                 print(openGlJobs(ways, cores));
             } catch (NoOpenGl e) {

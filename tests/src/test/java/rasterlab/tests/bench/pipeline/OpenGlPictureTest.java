@@ -7,6 +7,8 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.opengl.context.NoOpenGl;
+import rasterlab.app.opengl.context.OffscreenContext;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 
@@ -15,13 +17,13 @@ class OpenGlPictureTest {
     /** The share of pixels that may be off by more than 2 levels. */
     private static final double BOUND = 1e-4;
 
-    private static GlContext context;
+    private static OffscreenContext context;
     private static String missing = "";
 
     @BeforeAll
     static void open() {
         try {
-            context = GlContext.open();
+            context = OffscreenContext.open(OffscreenContext.Profile.CORE);
         } catch (NoOpenGl e) {
             missing = e.getMessage();
         }

@@ -1,0 +1,305 @@
+package rasterlab.app.opengl;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.opengl.OpenGlLabState.Pictures;
+import rasterlab.app.opengl.call.FrameCalls;
+import rasterlab.app.opengl.call.GlCall;
+import rasterlab.app.opengl.context.GlReport;
+import rasterlab.app.opengl.context.NoOpenGl;
+import rasterlab.app.opengl.software.SoftwarePainter;
+import rasterlab.app.opengl.state.GlChoice;
+import rasterlab.app.opengl.state.GlFrame;
+import rasterlab.app.opengl.state.Images;
+import rasterlab.app.opengl.state.Setting;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.texture.Texture;
+
+/**
+ * The OpenGL lab without its window: the state that is chosen, and its two pictures.
+ *
+ * <p>OpenGL's picture comes from the window that {@link #attach} announces, or, as long as there is
+ * none, from a context without a window. Answers and commands all run on the thread of the executor
+ * it is given; pictures are made on a thread of the model's own.
+ */
+public final class OpenGlLabModel implements AutoCloseable {
+    private final Executor events;
+    private final LatestOnly<Question, Answer> pictures;
+    private final LatestOnly<Path, ImageLoading> files;
+    private final History<GlChoice> history = new History<>();
+    private final List<Consumer<OpenGlLabState>> listeners = new ArrayList<>();
+    private final Images images = new Images();
+    private final OffscreenGl offscreen = new OffscreenGl();
+    private Optional<SoftwarePainter> painter = Optional.empty();
+    private int windows;
+    private int width;
+    private int height;
+    private OpenGlLabState state;
+
+    /**
+     * @param openGl the picture that OpenGL's window has drawn already; empty where the model draws
+     */
+    private record Question(GlFrame frame, Optional<Raster> openGl) {}
+
+    /**
+     * @param report set where the model has drawn OpenGL's picture itself
+     * @param missing why it could not
+     */
+    private record Answer(Pictures pictures, Optional<GlReport> report, Optional<String> missing) {}
+
+    /**
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what background work threw, on any thread
+     */
+    public OpenGlLabModel(Executor events, Consumer<Throwable> onFailure) {
+        this.events = events;
+        pictures =
+                new LatestOnly<>(
+                        "opengl and software",
+                        this::answer,
+                        (question, answer) -> events.execute(() -> accept(question, answer)),
+                        onFailure);
+        files =
+                new LatestOnly<>(
+                        "image",
+                        (file, cancelled) -> ImageLoading.of(file, textureLimit()),
+                        (file, loading) -> events.execute(() -> accept(loading)),
+                        onFailure);
+        state =
+                new OpenGlLabState(
+                        GlChoice.first(),
+                        List.of(),
+                        Pictures.NONE,
+                        Optional.empty(),
+                        Optional.empty(),
+                        Optional.empty(),
+                        Setting.SCENE,
+                        false);
+    }
+
+    private int textureLimit() {
+        return state.report().map(GlReport::textureSide).orElse(Texture.LARGEST);
+    }
+
+    private Answer answer(Question question, BooleanSupplier cancelled) {
+        Raster software = painter().draw(question.frame(), cancelled);
+        if (question.openGl().isPresent())
+            return new Answer(
+                    compared(question.openGl().get(), software),
+                    Optional.empty(),
+                    Optional.empty());
+        try {
+            OffscreenGl.Drawn drawn = offscreen.draw(question.frame());
+            return new Answer(
+                    compared(drawn.picture(), software),
+                    Optional.of(drawn.report()),
+                    Optional.empty());
+        } catch (NoOpenGl e) {
+            var alone = new Pictures(Optional.empty(), Optional.of(software), Optional.empty());
+            return new Answer(alone, Optional.empty(), Optional.of(e.getMessage()));
+        }
+    }
+
+    private static Pictures compared(Raster openGl, Raster software) {
+        return new Pictures(
+                Optional.of(openGl),
+                Optional.of(software),
+                Optional.of(Comparison.of(openGl, software)));
+    }
+
+    private synchronized SoftwarePainter painter() {
+        if (painter.isEmpty()) painter = Optional.of(new SoftwarePainter());
+        return painter.get();
+    }
+
+    public OpenGlLabState state() {
+        return state;
+    }
+
+    /** The frame of the present choice; empty before there is a size. */
+    public Optional<GlFrame> frame() {
+        if (width == 0) return Optional.empty();
+        return Optional.of(new GlFrame(state.choice(), width, height, images.of(state.choice())));
+    }
+
+    /** Tells the listener each new state from now on; the answer ends that. */
+    public Runnable listen(Consumer<OpenGlLabState> listener) {
+        listeners.add(listener);
+        return () -> listeners.remove(listener);
+    }
+
+    /**
+     * A window of OpenGL will draw each new choice and bring its picture to {@link #drawn}, until
+     * {@link #detach}.
+     */
+    public void attach() {
+        windows++;
+    }
+
+    /** The window is gone, or cannot draw: the model draws OpenGL's picture again. */
+    public void detach() {
+        windows--;
+        ask();
+    }
+
+    /** OpenGL's picture of a frame, from its window. */
+    public void drawn(GlFrame frame, Raster picture, GlReport report) {
+        publish(state.choice(), state.pictures(), Optional.of(report), Optional.empty());
+        pictures.ask(new Question(frame, Optional.of(picture)));
+    }
+
+    /** The size of each picture in device pixels; before the first call nothing is drawn. */
+    public void resize(int newWidth, int newHeight) {
+        if (newWidth == width && newHeight == height) return;
+        Raster.checkSize(newWidth, newHeight);
+        width = newWidth;
+        height = newHeight;
+        draw(state.choice(), state.touched());
+    }
+
+    /**
+     * Changes one setting.
+     *
+     * @throws IllegalArgumentException for an option that the setting does not have
+     */
+    public void set(Setting setting, String option) {
+        change(state.choice().with(setting, option), setting);
+    }
+
+    /** Changes the view, as a drag does. */
+    public void move(UnaryOperator<GlChoice> change) {
+        change(change.apply(state.choice()), state.touched());
+    }
+
+    /** Brings the view of a chip. */
+    public void show(GlView view) {
+        change(view.choice(), state.touched());
+    }
+
+    private void change(GlChoice next, Setting touched) {
+        if (next.equals(state.choice())) {
+            touch(touched);
+            return;
+        }
+        history.remember(state.choice());
+        draw(next, touched);
+    }
+
+    /** Points at a setting, whose calls are then shown. */
+    public void touch(Setting setting) {
+        if (setting == state.touched()) return;
+        state = with(state.choice(), state.problem(), setting);
+        tell();
+    }
+
+    /** Makes an image file the texture; what is wrong with it is in the state then. */
+    public void open(Path file) {
+        files.ask(file);
+    }
+
+    public void beginDrag() {
+        history.beginDrag(state.choice());
+    }
+
+    public void endDrag() {
+        history.endDrag(state.choice());
+        state = with(state.choice(), state.problem(), state.touched());
+        tell();
+    }
+
+    public void undo() {
+        history.undo().ifPresent(choice -> draw(choice, state.touched()));
+    }
+
+    /** Back to how the lab opens; can be undone. */
+    public void reset() {
+        change(GlChoice.first(), Setting.SCENE);
+    }
+
+    /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
+    public void settle() throws InterruptedException {
+        files.settle();
+        pictures.settle();
+    }
+
+    /** Ends the threads and gives OpenGL's objects back. */
+    @Override
+    public void close() {
+        pictures.close();
+        files.close();
+        offscreen.close();
+        synchronized (this) {
+            painter.ifPresent(SoftwarePainter::close);
+        }
+    }
+
+    private void draw(GlChoice choice, Setting touched) {
+        state = with(choice, Optional.empty(), touched);
+        tell();
+        ask();
+    }
+
+    private void ask() {
+        if (windows > 0) return;
+        frame().ifPresent(frame -> pictures.ask(new Question(frame, Optional.empty())));
+    }
+
+    private void accept(Question question, Answer answer) {
+        Optional<GlReport> report = answer.report().or(state::report);
+        publish(
+                state.choice(),
+                answer.pictures(),
+                answer.missing().isPresent() ? Optional.empty() : report,
+                answer.missing());
+    }
+
+    private void accept(ImageLoading loading) {
+        if (loading.image().isPresent()) {
+            change(state.choice().withFile(loading.image().get()), Setting.IMAGE);
+            return;
+        }
+        state = with(state.choice(), loading.problem(), state.touched());
+        tell();
+    }
+
+    private OpenGlLabState with(GlChoice choice, Optional<ImageProblem> problem, Setting touched) {
+        List<GlCall> calls = List.of();
+        if (width > 0) calls = FrameCalls.of(new GlFrame(choice, width, height, images.of(choice)));
+        return new OpenGlLabState(
+                choice,
+                calls,
+                state.pictures(),
+                state.report(),
+                state.missing(),
+                problem,
+                touched,
+                !history.isEmpty());
+    }
+
+    private void publish(
+            GlChoice choice, Pictures shown, Optional<GlReport> report, Optional<String> missing) {
+        state =
+                new OpenGlLabState(
+                        choice,
+                        state.calls(),
+                        shown,
+                        report,
+                        missing,
+                        state.problem(),
+                        state.touched(),
+                        !history.isEmpty());
+        tell();
+    }
+
+    private void tell() {
+        List.copyOf(listeners).forEach(listener -> listener.accept(state));
+    }
+}

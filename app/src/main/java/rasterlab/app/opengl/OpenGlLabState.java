@@ -1,0 +1,42 @@
+package rasterlab.app.opengl;
+
+import java.util.List;
+import java.util.Optional;
+import rasterlab.app.opengl.call.GlCall;
+import rasterlab.app.opengl.context.GlReport;
+import rasterlab.app.opengl.state.GlChoice;
+import rasterlab.app.opengl.state.Setting;
+import rasterlab.engine.raster.Raster;
+
+/**
+ * What the lab shows at one moment.
+ *
+ * @param calls of the present choice's frame; empty before there is a size
+ * @param pictures the newest that are finished, maybe of an earlier choice
+ * @param report what OpenGL says of itself, once a context was made
+ * @param missing why there is no OpenGL, if there is none
+ * @param problem with an image that the user gave
+ * @param touched the setting that was changed last
+ * @param undoable whether there is something to undo
+ */
+public record OpenGlLabState(
+        GlChoice choice,
+        List<GlCall> calls,
+        Pictures pictures,
+        Optional<GlReport> report,
+        Optional<String> missing,
+        Optional<ImageProblem> problem,
+        Setting touched,
+        boolean undoable) {
+    /**
+     * Pictures of one frame.
+     *
+     * @param openGl empty where there is no OpenGL
+     * @param difference of the two
+     */
+    public record Pictures(
+            Optional<Raster> openGl, Optional<Raster> software, Optional<Comparison> difference) {
+        static final Pictures NONE =
+                new Pictures(Optional.empty(), Optional.empty(), Optional.empty());
+    }
+}

@@ -1,0 +1,99 @@
+package rasterlab.app.opengl;
+
+import java.util.function.Consumer;
+import javax.swing.JFileChooser;
+import javax.swing.KeyStroke;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import rasterlab.app.canvas.Actions;
+import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+/** The OpenGL lab as the window shows it, in one language. */
+public final class OpenGlPanel extends LabPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient OpenGlLabModel model;
+    private final transient Texts texts;
+    private final OpenGlStage stage;
+    private final transient OpenGlInspector inspector;
+    private final StepPlayer player;
+    private final Actions actions;
+    private final transient Runnable unsubscribe;
+
+    /**
+     * @param onFailure told what a control could not do
+     */
+    public OpenGlPanel(OpenGlLabModel model, Language language, Consumer<Throwable> onFailure) {
+        this.model = model;
+        setName("opengl");
+        texts = Texts.of("opengl", language);
+        stage = new OpenGlStage(model, texts, model::open);
+        inspector = new OpenGlInspector(model, texts, this::chooseImage);
+        player = new StepPlayer(Texts.of("canvas", language), new Turntable(model), this::angle);
+        actions = new Actions(Texts.of("canvas", language));
+        actions.add("undo", model::undo);
+        actions.add("reset", model::reset);
+        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
+        actions.add("copyCalls", () -> Copying.text(stage.log().program(), onFailure));
+        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        player.bindKeys(stage.picture());
+        unsubscribe = model.listen(state -> refresh());
+        refresh();
+    }
+
+    private String angle() {
+        return texts.text(
+                "turntable", Shown.number(model.state().choice().turn(), 1, texts.locale()));
+    }
+
+    private void chooseImage() {
+        var chooser = new JFileChooser();
+        chooser.setName("image.chooser");
+        chooser.setDialogTitle(texts.text("open.title"));
+        chooser.setFileFilter(
+                new FileNameExtensionFilter(
+                        texts.text("open.images"), "png", "jpg", "jpeg", "gif", "bmp"));
+        if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION)
+            model.open(chooser.getSelectedFile().toPath());
+        else inspector.refresh();
+    }
+
+    /** Gives the keyboard to the picture, whose arrow keys turn the scene. */
+    @Override
+    public void focusPicture() {
+        stage.picture().requestFocusInWindow();
+    }
+
+    /** Stops listening and playing; the model lives on, OpenGL's window goes with the panel. */
+    @Override
+    public void close() {
+        player.stop();
+        unsubscribe.run();
+    }
+
+    private void refresh() {
+        stage.refresh();
+        inspector.refresh();
+        player.refresh();
+        actions.enable("undo", model.state().undoable());
+    }
+
+    private Chips chips() {
+        var chips = new Chips(texts.text("hazards"));
+        for (GlView view : GlView.values())
+            chips.add(
+                    view.code(),
+                    texts.text("hazard." + view.code()),
+                    texts.text("hazard." + view.code() + ".hint"),
+                    () -> model.show(view));
+        return chips;
+    }
+}

@@ -1,0 +1,250 @@
+package rasterlab.app.opengl;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.GraphicsEnvironment;
+import java.awt.GridLayout;
+import java.awt.Point;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.KeyEvent;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import org.lwjgl.opengl.awt.AWTGLCanvas;
+import rasterlab.app.canvas.DevicePixels;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.Settling;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Texts;
+
+/**
+ * Four fields: OpenGL's picture, the software pipeline's, their difference, and the frame's calls.
+ *
+ * <p>On a screen OpenGL's picture is a window of its own over the field's; the field shows the same
+ * picture read back, so that it is there for copies and without a screen.
+ */
+final class OpenGlStage extends JPanel implements Settling {
+    private static final long serialVersionUID = 1L;
+
+    /** Degrees that an arrow key turns. */
+    private static final double KEY = 5;
+
+    private static final double ZOOM = 1.1;
+
+    private final transient OpenGlLabModel model;
+    private final transient Texts texts;
+    private final PicturePane openGl;
+    private final PicturePane software;
+    private final PicturePane difference;
+    private final CallLog log;
+    private final JLabel reading = new JLabel(" ");
+    private transient Optional<GlCanvas> canvas = Optional.empty();
+    private transient Optional<Point> pointed = Optional.empty();
+    private boolean unusable;
+
+    OpenGlStage(OpenGlLabModel model, Texts texts, Consumer<Path> onImage) {
+        super(new BorderLayout(0, 4));
+        this.model = model;
+        this.texts = texts;
+        openGl =
+                new PicturePane(
+                        "opengl.picture",
+                        texts.text("openGl"),
+                        () -> model.state().pictures().openGl(),
+                        this::missing,
+                        this::resized);
+        software =
+                new PicturePane(
+                        "software.picture",
+                        texts.text("software"),
+                        () -> model.state().pictures().software(),
+                        () -> texts.text("drawing"),
+                        () -> {});
+        difference =
+                new PicturePane(
+                        "difference.picture",
+                        texts.text("difference"),
+                        () ->
+                                model.state()
+                                        .pictures()
+                                        .difference()
+                                        .map(found -> found.plain().mask()),
+                        () -> texts.text("difference.none"),
+                        () -> {});
+        log = new CallLog(texts);
+        openGl.setLayout(new BorderLayout());
+        var fields = new JPanel(new GridLayout(2, 2, 8, 6));
+        fields.add(field("openGl", openGl));
+        fields.add(field("software", software));
+        fields.add(field("difference", difference));
+        fields.add(field("calls", new JScrollPane(log)));
+        add(fields);
+        reading.setName("reading");
+        reading.setMinimumSize(new Dimension());
+        add(reading, BorderLayout.SOUTH);
+        setTransferHandler(new ImageDrop(onImage));
+        listen();
+        refresh();
+    }
+
+    private String missing() {
+        return model.state()
+                .missing()
+                .map(reason -> texts.text("missing", reason))
+                .orElse(texts.text("drawing"));
+    }
+
+    private JPanel field(String key, JComponent content) {
+        var label = new JLabel(texts.text(key));
+        label.setName("title." + key);
+        label.setFont(label.getFont().deriveFont(Font.BOLD));
+        var field = new JPanel(new BorderLayout(0, 4));
+        field.add(label, BorderLayout.NORTH);
+        field.add(content);
+        return field;
+    }
+
+    private void listen() {
+        var turning = new Turning(model, software::requestFocusInWindow, this::point);
+        for (PicturePane pane : new PicturePane[] {openGl, software, difference})
+            turning.listenTo(pane);
+        software.setFocusable(true);
+        software.addFocusListener(
+                new FocusAdapter() {
+                    @Override
+                    public void focusGained(FocusEvent e) {
+                        software.repaint();
+                    }
+
+                    @Override
+                    public void focusLost(FocusEvent e) {
+                        software.repaint();
+                    }
+                });
+        software.getAccessibleContext().setAccessibleDescription(texts.text("stage.hint"));
+        bind(KeyEvent.VK_UP, 0, -KEY);
+        bind(KeyEvent.VK_DOWN, 0, KEY);
+        bind(KeyEvent.VK_LEFT, -KEY, 0);
+        bind(KeyEvent.VK_RIGHT, KEY, 0);
+        for (String key : new String[] {"typed +", "typed ="}) zoom(key, 1 / ZOOM);
+        zoom("typed -", ZOOM);
+    }
+
+    private void bind(int key, double right, double down) {
+        KeyBinding.whenFocused(
+                software,
+                KeyStroke.getKeyStroke(key, 0),
+                () -> model.move(choice -> choice.turned(right, down)));
+    }
+
+    private void zoom(String key, double factor) {
+        KeyBinding.whenFocused(
+                software,
+                KeyStroke.getKeyStroke(key),
+                () -> model.move(choice -> choice.retreated(factor)));
+    }
+
+    /** What has the keyboard: the picture whose keys turn the scene. */
+    PicturePane picture() {
+        return software;
+    }
+
+    CallLog log() {
+        return log;
+    }
+
+    private void resized() {
+        if (openGl.getWidth() < 1 || openGl.getHeight() < 1) return;
+        double scale = DevicePixels.scale(this);
+        model.resize(
+                DevicePixels.count(openGl.getWidth(), scale),
+                DevicePixels.count(openGl.getHeight(), scale));
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(800, 600);
+    }
+
+    /** On a screen OpenGL gets its window. */
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        if (GraphicsEnvironment.isHeadless() || unusable || canvas.isPresent()) return;
+        try {
+            var made = new GlCanvas(model, this::giveUp);
+            new Turning(model, software::requestFocusInWindow, this::point).listenTo(made);
+            canvas = Optional.of(made);
+            model.attach();
+            openGl.add(made);
+        } catch (RuntimeException | LinkageError | AssertionError e) {
+            // Libraries of the system are missing: the picture is made without a window, or it is
+            // said why not.
+            unusable = true;
+        }
+    }
+
+    @Override
+    public void removeNotify() {
+        dropCanvas();
+        super.removeNotify();
+    }
+
+    private void giveUp() {
+        unusable = true;
+        dropCanvas();
+    }
+
+    private void dropCanvas() {
+        canvas.ifPresent(
+                gone -> {
+                    openGl.remove(gone);
+                    canvas = Optional.empty();
+                    model.detach();
+                });
+    }
+
+    /** OpenGL's window, where there is one. */
+    Optional<AWTGLCanvas> canvas() {
+        return canvas.map(AWTGLCanvas.class::cast);
+    }
+
+    @Override
+    public void settle() throws InterruptedException {
+        model.settle();
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        OpenGlLabState state = model.state();
+        canvas.ifPresent(each -> each.drawIfStale());
+        log.show(state.calls(), state.touched());
+        for (Component pane : new Component[] {openGl, software, difference}) pane.repaint();
+        read();
+    }
+
+    private void point(Optional<Point> at) {
+        pointed = at;
+        read();
+    }
+
+    private void read() {
+        double scale = DevicePixels.scale(this);
+        String text =
+                pointed.flatMap(
+                                at ->
+                                        new PixelReading(model.state().pictures(), texts)
+                                                .at((int) (at.x * scale), (int) (at.y * scale)))
+                        .orElse(texts.text("stage.hint"));
+        reading.setText(text);
+        reading.setForeground(pointed.isPresent() ? null : StageColours.now().axis());
+    }
+}

@@ -1,0 +1,84 @@
+package rasterlab.app.opengl.software;
+
+import org.joml.Matrix4d;
+
+/**
+ * Lines and points one pixel wide as triangles, so that the triangles' pipeline draws them.
+ *
+ * <p>A line that is wider than high has in each column the pixel whose centre is nearest, so it is
+ * a parallelogram one pixel high with upright ends, and a higher one likewise; a point is a square.
+ * Source: M. Segal, K. Akeley, The OpenGL Graphics System: A Specification, version 2.1, 2006,
+ * sections 3.3 and 3.4.
+ */
+final class Strokes {
+    /**
+     * Half a step of the raster, in pixels: a point between two columns belongs to the right one.
+     */
+    private static final double TIE = 1.0 / 512;
+
+    private final Matrix4d projection;
+    private final double perPixelX;
+    private final double perPixelY;
+    private final double halfWidth;
+    private final double halfHeight;
+    private final Corners out;
+
+    Strokes(Matrix4d projection, int width, int height, Corners out) {
+        this.projection = projection;
+        this.out = out;
+        halfWidth = width / 2.0;
+        halfHeight = height / 2.0;
+        perPixelX = 1 / (halfWidth * projection.m00());
+        perPixelY = 1 / (halfHeight * projection.m11());
+    }
+
+    /**
+     * @param a {@value Corners#NUMBERS} numbers, before the near plane, as b
+     */
+    void line(double[] a, double[] b) {
+        double dx = pixelX(b) - pixelX(a);
+        double dy = pixelY(b) - pixelY(a);
+        boolean across = Math.abs(dx) >= Math.abs(dy);
+        double aside = across ? 0 : 0.5;
+        double up = across ? 0.5 : 0;
+        double[] a0 = moved(a, -aside, -up);
+        double[] a1 = moved(a, aside, up);
+        double[] b0 = moved(b, -aside, -up);
+        double[] b1 = moved(b, aside, up);
+        triangle(a0, b0, b1);
+        triangle(a0, b1, a1);
+    }
+
+    void point(double[] a) {
+        double[] low = moved(a, TIE - 0.5, -0.5);
+        double[] high = moved(a, TIE + 0.5, 0.5);
+        triangle(low, moved(a, TIE + 0.5, -0.5), high);
+        triangle(low, high, moved(a, TIE - 0.5, 0.5));
+    }
+
+    private void triangle(double[] a, double[] b, double[] c) {
+        out.add(a);
+        out.add(b);
+        out.add(c);
+    }
+
+    private double w(double[] corner) {
+        return projection.m23() * corner[2] + projection.m33();
+    }
+
+    private double pixelX(double[] corner) {
+        return halfWidth * projection.m00() * corner[0] / w(corner);
+    }
+
+    private double pixelY(double[] corner) {
+        return halfHeight * projection.m11() * corner[1] / w(corner);
+    }
+
+    /** Moved by pixels to the right and up, at the same depth. */
+    private double[] moved(double[] corner, double right, double up) {
+        double[] moved = corner.clone();
+        moved[0] += right * perPixelX * w(corner);
+        moved[1] += up * perPixelY * w(corner);
+        return moved;
+    }
+}

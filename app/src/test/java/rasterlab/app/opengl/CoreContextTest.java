@@ -1,0 +1,38 @@
+package rasterlab.app.opengl;
+
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.abort;
+
+import org.junit.jupiter.api.Test;
+import rasterlab.app.opengl.context.GlReport;
+import rasterlab.app.opengl.context.NoOpenGl;
+import rasterlab.app.opengl.context.OffscreenContext;
+
+/** A call that a core profile lacks ends the whole program; skipped where there is no OpenGL. */
+class CoreContextTest {
+    private static OffscreenContext open(OffscreenContext.Profile profile) {
+        try {
+            return OffscreenContext.open(profile);
+        } catch (NoOpenGl e) {
+            return abort(e.getMessage());
+        }
+    }
+
+    @Test
+    void coreContextIsRefusedBeforeAnythingIsDrawn() {
+        try (var context = open(OffscreenContext.Profile.CORE)) {
+            var refused = assertThrows(NoOpenGl.class, GlReport::ofCurrent, context.renderer());
+            assertTrue(refused.getMessage().contains("glBegin"), refused.getMessage());
+        }
+    }
+
+    @Test
+    void oldContextHasWhatIsNeeded() {
+        try (var context = open(OffscreenContext.Profile.OLD)) {
+            GlReport report = GlReport.ofCurrent();
+            assertTrue(report.lights() >= 8, context.renderer() + ": " + report);
+            assertTrue(report.textureSide() >= 64, report.toString());
+        }
+    }
+}

@@ -1,0 +1,100 @@
+package rasterlab.app.opengl;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.awt.BorderLayout;
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import javax.swing.JFrame;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.opengl.call.GlObjects;
+import rasterlab.app.opengl.state.Setting;
+
+/** OpenGL's window with what it keeps; skipped without a display or without OpenGL on it. */
+class GlCanvasTest {
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private OpenGlLabModel model;
+    private JFrame frame;
+    private GlCanvas canvas;
+    private boolean unusable;
+
+    @BeforeEach
+    void open() throws Exception {
+        assumeFalse(GraphicsEnvironment.isHeadless(), "no display");
+        EventQueue.invokeAndWait(
+                () -> {
+                    model = new OpenGlLabModel(EventQueue::invokeLater, failures::add);
+                    model.attach();
+                    model.resize(200, 150);
+                    model.set(Setting.SCENE, "globe");
+                    model.set(Setting.DISPLAY_LIST, "on");
+                    canvas = new GlCanvas(model, () -> unusable = true);
+                    frame = new JFrame();
+                    frame.setSize(200, 150);
+                    frame.add(canvas, BorderLayout.CENTER);
+                    frame.setVisible(true);
+                });
+        draw();
+        assumeFalse(unusable, "no OpenGL on this display");
+        assumeTrue(canvas.hasContext(), "the window is not shown");
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        if (frame == null) return;
+        EventQueue.invokeAndWait(frame::dispose);
+        model.close();
+        assertEquals(List.of(), failures);
+    }
+
+    private void draw() throws Exception {
+        EventQueue.invokeAndWait(() -> canvas.paint(null));
+    }
+
+    @Test
+    void windowThatGoesGivesEverythingBack() throws Exception {
+        GlObjects kept = canvas.objects();
+        assertTrue(kept.count() >= 2, "a texture and a list");
+        EventQueue.invokeAndWait(() -> frame.remove(canvas));
+        assertFalse(canvas.hasContext());
+        assertEquals(0, kept.count());
+    }
+
+    @Test
+    void contextIsMadeAgainWhenTheWindowComesBack() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    frame.remove(canvas);
+                    frame.add(canvas, BorderLayout.CENTER);
+                    frame.validate();
+                });
+        draw();
+        assertTrue(canvas.hasContext());
+        assertTrue(canvas.objects().count() >= 2, "uploaded again");
+        assertFalse(unusable);
+    }
+
+    @Test
+    void manyFramesKeepNoMoreObjects() throws Exception {
+        for (String size : Setting.SIZE.options())
+            for (String components : Setting.COMPONENTS.options())
+                for (String image : List.of("map", "checker", "waves")) {
+                    EventQueue.invokeAndWait(
+                            () -> {
+                                model.set(Setting.SIZE, size);
+                                model.set(Setting.COMPONENTS, components);
+                                model.set(Setting.IMAGE, image);
+                            });
+                    draw();
+                }
+        assertTrue(canvas.objects().count() <= 30, canvas.objects().count() + " objects");
+    }
+}

@@ -1,0 +1,212 @@
+package rasterlab.app.opengl;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.opengl.call.GlCall;
+import rasterlab.app.opengl.context.GlReport;
+import rasterlab.app.opengl.state.GlChoice;
+import rasterlab.app.opengl.state.GlFrame;
+import rasterlab.app.opengl.state.Setting;
+import rasterlab.engine.raster.Raster;
+
+class OpenGlLabModelTest {
+    private static final GlReport REPORT = new GlReport("2.1", "tested", 64, 8, 32, true);
+
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final OpenGlLabModel model = new OpenGlLabModel(this::locked, failures::add);
+
+    /** The model's one thread: whoever has the lock. */
+    private void locked(Runnable command) {
+        synchronized (failures) {
+            command.run();
+        }
+    }
+
+    @AfterEach
+    void close() {
+        model.close();
+        assertEquals(List.of(), failures);
+    }
+
+    private List<String> calls(Setting setting) {
+        return model.state().calls().stream()
+                .filter(call -> call.setting().equals(Optional.of(setting)))
+                .map(GlCall::text)
+                .toList();
+    }
+
+    @Test
+    void settingShowsItsCall() {
+        model.resize(64, 48);
+        model.set(Setting.SCENE, "quad");
+        model.set(Setting.ENV_MODE, "GL_DECAL");
+        assertEquals(
+                List.of("glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL)"),
+                calls(Setting.ENV_MODE));
+        assertEquals(Setting.ENV_MODE, model.state().touched());
+    }
+
+    @Test
+    void stateThatIsOffIsSwitchedOffByACall() {
+        model.resize(64, 48);
+        assertEquals(List.of("glDisable(GL_CULL_FACE)"), calls(Setting.CULL_FACE));
+        model.set(Setting.CULL_FACE, "GL_FRONT");
+        assertEquals(
+                List.of("glEnable(GL_CULL_FACE)", "glCullFace(GL_FRONT)"),
+                calls(Setting.CULL_FACE));
+    }
+
+    @Test
+    void sceneBringsItsTexture() {
+        model.set(Setting.SCENE, "globe");
+        assertTrue(model.state().choice().is(Setting.TEXTURE_2D, "on"));
+        model.set(Setting.SCENE, "sphere");
+        assertTrue(model.state().choice().is(Setting.TEXTURE_2D, "off"));
+    }
+
+    @Test
+    void unknownOptionIsRefusedAndNothingChanges() {
+        var refused =
+                assertThrows(
+                        IllegalArgumentException.class, () -> model.set(Setting.BLEND, "GL_DECAL"));
+        assertTrue(refused.getMessage().contains("blend must be one of off"));
+        assertEquals(GlChoice.first(), model.state().choice());
+        assertFalse(model.state().undoable());
+    }
+
+    @Test
+    void dragIsOneChangeForUndo() {
+        model.beginDrag();
+        for (int i = 0; i < 5; i++) model.move(choice -> choice.turned(10, 4));
+        model.endDrag();
+        assertEquals(83, model.state().choice().turn());
+        model.undo();
+        assertEquals(GlChoice.first(), model.state().choice());
+        assertFalse(model.state().undoable());
+    }
+
+    @Test
+    void turningGoesRoundAndTiltStops() {
+        model.move(choice -> choice.turned(-40, 200));
+        assertEquals(353, model.state().choice().turn());
+        assertEquals(90, model.state().choice().tilt());
+        model.move(choice -> choice.retreated(100));
+        assertEquals(GlChoice.FARTHEST, model.state().choice().distance());
+    }
+
+    @Test
+    void windowsPictureIsComparedWithTheSoftwareOne() throws InterruptedException {
+        model.attach();
+        model.resize(64, 48);
+        model.settle();
+        assertTrue(model.state().pictures().software().isEmpty(), "nobody has drawn yet");
+        GlFrame frame = model.frame().orElseThrow();
+        var black = new Raster(64, 48);
+        black.clear(0xFF000000);
+        model.drawn(frame, black, REPORT);
+        model.settle();
+        assertEquals(Optional.of(REPORT), model.state().report());
+        assertEquals(Optional.of(black), model.state().pictures().openGl());
+        long off = model.state().pictures().difference().orElseThrow().plain().wrongPixels();
+        assertEquals(64 * 48, off);
+    }
+
+    @Test
+    void softwareHalfIsThereWithoutAWindow() throws InterruptedException {
+        model.resize(64, 48);
+        model.settle();
+        assertEquals(64, model.state().pictures().software().orElseThrow().width());
+        assertTrue(
+                model.state().missing().isPresent()
+                        != model.state().pictures().openGl().isPresent());
+    }
+
+    @Test
+    void windowThatGoesIsReplaced() throws InterruptedException {
+        model.attach();
+        model.resize(64, 48);
+        model.detach();
+        model.settle();
+        assertTrue(model.state().pictures().software().isPresent());
+    }
+
+    @Test
+    void imageBecomesTheTexture(@TempDir Path folder) throws IOException, InterruptedException {
+        Path file = folder.resolve("flag.png");
+        var image = new BufferedImage(5, 3, BufferedImage.TYPE_INT_RGB);
+        image.setRGB(0, 2, 0xFF8040);
+        ImageIO.write(image, "png", file.toFile());
+        model.resize(64, 48);
+        model.open(file);
+        model.settle();
+        var texture = model.frame().orElseThrow().texture().orElseThrow();
+        assertEquals(5, texture.width());
+        assertEquals(0xFFFF8040, texture.level(0).texel(0, 0), "the lower left texel");
+        model.set(Setting.IMAGE, "checker");
+        model.set(Setting.IMAGE, "file");
+        assertEquals("flag.png", model.state().choice().file().orElseThrow().name());
+    }
+
+    private ImageProblem problemWith(Path file) throws InterruptedException {
+        model.open(file);
+        model.settle();
+        assertEquals(GlChoice.first(), model.state().choice());
+        return model.state().problem().orElseThrow();
+    }
+
+    @Test
+    void brokenImageIsNamed(@TempDir Path folder) throws IOException, InterruptedException {
+        Path file = folder.resolve("half.png");
+        var bytes = new java.io.ByteArrayOutputStream();
+        ImageIO.write(new BufferedImage(40, 40, BufferedImage.TYPE_INT_RGB), "png", bytes);
+        Files.write(file, java.util.Arrays.copyOf(bytes.toByteArray(), 45));
+        assertEquals("broken", problemWith(file).key());
+        assertEquals("half.png", model.state().problem().orElseThrow().arguments().get(0));
+    }
+
+    @Test
+    void fileThatIsNoImageIsNamed(@TempDir Path folder) throws IOException, InterruptedException {
+        Path file = Files.writeString(folder.resolve("notes.txt"), "no picture at all");
+        assertEquals("unknown", problemWith(file).key());
+    }
+
+    @Test
+    void folderAndMissingFileAreNamed(@TempDir Path folder) throws InterruptedException {
+        assertEquals("unreadable", problemWith(folder).key());
+        assertEquals("unreadable", problemWith(folder.resolve("none.png")).key());
+    }
+
+    @Test
+    void imageLargerThanOpenGlTakesIsNamed(@TempDir Path folder)
+            throws IOException, InterruptedException {
+        model.attach();
+        model.resize(64, 48);
+        model.drawn(model.frame().orElseThrow(), new Raster(64, 48), REPORT);
+        Path file = folder.resolve("wide.png");
+        ImageIO.write(new BufferedImage(65, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
+        assertEquals(List.of("wide.png", 65, 2, 64), problemWith(file).arguments());
+    }
+
+    @Test
+    void everyViewIsAChoiceOfItsOwn() {
+        for (GlView view : GlView.values()) {
+            model.reset();
+            model.show(view);
+            assertFalse(model.state().choice().equals(GlChoice.first()), view.code());
+        }
+    }
+}

@@ -1,0 +1,208 @@
+package rasterlab.tests;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import org.assertj.swing.core.MouseButton;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.language.Language;
+import rasterlab.app.opengl.GlView;
+import rasterlab.app.opengl.OpenGlLabState;
+import rasterlab.app.opengl.state.GlChoice;
+import rasterlab.app.opengl.state.Group;
+import rasterlab.app.opengl.state.Setting;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.engine.raster.Raster;
+
+/** The OpenGL lab's window under a real display, by mouse and keyboard. */
+class WindowOpenGlTest extends WindowHarness {
+    @BeforeEach
+    void showOpenGl() {
+        if (window == null) return;
+        show("opengl");
+        await("both pictures or a reason", () -> settled(state()));
+        Assumptions.assumeTrue(state().missing().isEmpty(), () -> state().missing().get());
+    }
+
+    private OpenGlLabState state() {
+        return GuiActionRunner.execute(() -> models.opengl().state());
+    }
+
+    private GlChoice choice() {
+        return state().choice();
+    }
+
+    /** Whether the pictures are there and have the size that is wanted now. */
+    private boolean settled(OpenGlLabState state) {
+        if (state.missing().isPresent()) return true;
+        var frame = GuiActionRunner.execute(() -> models.opengl().frame());
+        return frame.isPresent()
+                && state.pictures()
+                        .openGl()
+                        .filter(picture -> picture.width() == frame.get().width())
+                        .filter(picture -> picture.height() == frame.get().height())
+                        .isPresent()
+                && state.pictures().difference().isPresent();
+    }
+
+    private Component named(String name) {
+        return window.robot().finder().findByName(frame, name);
+    }
+
+    private Raster picture() {
+        await("the pictures", () -> settled(state()));
+        return state().pictures().openGl().orElseThrow();
+    }
+
+    private Set<Integer> drawn() {
+        return IntStream.of(picture().argb()).boxed().collect(Collectors.toSet());
+    }
+
+    @Test
+    void screenShowsWhatOpenGlHasDrawn() {
+        await("OpenGL's window has its picture", () -> colours("opengl.canvas").equals(drawn()));
+        assertTrue(drawn().size() > 100, "only " + drawn().size() + " colours");
+    }
+
+    @Test
+    void bothHalvesAgreeInTheWindow() {
+        picture();
+        double share = state().pictures().difference().orElseThrow().plain().share();
+        assertTrue(share <= 1e-4, "share " + share);
+    }
+
+    @Test
+    void dragOverOpenGlsWindowTurnsTheSceneAndIsOneChange() {
+        GlChoice before = choice();
+        Component canvas = named("opengl.canvas");
+        var middle = new Point(canvas.getWidth() / 2, canvas.getHeight() / 2);
+        robot.pressMouse(canvas, middle, MouseButton.LEFT_BUTTON);
+        robot.moveMouse(canvas, middle.x + 30, middle.y);
+        robot.moveMouse(canvas, middle.x + 60, middle.y + 20);
+        robot.releaseMouseButtons();
+        robot.waitForIdle();
+        assertNotEquals(before.turn(), choice().turn());
+        assertNotEquals(before.tilt(), choice().tilt());
+        window.button("undo").click();
+        robot.waitForIdle();
+        assertEquals(before, choice());
+    }
+
+    @Test
+    void keysTurnAndMoveTheEye() {
+        focus("software.picture");
+        GlChoice before = choice();
+        press(KeyEvent.VK_RIGHT);
+        assertEquals(before.turn() + 5, choice().turn());
+        press(KeyEvent.VK_UP);
+        assertEquals(before.tilt() - 5, choice().tilt());
+        press(KeyEvent.VK_MINUS);
+        assertTrue(choice().distance() > before.distance());
+    }
+
+    @Test
+    void everySettingIsChosenInItsList() {
+        for (Group group : Group.values()) {
+            window.comboBox("group").selectItem(group.ordinal());
+            robot.waitForIdle();
+            for (Setting setting : group.settings()) {
+                window.comboBox(setting.code()).selectItem(1);
+                robot.waitForIdle();
+                assertEquals(setting.options().get(1), choice().get(setting), setting.code());
+                window.comboBox(setting.code()).selectItem(0);
+                robot.waitForIdle();
+            }
+        }
+    }
+
+    @Test
+    void everyViewIsBroughtByItsChip() {
+        for (GlView view : GlView.values()) {
+            window.button("chip." + view.code()).click();
+            robot.waitForIdle();
+            assertEquals(view.choice(), choice(), view.code());
+        }
+        window.button("reset").click();
+        robot.waitForIdle();
+        assertEquals(GlChoice.first(), choice());
+    }
+
+    @Test
+    void otherLanguageAndThemeHaveAWindowOfTheirOwn() {
+        Component old = named("opengl.canvas");
+        GuiActionRunner.execute(
+                () -> {
+                    models.opengl().set(Setting.SCENE, "globe");
+                    frame.speak(Language.RUSSIAN);
+                    frame.wear(LabTheme.DARK);
+                });
+        robot.waitForIdle();
+        assertNotSame(old, named("opengl.canvas"));
+        GuiActionRunner.execute(() -> models.opengl().set(Setting.SCENE, "quad"));
+        screenShowsWhatOpenGlHasDrawn();
+    }
+
+    @Test
+    void hiddenAndShownAgainItDrawsOn() {
+        Set<Integer> before = drawn();
+        show("line");
+        GuiActionRunner.execute(() -> models.opengl().set(Setting.SCENE, "globe"));
+        show("opengl");
+        await("the picture of the other scene", () -> !drawn().equals(before));
+        screenShowsWhatOpenGlHasDrawn();
+        assertTrue(choice().is(Setting.SCENE, "globe"));
+    }
+
+    @Test
+    void pictureFollowsTheWindowsSize() {
+        for (var size : List.of(new Dimension(900, 600), new Dimension(1500, 1000))) {
+            GuiActionRunner.execute(() -> frame.setSize(size));
+            robot.waitForIdle();
+            await(
+                    "a picture as large as its window",
+                    () -> picture().width() == named("opengl.canvas").getWidth());
+            screenShowsWhatOpenGlHasDrawn();
+        }
+    }
+
+    @Test
+    void droppedOrOpenedImageIsTheTextureAndABrokenOneIsNamed() throws IOException {
+        Path file = folder.resolve("own.png");
+        ImageIO.write(new BufferedImage(12, 7, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
+        GuiActionRunner.execute(
+                () -> {
+                    models.opengl().set(Setting.SCENE, "quad");
+                    models.opengl().open(file);
+                });
+        await("the image is the texture", () -> choice().is(Setting.IMAGE, "file"));
+        assertTrue(window.label("file.value").text().contains("own.png"));
+        Path broken = Files.writeString(folder.resolve("broken.png"), "no image");
+        GuiActionRunner.execute(() -> models.opengl().open(broken));
+        await("the reason", () -> window.textBox("why").text().contains("broken.png"));
+    }
+
+    @Test
+    void pixelUnderTheMouseIsRead() {
+        picture();
+        robot.moveMouse(named("software.picture"), new Point(40, 30));
+        await("a reading", () -> window.label("reading").text().contains("(40, 30)"));
+    }
+}
