@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineMode;
 import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
@@ -23,6 +24,11 @@ final class LabPictures implements TourPart {
     private static final List<Shot> SHOTS =
             List.of(
                     new Shot("line", "line", LabPictures::showWhatFails),
+                    new Shot("circle", "line", LabPictures::showParametricEllipse),
+                    new Shot(
+                            "brightness",
+                            "line",
+                            models -> models.line().chooseMode(LineMode.BRIGHTNESS)),
                     new Shot("polygon", "polygon", LabPictures::showOverflow),
                     new Shot(
                             "seed",
@@ -72,6 +78,12 @@ final class LabPictures implements TourPart {
         models.line().chooseMethod("bresenham-textbook");
         models.clip().chooseMethod("cohen-sutherland-textbook");
         models.clip().compareWith("cohen-sutherland");
+    }
+
+    private static void showParametricEllipse(LabModels models) {
+        models.line().chooseMode(LineMode.ELLIPSE);
+        models.line().figures().chooseMethod("parametric");
+        models.line().figures().compareWith("midpoint");
     }
 
     /** The plane as it looks to a method in 32 bits, far from the origin. */

@@ -20,6 +20,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineMode;
 import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.spline.CurveForm;
@@ -82,6 +83,12 @@ class ClippedTextTest {
             OffscreenPainter.onEventThread(() -> showComparison(models.get().clip(), mode));
             for (int round = 0; round < 2; round++) OffscreenPainter.paint(clip, width, height);
             assertEquals(List.of(), clipped(clip), mode.name());
+        }
+        JComponent line = tabs.get().named("line").panel();
+        for (LineMode mode : LineMode.values()) {
+            OffscreenPainter.onEventThread(() -> models.get().line().chooseMode(mode));
+            for (int round = 0; round < 2; round++) OffscreenPainter.paint(line, width, height);
+            assertEquals(List.of(), clipped(line), mode.name());
         }
         JComponent polygon = tabs.get().named("polygon").panel();
         for (PolygonMode mode : PolygonMode.values()) {
