@@ -123,7 +123,7 @@ final class PlaneRulers {
         int wide = g.getFontMetrics().stringWidth(number);
         int room = Rulers.left() - 8;
         if (wide > room && (number.contains("·") || room >= LEAST_SHARE * wide))
-            g.setFont(font.deriveFont(font.getSize2D() * room / wide));
+            g.setFont(font.deriveFont(font.getSize2D() * 0.97f * room / wide));
         String fitting = shortened(number, g.getFontMetrics());
         g.drawString(fitting, Rulers.left() - 6 - g.getFontMetrics().stringWidth(fitting), base);
         g.setFont(font);

@@ -12,9 +12,9 @@ import rasterlab.engine.circle.Ellipse;
  */
 public record ArcFigure(boolean round, int centreX, int centreY, int radiusX, int radiusY)
         implements DrawnFigure {
-    static final String CENTRE = "centre";
-    static final String RADIUS_X = "radiusX";
-    static final String RADIUS_Y = "radiusY";
+    static final String CENTRE = "grip.centre";
+    static final String RADIUS_X = "grip.radiusX";
+    static final String RADIUS_Y = "grip.radiusY";
 
     static ArcFigure of(Circle circle) {
         return new ArcFigure(

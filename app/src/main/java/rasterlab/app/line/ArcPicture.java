@@ -29,6 +29,9 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step) implements Pla
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
         Color colour = MethodColours.of(drawing.method());
+        Color edge =
+                MethodColours.mix(
+                        MethodColours.edgeOn(colours.ground(), colour), colours.ink(), 0.4);
         Rectangle view = g.getClipBounds();
         double size = Math.max(1, map.scaleX());
         for (int i = 0; i < step; i++) {
@@ -39,7 +42,7 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step) implements Pla
             g.setColor(colour);
             g.fill(pixel);
             if (size < ROOMY) continue;
-            g.setColor(MethodColours.edgeOn(colours.ground(), colour));
+            g.setColor(edge);
             g.setStroke(new BasicStroke(1));
             g.draw(pixel);
         }

@@ -32,7 +32,7 @@ record BrightnessPicture(
         double x = map.viewX(figure.degrees());
         g.setColor(colours.focus());
         g.draw(new Line2D.Double(x, map.viewY(0), x, map.viewY(1.1)));
-        for (int i = methods.size() - 1; i >= 0; i--) curve(g, map, colours, i);
+        for (int i = 0; i < methods.size(); i++) curve(g, map, colours, i);
         plate(g, even, map.viewX(4), y - 8, colours);
         for (int i = 0; i < methods.size(); i++) key(g, map, colours, i);
     }
@@ -45,14 +45,23 @@ record BrightnessPicture(
     private void curve(Graphics2D g, PlaneMap map, StageColours colours, int method) {
         var path = new Path2D.Double();
         for (int degrees = 0; degrees < light.get(method).size(); degrees++) {
-            double x = map.viewX(degrees);
-            double y = map.viewY(light.get(method).get(degrees));
-            if (degrees == 0) path.moveTo(x, y);
-            else path.lineTo(x, y);
+            double at = light.get(method).get(degrees);
+            if (Double.isNaN(at)) continue;
+            boolean begins = degrees == 0 || Double.isNaN(light.get(method).get(degrees - 1));
+            if (begins) path.moveTo(map.viewX(degrees), map.viewY(at));
+            else path.lineTo(map.viewX(degrees), map.viewY(at));
         }
-        g.setStroke(new BasicStroke(3, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.setStroke(stroke(method));
         g.setColor(ink(colours, method));
         g.draw(path);
+    }
+
+    /** The second one dashed, so that both are seen where they are one. */
+    private static BasicStroke stroke(int method) {
+        return method == 0
+                ? new BasicStroke(3.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND)
+                : new BasicStroke(
+                        3, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {9, 7}, 0);
     }
 
     private Color ink(StageColours colours, int method) {
@@ -65,8 +74,8 @@ record BrightnessPicture(
         double y = map.viewY(0.08) - (methods.size() - 1 - method) * (metrics.getHeight() + 6);
         double x = map.viewX(4);
         g.setColor(ink(colours, method));
-        g.setStroke(new BasicStroke(3));
-        g.draw(new Line2D.Double(x, y - 4, x + 24, y - 4));
+        g.setStroke(stroke(method));
+        g.draw(new Line2D.Double(x, y - 4, x + 25, y - 4));
         plate(g, methods.get(method), x + 34, y, colours);
     }
 

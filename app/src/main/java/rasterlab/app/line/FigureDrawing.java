@@ -5,8 +5,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.circle.ArcWalk;
 import rasterlab.engine.line.LineBrightness;
+import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Deviation;
@@ -19,7 +21,8 @@ import rasterlab.engine.study.LimitReached;
  * @param pixels in the order in which they were sent
  * @param difference from the exact figure
  * @param decisions of the walk that the pixels mirror, by columns and rows from the centre
- * @param brightness light for a pixel of length at 0°, 1°, …, 90°; none but of lines
+ * @param brightness light for a pixel of length at 0°, 1°, …, 90°, NaN where there is none; empty
+ *     but for lines
  */
 record FigureDrawing(
         String method,
@@ -49,12 +52,20 @@ record FigureDrawing(
     }
 
     private static List<Double> brightness(FigureTopics topics, String method) {
-        var drawing = topics.line().method(method).implementation();
         return IntStream.rangeClosed(0, SlopeFigure.STEEPEST)
-                .mapToObj(
-                        degrees ->
-                                LineBrightness.of(drawing, SlopeFigure.segment(degrees)).perPixel())
+                .mapToObj(degrees -> brightness(topics, method, SlopeFigure.segment(degrees)))
                 .toList();
+    }
+
+    /** NaN where the method refuses the line or does not stop. */
+    private static double brightness(FigureTopics topics, String method, Segment segment) {
+        LineRasterizer drawing = topics.line().method(method).implementation();
+        try {
+            topics.line().record(drawing, segment, (int) (4 * segment.steps() + 4));
+            return LineBrightness.of(drawing, segment).perPixel();
+        } catch (LimitReached | IllegalArgumentException unfit) {
+            return Double.NaN;
+        }
     }
 
     private static FigureDrawing arc(FigureTopics topics, ArcFigure arc, String method) {

@@ -17,6 +17,8 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.raster.PixelMark;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.surface.Pen;
 
 /** Choosers, numbers and live readings of the figures, and the chosen method explained. */
 final class FigureInspector {
@@ -37,6 +39,8 @@ final class FigureInspector {
     private final JLabel missing;
     private final JLabel extra;
     private final JLabel worst;
+    private final JLabel length;
+    private final JLabel lit;
     private final JLabel angle;
     private final JLabel light;
     private final JLabel full;
@@ -89,6 +93,8 @@ final class FigureInspector {
         extra = column.value("extra");
         extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
         worst = column.value("worst");
+        length = column.value("length");
+        lit = column.value("lit");
         angle = column.value("angle");
         light = column.value("light");
         full = column.value("full");
@@ -166,6 +172,10 @@ final class FigureInspector {
             extra.setText(readings.extra());
             worst.setText(readings.worst());
         }
+        boolean pen = state.drawn().figure() instanceof PenFigure;
+        for (JLabel each : List.of(length, lit)) column.showRow(each, pen);
+        length.setText(readings.length());
+        lit.setText(readings.lit());
         angle.setText(readings.angle());
         if (slope) {
             light.setText(readings.light());
@@ -176,10 +186,8 @@ final class FigureInspector {
     }
 
     private void explain(FigureState state) {
-        boolean pen = model.method().isEmpty();
-        about.setVisible(!pen);
         model.method()
-                .ifPresent(
+                .ifPresentOrElse(
                         chosen -> {
                             LineMode shown = state.scene().mode();
                             String key =
@@ -195,7 +203,21 @@ final class FigureInspector {
                                             ? ""
                                             : translations.textOr(key + ".decision", formula),
                                     refusal(state));
-                        });
+                        },
+                        () -> about.show(texts, pen(), "", ""));
+    }
+
+    /** What a pen does, told as a method is. */
+    private Method<Class<Pen>> pen() {
+        return new Method<>(
+                "pen",
+                new Method.About(
+                        texts.text("pen.formula"),
+                        texts.text("pen.invariant"),
+                        texts.text("pen.cost"),
+                        texts.text("pen.failures"),
+                        texts.text("pen.source")),
+                Pen.class);
     }
 
     /** Why the method refused: in its own words where those are the window's language. */

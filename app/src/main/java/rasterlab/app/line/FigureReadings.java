@@ -100,14 +100,39 @@ final class FigureReadings {
 
     private String light(List<Double> brightness) {
         var slope = (SlopeFigure) state.drawn().figure();
-        return Shown.number(brightness.get(slope.degrees()), 3, locale());
+        double light = brightness.get(slope.degrees());
+        return Double.isNaN(light) ? NONE : Shown.number(light, 3, locale());
+    }
+
+    /** How long a pen's line is, in pixels. */
+    String length() {
+        return state.scene().figure() instanceof PenFigure pen
+                ? texts.text("worst.pixels", Shown.number(pen.length(), 1, locale()))
+                : NONE;
+    }
+
+    /** How many pixels the pen lights. */
+    String lit() {
+        return state.scene().figure() instanceof PenFigure pen
+                ? texts.text("pixels", pen.lit())
+                : NONE;
     }
 
     /** Between the brightest and the darkest slope. */
     String spread() {
         if (drawing.brightness().isEmpty()) return NONE;
-        double least = drawing.brightness().stream().mapToDouble(d -> d).min().orElse(0);
-        double most = drawing.brightness().stream().mapToDouble(d -> d).max().orElse(0);
+        double least =
+                drawing.brightness().stream()
+                        .mapToDouble(d -> d)
+                        .filter(d -> !Double.isNaN(d))
+                        .min()
+                        .orElse(0);
+        double most =
+                drawing.brightness().stream()
+                        .mapToDouble(d -> d)
+                        .filter(d -> !Double.isNaN(d))
+                        .max()
+                        .orElse(0);
         return Shown.number(least, 3, locale()) + "…" + Shown.number(most, 3, locale());
     }
 

@@ -21,7 +21,8 @@ public record FigureScene(LineMode mode, DrawnFigure figure, String method, Stri
             case ELLIPSE ->
                     new FigureScene(mode, ArcFigure.of(new Ellipse(0, 0, 16, 9)), "bresenham", "");
             case PEN -> new FigureScene(mode, PenFigure.first(), "", "");
-            case BRIGHTNESS -> new FigureScene(mode, new SlopeFigure(30), "bresenham", "wu");
+            case BRIGHTNESS ->
+                    new FigureScene(mode, new SlopeFigure(30), "bresenham", "naive-textbook");
         };
     }
 

@@ -149,11 +149,9 @@ final class FigureStage extends JPanel implements AutoCloseable {
     }
 
     private PlanePoint point(String grip, Spot at) {
-        String kind = grip.startsWith("point.") ? "point" : grip;
+        String kind = grip.startsWith("point.") ? "grip.point" : grip;
         String said =
-                texts.text("figure.grip." + kind)
-                        + " "
-                        + Shown.point(at.x(), at.y(), texts.locale());
+                texts.text("figure." + kind) + " " + Shown.point(at.x(), at.y(), texts.locale());
         boolean centre = grip.equals(ArcFigure.CENTRE);
         return new PlanePoint(
                 grip,

@@ -1,10 +1,14 @@
 package rasterlab.app.line;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.surface.Brush;
 import rasterlab.engine.surface.Pen;
+import rasterlab.engine.surface.Surface;
 
 /**
  * A line from point to point and the pen that draws it.
@@ -36,6 +40,35 @@ public record PenFigure(List<Spot> points, double width, boolean round, Dashes d
 
     Pen pen() {
         return new Pen(width, round, dashes.lengths(width));
+    }
+
+    /** The picture, in two colours, 0xAARRGGBB. */
+    Raster picture(int ground, int ink) {
+        var picture = new Raster(WIDTH, HEIGHT);
+        picture.clear(ground);
+        new Surface(picture)
+                .draw(
+                        points.stream().mapToDouble(Spot::x).toArray(),
+                        points.stream().mapToDouble(Spot::y).toArray(),
+                        pen(),
+                        Brush.solid(ink));
+        return picture;
+    }
+
+    /** How many pixels of the picture the pen lights. */
+    long lit() {
+        return Arrays.stream(picture(0, -1).argb()).filter(argb -> argb == -1).count();
+    }
+
+    /** From point to point, in pixels. */
+    double length() {
+        double length = 0;
+        for (int i = 1; i < points.size(); i++)
+            length +=
+                    Math.hypot(
+                            points.get(i).x() - points.get(i - 1).x(),
+                            points.get(i).y() - points.get(i - 1).y());
+        return length;
     }
 
     PenFigure withWidth(double other) {

@@ -12,8 +12,6 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.raster.Raster;
-import rasterlab.engine.surface.Brush;
-import rasterlab.engine.surface.Surface;
 
 /** The pixels that a pen lights along a line. */
 record PenPicture(PenFigure figure) implements PlanePicture {
@@ -21,14 +19,7 @@ record PenPicture(PenFigure figure) implements PlanePicture {
 
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
-        var raster = new Raster(PenFigure.WIDTH, PenFigure.HEIGHT);
-        raster.clear(colours.ground().getRGB());
-        new Surface(raster)
-                .draw(
-                        figure.points().stream().mapToDouble(Spot::x).toArray(),
-                        figure.points().stream().mapToDouble(Spot::y).toArray(),
-                        figure.pen(),
-                        Brush.solid(MethodColours.BLUE.getRGB()));
+        Raster raster = figure.picture(colours.ground().getRGB(), MethodColours.BLUE.getRGB());
         double left = map.viewX(-0.5);
         double top = map.viewY(-0.5);
         double right = map.viewX(PenFigure.WIDTH - 0.5);

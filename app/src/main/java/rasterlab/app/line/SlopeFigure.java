@@ -12,7 +12,7 @@ public record SlopeFigure(int degrees) implements DrawnFigure {
     /** Length of each line in pixels, about. */
     private static final int LENGTH = 200;
 
-    static final String ANGLE = "angle";
+    static final String ANGLE = "grip.angle";
     static final int STEEPEST = 90;
 
     /** The line at that angle. */

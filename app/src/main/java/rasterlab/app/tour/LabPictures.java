@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineMode;
 import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.shell.LabModels;
@@ -31,6 +32,11 @@ final class LabPictures implements TourPart {
                     coordinates("stack", CoordinatesMode.STACK),
                     coordinates("rotation", CoordinatesMode.ROTATION),
                     new Shot("line", "line", LabPictures::showWhatFails),
+                    new Shot("circle", "line", LabPictures::showParametricEllipse),
+                    new Shot(
+                            "brightness",
+                            "line",
+                            models -> models.line().chooseMode(LineMode.BRIGHTNESS)),
                     new Shot("polygon", "polygon", LabPictures::showOverflow),
                     new Shot(
                             "seed",
@@ -96,6 +102,12 @@ final class LabPictures implements TourPart {
         models.line().chooseMethod("bresenham-textbook");
         models.clip().chooseMethod("cohen-sutherland-textbook");
         models.clip().compareWith("cohen-sutherland");
+    }
+
+    private static void showParametricEllipse(LabModels models) {
+        models.line().chooseMode(LineMode.ELLIPSE);
+        models.line().figures().chooseMethod("parametric");
+        models.line().figures().compareWith("midpoint");
     }
 
     /** The plane as it looks to a method in 32 bits, far from the origin. */

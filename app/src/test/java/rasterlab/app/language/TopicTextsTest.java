@@ -16,6 +16,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.circle.CircleTopic;
+import rasterlab.engine.circle.EllipseTopic;
+import rasterlab.engine.circle.SteppedCircle;
+import rasterlab.engine.circle.SteppedEllipse;
 import rasterlab.engine.clip.polygon.PolygonClipTopic;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.clip.segment.SteppedSegmentClipper;
@@ -139,6 +143,7 @@ class TopicTextsTest {
                                 ? new ColorTopic().methods().stream()
                                 : Renderer.visibilityMethods().stream();
         methods.forEach(method -> about(method, said));
+        if (topic.equals("line")) prefixed(ARCS, said);
         if (topic.equals("line"))
             for (Hazard<Segment> hazard : new LineTopic().hazards()) {
                 said.put("hazard." + hazard.name(), hazard.description());
@@ -157,7 +162,15 @@ class TopicTextsTest {
 
     /** Methods of two of these topics have one name, so each text begins with its topic's word. */
     private static Map<String, String> polygon(Map<String, String> said) {
-        OF_POLYGONS.forEach(
+        return prefixed(OF_POLYGONS, said);
+    }
+
+    private static final Map<String, Topic<?, ?, ?>> ARCS =
+            Map.of("circle", new CircleTopic(), "ellipse", new EllipseTopic());
+
+    private static Map<String, String> prefixed(
+            Map<String, Topic<?, ?, ?>> topics, Map<String, String> said) {
+        topics.forEach(
                 (mode, topic) -> {
                     var methods = new TreeMap<String, String>();
                     for (Method<?> method : topic.methods()) {
@@ -175,17 +188,23 @@ class TopicTextsTest {
     private static String decision(Object method) {
         if (method instanceof SteppedTriangleTest test) return test.valueFormula();
         if (method instanceof SteppedPolygonTest test) return test.countFormula();
+        if (method instanceof SteppedCircle circle) return circle.decisionFormula();
+        if (method instanceof SteppedEllipse ellipse) return ellipse.decisionFormula();
         if (method instanceof SteppedTriangulator cutter) return cutter.choice();
         return method instanceof TracedFill fill ? fill.waitingMeans() : "";
     }
 
     @Test
-    void everyHazardOfPolygonsHasAShortNameInBothLanguages() {
+    void everyHazardOfPolygonsAndArcsHasAShortNameInBothLanguages() {
         for (Language language : Language.values()) {
             Texts labels = Texts.of("polygon", language);
             var nameless = new TreeMap<>(polygon(new TreeMap<>()));
             nameless.keySet().removeIf(key -> !key.startsWith("hazard.") || labels.has(key));
             assertEquals(Map.of(), nameless, language.name());
+            Texts lines = Texts.of("line", language);
+            var arcs = new TreeMap<>(prefixed(ARCS, new TreeMap<>()));
+            arcs.keySet().removeIf(key -> !key.startsWith("hazard.") || lines.has(key));
+            assertEquals(Map.of(), arcs, language.name());
         }
     }
 

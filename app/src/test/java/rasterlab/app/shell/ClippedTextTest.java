@@ -25,6 +25,7 @@ import rasterlab.app.coordinates.list.Example;
 import rasterlab.app.coordinates.stack.StackProgram;
 import rasterlab.app.coordinates.view.ViewKind;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineMode;
 import rasterlab.app.opengl.state.Group;
 import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.polygon.PolygonLabModel;
@@ -119,6 +120,12 @@ class ClippedTextTest {
             OffscreenPainter.onEventThread(() -> showComparison(models.get().clip(), mode));
             for (int round = 0; round < 2; round++) OffscreenPainter.paint(clip, width, height);
             assertEquals(List.of(), clipped(clip), mode.name());
+        }
+        JComponent line = tabs.get().named("line").panel();
+        for (LineMode mode : LineMode.values()) {
+            OffscreenPainter.onEventThread(() -> models.get().line().chooseMode(mode));
+            for (int round = 0; round < 2; round++) OffscreenPainter.paint(line, width, height);
+            assertEquals(List.of(), clipped(line), mode.name());
         }
         JComponent polygon = tabs.get().named("polygon").panel();
         for (PolygonMode mode : PolygonMode.values()) {

@@ -1,0 +1,197 @@
+package rasterlab.app.line;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.cli.Lab;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Verdict;
+
+@Timeout(180)
+class FigureLabModelTest {
+    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final FigureLabModel model = new FigureLabModel(events::add, failures::add);
+
+    @AfterEach
+    void close() {
+        model.close();
+        assertEquals(List.of(), failures);
+    }
+
+    private FigureDrawing drawing() {
+        try {
+            model.settle();
+        } catch (InterruptedException e) {
+            throw new AssertionError("the test was interrupted", e);
+        }
+        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+        return model.state().drawing();
+    }
+
+    private ArcFigure arc() {
+        return (ArcFigure) model.state().scene().figure();
+    }
+
+    @ParameterizedTest(name = "lab and recorded verdict differ: {0}")
+    @EnumSource(names = {"CIRCLE", "ELLIPSE"})
+    void everyHazardEndsAsItIsRecorded(LineMode mode) {
+        for (Hazard<?> hazard : model.hazards(mode))
+            for (String method : model.methods(mode)) {
+                model.chooseMode(mode);
+                model.chooseMethod(method);
+                model.show(mode, hazard.name());
+                assertEquals(
+                        expected(hazard.recorded().get(method)),
+                        said(drawing()),
+                        hazard.name() + ", " + method);
+            }
+    }
+
+    private static String expected(Verdict.Kind kind) {
+        return switch (kind) {
+            case EXACT -> "right";
+            case DEGRADED, WRONG -> "wrong";
+            case REFUSED, ENDLESS, CRASHED -> kind.name();
+        };
+    }
+
+    private static String said(FigureDrawing drawing) {
+        if (drawing.ending() != LineTrace.Ending.ENDED) return drawing.ending().name();
+        return drawing.isRight() ? "right" : "wrong";
+    }
+
+    @Test
+    void radiusIsDraggedAndTheCentreTakesItAlong() {
+        model.move(ArcFigure.RADIUS_X, 7.4, 3);
+        assertEquals(new ArcFigure(true, 0, 0, 7, 7), arc());
+        model.move(ArcFigure.CENTRE, 5, -2);
+        assertEquals(new ArcFigure(true, 5, -2, 7, 7), arc());
+        model.move(ArcFigure.RADIUS_X, 2, 0);
+        assertEquals(3, arc().radiusX());
+        model.chooseMode(LineMode.ELLIPSE);
+        model.move(ArcFigure.RADIUS_Y, 0, 4);
+        assertEquals(new ArcFigure(false, 0, 0, 16, 4), arc());
+    }
+
+    @Test
+    void everyPixelOfAWalkedMethodHasItsDecision() {
+        for (LineMode mode : List.of(LineMode.CIRCLE, LineMode.ELLIPSE)) {
+            model.chooseMode(mode);
+            for (String method : List.of("bresenham", "midpoint")) {
+                model.chooseMethod(method);
+                FigureDrawing drawn = drawing();
+                ArcFigure figure = arc();
+                for (int i = 0; i < drawn.steps(); i++) {
+                    double u = Math.abs((double) drawn.pixels().x(i) - figure.centreX());
+                    double v = Math.abs((double) drawn.pixels().y(i) - figure.centreY());
+                    assertTrue(
+                            drawn.decisions().containsKey(new Spot(u, v))
+                                    || drawn.decisions().containsKey(new Spot(v, u)),
+                            method + ", pixel " + i + " of " + mode);
+                }
+            }
+        }
+    }
+
+    @Test
+    void fullPixelsAreBrightAlongRowsAndDarkAt45Degrees() {
+        model.chooseMode(LineMode.BRIGHTNESS);
+        List<Double> light = drawing().brightness();
+        assertEquals(1, light.get(0), 1e-3);
+        assertEquals(1, light.get(90), 1e-3);
+        assertEquals(Math.sqrt(0.5), light.get(45), 1e-3);
+    }
+
+    @Test
+    void everyMethodsBrightnessIsMeasuredToItsEnd() {
+        model.chooseMode(LineMode.BRIGHTNESS);
+        for (String method : model.methods(LineMode.BRIGHTNESS)) {
+            model.chooseMethod(method);
+            assertEquals(91, drawing().brightness().size(), method);
+        }
+        model.chooseMethod("naive-textbook");
+        assertFalse(drawing().brightness().get(80) > 0.5, "gaps of a steep line take its light");
+    }
+
+    @Test
+    void widerPenLightsMorePixelsAndDashesFewer() {
+        PenFigure first = PenFigure.first();
+        assertTrue(first.withWidth(9).lit() > first.lit());
+        assertTrue(first.withDashes(Dashes.DASHED).lit() < first.lit());
+        assertTrue(first.withRound(false).lit() < first.lit());
+    }
+
+    @Test
+    void pointsOfAPensLineAreAddedAndRemovedDownToTwo() {
+        model.chooseMode(LineMode.PEN);
+        model.add(20, 40);
+        assertEquals(5, model.state().scene().figure().grips().size());
+        for (int i = 0; i < 9; i++) model.remove("point.0");
+        assertEquals(2, model.state().scene().figure().grips().size());
+        drawing();
+    }
+
+    @Test
+    void eachModeKeepsItsFigureAndUndoGoesBack() {
+        model.move(ArcFigure.RADIUS_X, 5, 0);
+        FigureScene circle = model.state().scene();
+        model.chooseMode(LineMode.PEN);
+        model.chooseMode(LineMode.CIRCLE);
+        assertEquals(circle, model.state().scene());
+        model.beginDrag();
+        for (int x = 6; x < 12; x++) model.move(ArcFigure.RADIUS_X, x, 0);
+        model.endDrag();
+        model.undo();
+        assertEquals(circle, model.state().scene());
+        model.reset();
+        assertEquals(FigureScene.first(LineMode.CIRCLE), model.state().scene());
+        drawing();
+    }
+
+    @Test
+    void copiedCommandDrawsTheSamePixels() throws Exception {
+        for (LineMode mode : List.of(LineMode.CIRCLE, LineMode.ELLIPSE)) {
+            model.chooseMode(mode);
+            model.chooseMethod("parametric");
+            model.move(ArcFigure.CENTRE, 3, -4);
+            String command = FigureCommand.of(model.state().scene()).orElseThrow();
+            String json = command.substring(6, command.lastIndexOf('\''));
+            var out = new ByteArrayOutputStream();
+            int exit =
+                    Lab.run(
+                            command.substring(command.indexOf("./lab") + 6).split(" "),
+                            new ByteArrayInputStream(json.getBytes(StandardCharsets.UTF_8)),
+                            new PrintStream(out),
+                            System.err);
+            assertEquals(0, exit);
+            var pixels = new ObjectMapper().readTree(out.toByteArray()).path("pixels");
+            FigureDrawing drawn = drawing();
+            assertEquals(drawn.steps(), pixels.size());
+            assertEquals(drawn.pixels().x(7), pixels.path(7).path(0).asInt());
+            assertEquals(drawn.pixels().y(7), pixels.path(7).path(1).asInt());
+        }
+    }
+
+    @Test
+    void unknownNamesAreRefused() {
+        assertThrows(IllegalArgumentException.class, () -> model.chooseMethod("guess"));
+        assertThrows(IllegalArgumentException.class, () -> model.chooseMode(LineMode.SEGMENT));
+        assertThrows(IllegalArgumentException.class, () -> model.show(LineMode.CIRCLE, "no-such"));
+    }
+}
