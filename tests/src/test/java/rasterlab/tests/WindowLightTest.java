@@ -59,7 +59,7 @@ class WindowLightTest extends WindowHarness {
     /** A share of the first picture, which is as wide as a third of the stage. */
     private Point onFirstPicture(double x, double y) {
         Dimension stage = named("stage").getSize();
-        return new Point((int) (x * (stage.width - 12) / 3), (int) (y * 0.64 * stage.height));
+        return new Point((int) (x * (stage.width - 12) / 3), (int) (y * 0.58 * stage.height));
     }
 
     @Test
