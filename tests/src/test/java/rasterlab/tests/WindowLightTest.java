@@ -12,9 +12,6 @@ import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Set;
-import javax.swing.JComboBox;
-import javax.swing.JLabel;
-import javax.swing.JSlider;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.BeforeEach;
@@ -40,11 +37,11 @@ class WindowLightTest extends WindowHarness {
     }
 
     private int number(String slider) {
-        return GuiActionRunner.execute(() -> ((JSlider) named(slider)).getValue());
+        return GuiActionRunner.execute(() -> window.slider(slider).target().getValue());
     }
 
     private String text(String label) {
-        return GuiActionRunner.execute(() -> ((JLabel) named(label)).getText());
+        return GuiActionRunner.execute(() -> window.label(label).target().getText());
     }
 
     private void drag(String name, Point from, int right, int down) {
@@ -59,7 +56,7 @@ class WindowLightTest extends WindowHarness {
     /** A share of the first picture, which is as wide as a third of the stage. */
     private Point onFirstPicture(double x, double y) {
         Dimension stage = named("stage").getSize();
-        return new Point((int) (x * (stage.width - 12) / 3), (int) (y * 0.64 * stage.height));
+        return new Point((int) (x * (stage.width - 12) / 3), (int) (y * 0.58 * stage.height));
     }
 
     @Test
@@ -75,7 +72,7 @@ class WindowLightTest extends WindowHarness {
     void lampMovesByItsSliderAndByShiftAndArrows() {
         Set<Integer> before = colours("stage");
         int x = number("x");
-        GuiActionRunner.execute(() -> ((JSlider) named("x")).setValue(20));
+        GuiActionRunner.execute(() -> window.slider("x").target().setValue(20));
         await("other light", () -> !colours("stage").equals(before));
         window.button("undo").click();
         robot.waitForIdle();
@@ -103,20 +100,20 @@ class WindowLightTest extends WindowHarness {
     void lampsAreAddedChosenAndTakenAway() {
         window.button("grow").click();
         assertEquals(3, lamps());
-        GuiActionRunner.execute(() -> ((JComboBox<?>) named("lamp")).setSelectedIndex(0));
+        GuiActionRunner.execute(() -> window.comboBox("lamp").target().setSelectedIndex(0));
         window.button("shrink").click();
         assertEquals(2, lamps());
     }
 
     private int lamps() {
         robot.waitForIdle();
-        return GuiActionRunner.execute(() -> ((JComboBox<?>) named("lamp")).getItemCount());
+        return GuiActionRunner.execute(() -> window.comboBox("lamp").target().getItemCount());
     }
 
     @Test
     void everyEntryOfEveryListAndEveryBoxCanBeChosen() {
         for (String list : LISTS) {
-            var box = (JComboBox<?>) named(list);
+            var box = window.comboBox(list).target();
             for (int i = box.getItemCount() - 1; i >= 0; i--) {
                 int entry = i;
                 GuiActionRunner.execute(() -> box.setSelectedIndex(entry));
@@ -141,7 +138,7 @@ class WindowLightTest extends WindowHarness {
         window.comboBox("mode").selectItem(1);
         await("the cube", () -> colours("cube").size() > 500);
         int cyan = number("cmy.cyan");
-        GuiActionRunner.execute(() -> ((JSlider) named("rgb.red")).setValue(0));
+        GuiActionRunner.execute(() -> window.slider("rgb.red").target().setValue(0));
         robot.waitForIdle();
         assertNotEquals(cyan, number("cmy.cyan"));
         assertEquals(255, number("cmy.cyan"));
@@ -155,7 +152,7 @@ class WindowLightTest extends WindowHarness {
     @Test
     void languageKeepsTheModeAndTheColour() {
         window.comboBox("mode").selectItem(1);
-        GuiActionRunner.execute(() -> ((JSlider) named("rgb.red")).setValue(0));
+        GuiActionRunner.execute(() -> window.slider("rgb.red").target().setValue(0));
         String before = text("hex.value");
         GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
         robot.waitForIdle();

@@ -111,12 +111,12 @@ final class LightPainter {
         over.fill(square);
         over.setColor(Color.BLACK);
         over.draw(square);
-        int side = name.equals("A") ? -18 : 10;
+        int half = over.getFontMetrics().stringWidth(name) / 2;
         Plates.plate(
                 over,
                 name,
-                (int) at.getX() + side,
-                (int) at.getY() + 16,
+                (int) at.getX() - half,
+                (int) at.getY() + 24,
                 new Color(255, 255, 255, 225),
                 Color.BLACK);
     }

@@ -103,7 +103,7 @@ final class ProfilePainter {
         int x = (int) box.getX();
         int base = metrics.getAscent() + 5;
         for (int i = 0; i < drawn.pictures().size(); i++) {
-            String name = drawn.pictures().get(i).shading().code();
+            String name = texts.text("shading." + drawn.pictures().get(i).shading().code());
             x = entry(x, base, name, LightPainter.COLOURS.get(i), false);
         }
         if (mach) entry(x, base, texts.text("profile.eye"), colours.ink(), true);

@@ -10,7 +10,7 @@ import java.awt.Rectangle;
  */
 record StagePlan(int width, int height) {
     private static final int GAP = 6;
-    private static final double PICTURES = 0.64;
+    private static final double PICTURES = 0.58;
 
     /** The picture of one of the shadings. */
     Rectangle picture(int index) {

@@ -65,7 +65,9 @@ class VisibilityCommandTest {
                 mistake(
                         "backs are lit otherwise",
                         choice ->
-                                choice.withShading("flat")
+                                HazardView.OPENING
+                                        .shown(choice)
+                                        .withShading("flat")
                                         .with(choice.look().withSides(Sides.ONE))),
                 mistake("depth cue is lost", choice -> choice.with(choice.look().withCue(0.55))),
                 mistake(
