@@ -54,17 +54,24 @@ final class EditorBar extends JPanel {
         add(Controls.button("starter", texts, model::restoreStarter));
         add(undo);
         add(redo);
-        add(Controls.button("smaller", texts, () -> grow(-1)));
-        add(Controls.button("larger", texts, () -> grow(1)));
         copy =
                 Controls.button(
                         "copyCommand",
                         texts,
                         () -> model.command().ifPresent(line -> Copying.text(line, onFailure)));
         add(copy);
+        add(typeSize());
         add(draft);
         FlowRows.keepWrapped(this);
         grow(0);
+    }
+
+    /** Both buttons for the type's size, in one row whatever the width. */
+    private JPanel typeSize() {
+        var size = new JPanel(new FlowRows(6));
+        size.add(Controls.button("smaller", texts, () -> grow(-1)));
+        size.add(Controls.button("larger", texts, () -> grow(1)));
+        return size;
     }
 
     /** Makes the type larger or smaller beside that of the window. */
