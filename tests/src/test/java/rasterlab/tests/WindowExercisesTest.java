@@ -12,7 +12,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.app.language.Language;
-import rasterlab.app.shell.LabTheme;
 import rasterlab.engine.line.Segment;
 import rasterlab.tests.grading.GraderClient;
 import rasterlab.tests.grading.ServerProcess;
@@ -104,7 +103,6 @@ class WindowExercisesTest extends WindowHarness {
         press(KeyEvent.VK_X);
         await("the draft is on the disk", () -> drafted().startsWith("x"));
         GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
-        GuiActionRunner.execute(() -> frame.wear(frame.look().with(LabTheme.DARK)));
         robot.waitForIdle();
         assertEquals("exercises", frame.shownTab());
         assertTrue(source().startsWith("x"), source());

@@ -21,7 +21,7 @@ final class Checking implements AutoCloseable {
      */
     Outcome outcome(Exercise exercise, String source, Consumer<List<TriedCase>> judged)
             throws InterruptedException {
-        if (judge == null) judge = Judge.start(JudgeSettings.once());
+        if (judge == null) judge = started();
         List<TriedCase> cases = new ArrayList<>();
         var report =
                 judge.grade(
@@ -33,6 +33,15 @@ final class Checking implements AutoCloseable {
                             judged.accept(List.copyOf(cases));
                         });
         return Outcome.checked(source, report);
+    }
+
+    private static Judge started() throws InterruptedException {
+        try {
+            return Judge.start(JudgeSettings.once());
+        } catch (IllegalStateException e) {
+            if (e.getCause() instanceof InterruptedException givenUp) throw givenUp;
+            throw e;
+        }
     }
 
     @Override

@@ -2,6 +2,7 @@ package rasterlab.app.exercise;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -59,6 +60,11 @@ final class Drafts implements AutoCloseable {
     synchronized List<DraftFile.Other> others(String exercise) {
         DraftFile file = files.get(exercise);
         return file == null ? List.of() : file.others();
+    }
+
+    /** Where the exercise's text is; empty before it was written. */
+    synchronized Optional<Path> path(String exercise) {
+        return Optional.ofNullable(files.get(exercise)).map(DraftFile::path).filter(Files::exists);
     }
 
     synchronized void save(String exercise, String text) {

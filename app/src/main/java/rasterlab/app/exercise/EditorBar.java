@@ -4,8 +4,11 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.time.format.FormatStyle;
 import java.util.List;
+import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JPanel;
+import javax.swing.UIManager;
+import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.language.Texts;
 
@@ -23,17 +26,20 @@ final class EditorBar extends JPanel {
     private final JButton undo;
     private final JButton redo;
     private final JButton draft;
-    private int points;
+    private final JButton copy;
 
     /**
-     * @param points of the editor's text at first
+     * @param onFailure told when there is no clipboard
      */
-    EditorBar(ExerciseLabModel model, SourceEditor editor, Texts texts, int points) {
+    EditorBar(
+            ExerciseLabModel model,
+            SourceEditor editor,
+            Texts texts,
+            Consumer<Throwable> onFailure) {
         super(new FlowRows(6));
         this.model = model;
         this.editor = editor;
         this.texts = texts;
-        this.points = points;
         check = Controls.button("check", texts, model::check);
         submit = Controls.button("submit", texts, this::submit);
         server = Controls.button("server", texts, this::askServer);
@@ -48,19 +54,30 @@ final class EditorBar extends JPanel {
         add(Controls.button("starter", texts, model::restoreStarter));
         add(undo);
         add(redo);
-        add(Controls.button("smaller", texts, () -> size(this.points - 1)));
-        add(Controls.button("larger", texts, () -> size(this.points + 1)));
+        copy =
+                Controls.button(
+                        "copyCommand",
+                        texts,
+                        () -> model.command().ifPresent(line -> Copying.text(line, onFailure)));
+        add(copy);
+        add(typeSize());
         add(draft);
         FlowRows.keepWrapped(this);
-        editor.setPoints(points);
+        grow(0);
     }
 
-    /**
-     * @param next held to what can be read
-     */
-    void size(int next) {
-        points = Math.max(8, Math.min(40, next));
-        editor.setPoints(points);
+    /** Both buttons for the type's size, in one row whatever the width. */
+    private JPanel typeSize() {
+        var size = new JPanel(new FlowRows(6));
+        size.add(Controls.button("smaller", texts, () -> grow(-1)));
+        size.add(Controls.button("larger", texts, () -> grow(1)));
+        return size;
+    }
+
+    /** Makes the type larger or smaller beside that of the window. */
+    private void grow(int steps) {
+        model.growType(steps);
+        editor.setPoints(UIManager.getFont("Label.font").getSize() + model.typeSteps());
     }
 
     void refresh() {
@@ -70,6 +87,7 @@ final class EditorBar extends JPanel {
         submit.setEnabled(!running);
         server.setEnabled(!running);
         cancel.setEnabled(running);
+        copy.setEnabled(model.command().isPresent());
         undo.setEnabled(editor.canUndo());
         redo.setEnabled(editor.canRedo());
         List<DraftFile.Other> others = state.otherDrafts();

@@ -43,6 +43,7 @@ public final class ExerciseLabModel implements AutoCloseable {
     /** What each submission that is not graded yet is called, by exercise and source. */
     private final Map<String, String> keys = new HashMap<>();
 
+    private int typeSteps;
     private Optional<Path> folder = Optional.empty();
     private Optional<Drafts> drafts = Optional.empty();
     private List<Exercise> exercises = List.of();
@@ -172,6 +173,26 @@ public final class ExerciseLabModel implements AutoCloseable {
     /** Begins anew with the exercise's own text. */
     public void restoreStarter() {
         type(state().exercise().starter());
+    }
+
+    /**
+     * The shell command that checks the source as it is kept; empty where it is not on the disk.
+     */
+    Optional<String> command() {
+        String id = state().exercise().id();
+        if (!state.unsaved().isEmpty()) return Optional.empty();
+        return drafts.flatMap(kept -> kept.path(id))
+                .map(path -> "./lab check %s '%s'".formatted(id, path));
+    }
+
+    /** By how much the editor's type is larger than the window's, in points. */
+    int typeSteps() {
+        return typeSteps;
+    }
+
+    /** Makes the editor's type larger, or smaller; stops where it cannot be read. */
+    void growType(int points) {
+        typeSteps = Math.max(-4, Math.min(24, typeSteps + points));
     }
 
     /** Goes on with what another window wrote. */

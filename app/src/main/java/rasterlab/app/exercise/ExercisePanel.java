@@ -22,8 +22,6 @@ import rasterlab.exercises.Exercise;
 public final class ExercisePanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
-    private static final int FIRST_POINTS = 13;
-
     private final transient ExerciseLabModel model;
     private final transient Texts texts;
     private final NameChooser exercise;
@@ -55,7 +53,7 @@ public final class ExercisePanel extends LabPanel {
                         model::choose);
         statement = new StatementPane(texts.text("statement"));
         editor = new SourceEditor(texts, model::type);
-        bar = new EditorBar(model, editor, texts, FIRST_POINTS);
+        bar = new EditorBar(model, editor, texts, onFailure);
         result =
                 new ResultPane(
                         texts,

@@ -9,6 +9,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.opengl.OpenGlLabState.Pictures;
 import rasterlab.app.opengl.call.FrameCalls;
@@ -30,7 +31,7 @@ import rasterlab.engine.texture.Texture;
  * none, from a context without a window. Answers and commands all run on the thread of the executor
  * it is given; pictures are made on a thread of the model's own.
  */
-public final class OpenGlLabModel implements AutoCloseable {
+public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     private final Executor events;
     private final LatestOnly<Question, Answer> pictures;
     private final LatestOnly<Path, ImageLoading> files;
@@ -222,6 +223,22 @@ public final class OpenGlLabModel implements AutoCloseable {
     /** Back to how the lab opens; can be undone. */
     public void reset() {
         change(GlChoice.first(), Setting.SCENE);
+    }
+
+    @Override
+    public Class<GlChoice> keptType() {
+        return GlChoice.class;
+    }
+
+    /** How the lab opens where a file is the texture, which may be gone by the next run. */
+    @Override
+    public GlChoice kept() {
+        return state.choice().file().isEmpty() ? state.choice() : GlChoice.first();
+    }
+
+    @Override
+    public void bringBack(GlChoice choice) {
+        draw(choice, Setting.SCENE);
     }
 
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */

@@ -72,6 +72,7 @@ public record LabModels(
         kept.put("spline", spline);
         kept.put("spline.curve", spline.curve());
         kept.put("spline.function", spline.function());
+        kept.put("opengl", opengl);
         return kept;
     }
 

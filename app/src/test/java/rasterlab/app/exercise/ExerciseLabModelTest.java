@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -91,6 +92,12 @@ class ExerciseLabModelTest {
             assertTrue(smallest.scene().contains("\"topic\":\"line\""), smallest.scene());
             assertTrue(smallest.said().english().contains("missing"), smallest.said().english());
             assertNotEquals(smallest.said().in(Language.RUSSIAN), smallest.said().english());
+            for (TriedCase other : outcome.cases())
+                if (other.pictures().isPresent())
+                    assertTrue(
+                            smallest.pictures().orElseThrow().size()
+                                    <= other.pictures().orElseThrow().size(),
+                            other.name());
             assertTrue(trial.state().upToDate());
             trial.model.type(FIRST_PIXEL + " ");
             assertFalse(trial.state().upToDate());
@@ -126,6 +133,20 @@ class ExerciseLabModelTest {
             Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
             assertEquals(FIRST_PIXEL, outcome.source());
             assertEquals("wrong", outcome.verdict());
+        }
+    }
+
+    @Test
+    void commandChecksTheTextThatIsKept() throws Exception {
+        try (var trial = new Trial(folder)) {
+            assertEquals(Optional.empty(), trial.model.command());
+            trial.model.type(FIRST_PIXEL);
+            trial.model.settle();
+            Path draft = folder.resolve("drafts").resolve("line-bresenham.java");
+            assertEquals(
+                    Optional.of("./lab check line-bresenham '" + draft + "'"),
+                    trial.model.command());
+            assertEquals(FIRST_PIXEL, Files.readString(draft));
         }
     }
 

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.SplineMode;
@@ -135,6 +136,7 @@ class LabsFileTest {
         models.clip().chooseMode(ClipMode.VOLUME);
         models.visibility().turn(0.1, 0.2);
         models.light().drawNormals(true);
+        models.opengl().set(Setting.SCENE, "globe");
         models.spline().show(SplineMode.FUNCTION);
         models.spline().curve().chooseForm(CurveForm.PIECES);
         models.spline().function().chooseEnds(SplineEnds.slopes(-1.25, 3));
