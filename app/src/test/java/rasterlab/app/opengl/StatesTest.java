@@ -108,8 +108,9 @@ class StatesTest {
         boolean named = !Deviations.of(choice).isEmpty();
         assertTrue(
                 named || found.share() <= BOUND,
-                "%d pixels are off, by up to %d levels"
+                "%s: %d pixels are off, by up to %d levels"
                         .formatted(
+                                state,
                                 found.plain().wrongPixels(),
                                 found.plain().largestLevelDifference()));
     }
@@ -149,7 +150,9 @@ class StatesTest {
     void namedDifferencesAreSmall(String state) {
         assertTrue(!Deviations.of(choice(state)).isEmpty(), "nobody names it");
         Comparison found = compared(choice(state));
-        assertTrue(found.share() <= NAMED_BOUND, found.plain().wrongPixels() + " pixels are off");
+        assertTrue(
+                found.share() <= NAMED_BOUND,
+                state + ": " + found.plain().wrongPixels() + " pixels are off");
     }
 
     @ParameterizedTest(name = "the setting {0} changes nothing in either half")

@@ -110,8 +110,13 @@ class BlendedPixelsTest {
 
     @Test
     void withoutDepthTheLastSheetWins() {
-        assertEquals(0xFF00FF00, draw(Blending.OPAQUE.withoutDepth(), red(1, 1), green(1, 5)));
-        assertEquals(DepthRaster.FARTHEST, out.depth()[0], "a depth was written");
+        draw(Blending.OPAQUE, red(1, 1));
+        float near = out.depth()[0];
+        var surface = new Surface.PerPixel(new ColoredPixels());
+        var later = surface.with(Blending.OPAQUE.withoutDepth());
+        PIPELINE.draw(sheets(green(1, 5)), VIEW, later, out, () -> false);
+        assertEquals(0xFF00FF00, out.raster().argb()[0]);
+        assertEquals(near, out.depth()[0], "a depth was written");
     }
 
     @Test
