@@ -24,7 +24,15 @@ class WindowKeysTest extends WindowHarness {
 
     /** In the order of the window. */
     private static final List<String> TABS =
-            List.of("coordinates", "line", "polygon", "clip", "visibility", "light", "spline", "opengl");
+            List.of(
+                    "coordinates",
+                    "line",
+                    "polygon",
+                    "clip",
+                    "visibility",
+                    "light",
+                    "spline",
+                    "opengl");
 
     /** Radians that an arrow key turns the vase about its axis, as in the coursework. */
     private static final double STEP = 0.03 * Math.PI;

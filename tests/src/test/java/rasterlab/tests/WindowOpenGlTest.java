@@ -152,7 +152,7 @@ class WindowOpenGlTest extends WindowHarness {
                 () -> {
                     models.opengl().set(Setting.SCENE, "globe");
                     frame.speak(Language.RUSSIAN);
-                    frame.wear(LabTheme.DARK);
+                    frame.wear(frame.look().with(LabTheme.DARK));
                 });
         robot.waitForIdle();
         assertNotSame(old, named("opengl.canvas"));

@@ -42,10 +42,8 @@ class SeenPointTest {
         double[] p = point.position();
         ViewTransform transform = view.transform();
         double shrink = transform.distance() / transform.toEye(2, p[0], p[1], p[2]);
-        assertEquals(
-                130, view.fit().toPixelX(transform.toEye(0, p[0], p[1], p[2]) * shrink), 1e-9);
-        assertEquals(
-                150, view.fit().toPixelY(transform.toEye(1, p[0], p[1], p[2]) * shrink), 1e-9);
+        assertEquals(130, view.fit().toPixelX(transform.toEye(0, p[0], p[1], p[2]) * shrink), 1e-9);
+        assertEquals(150, view.fit().toPixelY(transform.toEye(1, p[0], p[1], p[2]) * shrink), 1e-9);
     }
 
     @Test
