@@ -6,6 +6,7 @@ import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Font;
 import java.util.Map;
 import javax.swing.UIManager;
+import javax.swing.plaf.InsetsUIResource;
 import rasterlab.app.canvas.StageColours;
 
 /** The window's colours; the projector's are also shown in larger type. */
@@ -54,6 +55,8 @@ public enum LabTheme {
         UIManager.put("defaultFont", usual.deriveFont((float) size));
         UIManager.put("ScrollBar.showButtons", false);
         UIManager.put("TabbedPane.showTabSeparators", true);
+        // Ten titles in Russian beside each other in a window of 1280.
+        UIManager.put("TabbedPane.tabInsets", new InsetsUIResource(4, 7, 4, 7));
         UIManager.put("ToolTip.maximumWidth", 420);
     }
 }
