@@ -76,8 +76,8 @@ final class ListReadings {
     }
 
     String meaning(Texts translations) {
-        ListItem item = selected();
-        if (item == null) return "—";
+        if (selected().isEmpty()) return "—";
+        ListItem item = selected().get();
         if (item.free()) return texts.text("matrix.free.meaning");
         NamedMatrix matrix = NamedMatrices.named(item.name());
         return translations.textOr("matrix." + matrix.name(), matrix.meaning());
@@ -95,21 +95,20 @@ final class ListReadings {
                 .orElse("—");
     }
 
-    private ListItem selected() {
+    private Optional<ListItem> selected() {
         int index = model.choice().selected();
-        return index < 0 ? null : model.choice().items().get(index);
+        return index < 0 ? Optional.empty() : Optional.of(model.choice().items().get(index));
     }
 
     /** The selected matrix and its inverse, then the product of all that is done. */
     List<Formula> formulas() {
         var lines = new ArrayList<Formula>();
-        ListItem item = selected();
-        if (item == null || scene.isRefused()) return lines;
+        if (selected().isEmpty() || scene.isRefused()) return lines;
         int index = model.choice().selected();
         lines.add(
                 MatrixFormulas.named(
                         "M" + low(index + 1) + " =", scene.cells().get(index), locale));
-        inverse(item, index).ifPresent(lines::add);
+        inverse(selected().get(), index).ifPresent(lines::add);
         lines.add(Formula.of(new Formula.Words(texts.text("product"))));
         List<double[]> applied = scene.applied(model.step(), false);
         lines.add(MatrixFormulas.named(order() + " =", product(applied), locale));

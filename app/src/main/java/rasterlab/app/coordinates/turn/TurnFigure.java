@@ -19,7 +19,7 @@ final class TurnFigure {
 
     static Figure of(TurnScene scene, int step) {
         var marks = new ArrayList<Mark>();
-        if (scene.exact() == null) return new Figure(marks, true);
+        if (!scene.known()) return new Figure(marks, true);
         marks.add(new Mark.Path(scene.circle(), Ink.HELP));
         var origin = new Spot(0, 0);
         Ink own = Ink.method(scene.choice().method());

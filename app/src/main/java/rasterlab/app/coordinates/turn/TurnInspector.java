@@ -125,7 +125,7 @@ final class TurnInspector {
 
     private String refusal() {
         TurnScene scene = model.scene();
-        boolean known = scene.exact() != null && scene.choice().equals(model.choice());
+        boolean known = scene.known() && scene.choice().equals(model.choice());
         return known && scene.drift().refused() ? texts.text("refused.long") : "";
     }
 

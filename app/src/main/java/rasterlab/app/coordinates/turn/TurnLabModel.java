@@ -24,6 +24,7 @@ public final class TurnLabModel extends ChoiceModel<TurnChoice> implements Steps
     private final LatestOnly<TurnChoice, TurnScene> scenes;
     private TurnScene scene;
     private int step;
+    private boolean stopped;
 
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
@@ -31,7 +32,7 @@ public final class TurnLabModel extends ChoiceModel<TurnChoice> implements Steps
      */
     public TurnLabModel(Executor events, Consumer<Throwable> onFailure) {
         super(TurnChoice.first());
-        scene = new TurnScene(choice(), List.of(), null, List.of(), List.of());
+        scene = TurnScene.before(choice());
         scenes =
                 new LatestOnly<>(
                         "rotation",
@@ -45,19 +46,21 @@ public final class TurnLabModel extends ChoiceModel<TurnChoice> implements Steps
         return scene;
     }
 
-    /** Whether the newest choice's scene is not there yet. */
+    /** Whether the newest choice's scene is on its way. */
     boolean busy() {
-        return scene.exact() == null || !scene.choice().equals(choice());
+        return !stopped && !(scene.known() && scene.choice().equals(choice()));
     }
 
     /** Begins the work that the lab opens with, unless it has begun. */
     void begin() {
-        if (scene.exact() == null) scenes.ask(choice());
+        if (!scene.known()) scenes.ask(choice());
     }
 
     /** Gives up the present work; what is shown stays. */
     void cancel() {
         scenes.cancel();
+        stopped = true;
+        tell();
     }
 
     List<Method<PlaneRotation>> methods() {
@@ -114,6 +117,7 @@ public final class TurnLabModel extends ChoiceModel<TurnChoice> implements Steps
 
     @Override
     protected void chosen(TurnChoice next) {
+        stopped = false;
         scenes.ask(next);
     }
 

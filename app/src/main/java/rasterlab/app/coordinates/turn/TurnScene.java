@@ -18,7 +18,7 @@ import rasterlab.engine.transform.rotate.Turns;
  * The chosen method's way round, and where every method ends.
  *
  * @param steps the way, formula by formula or turn by turn
- * @param exact where the point belongs in the end
+ * @param exact where the point belongs in the end; not finite before anything is known
  * @param circle the way of the exact point
  * @param drifts of all methods in teaching order
  */
@@ -141,6 +141,16 @@ record TurnScene(
             circle.add(spot(topic.record(method, turns, 1)));
         }
         return circle;
+    }
+
+    /** A scene of which nothing is known yet. */
+    static TurnScene before(TurnChoice choice) {
+        return new TurnScene(
+                choice, List.of(), new Spot(Double.NaN, Double.NaN), List.of(), List.of());
+    }
+
+    boolean known() {
+        return exact.isFinite();
     }
 
     Drift drift() {

@@ -80,7 +80,7 @@ final class TurnStage extends JPanel implements AutoCloseable {
         TurnScene scene = model.scene();
         Figure figure = TurnFigure.of(scene, model.step());
         Rectangle2D everything = Box.around(figure.marks());
-        int begun = scene.exact() == null ? 0 : 1;
+        int begun = scene.known() ? 1 : 0;
         way.show(
                 figure, List.of(point()), note(scene), everything, 2 * model.arrangement() + begun);
         chart.show(scene, model.busy());

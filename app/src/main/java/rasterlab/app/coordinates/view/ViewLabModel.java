@@ -1,6 +1,7 @@
 package rasterlab.app.coordinates.view;
 
 import java.util.List;
+import java.util.Optional;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.coordinates.figure.ChoiceModel;
 import rasterlab.contract.PointTransformer;
@@ -81,13 +82,13 @@ public final class ViewLabModel extends ChoiceModel<ViewChoice> implements Steps
             change(now.with(now.viewpoint().turned(TURN * right, -TURN * up)));
             return;
         }
-        ViewNumber about = about(now.kind(), true);
-        ViewNumber over = about(now.kind(), false);
-        if (about == null) return;
-        boolean camera = now.kind().spherical();
-        change(
-                now.with(about, wrapped(now.number(about) + (camera ? -TURN : TURN) * right))
-                        .with(over, wrapped(now.number(over) + (camera ? TURN : -TURN) * up)));
+        double way = now.kind().spherical() ? -TURN : TURN;
+        ViewChoice next = now;
+        for (ViewNumber side : angle(now.kind(), true).stream().toList())
+            next = next.with(side, wrapped(now.number(side) + way * right));
+        for (ViewNumber over : angle(now.kind(), false).stream().toList())
+            next = next.with(over, wrapped(now.number(over) - way * up));
+        change(next);
     }
 
     /** Turns the viewpoint from which spaces with depth are drawn. */
@@ -99,13 +100,14 @@ public final class ViewLabModel extends ChoiceModel<ViewChoice> implements Steps
         return Math.IEEEremainder(degrees, 360);
     }
 
-    /** The angle that a drag to the side, or one upward, changes; null where there is none. */
-    private static ViewNumber about(ViewKind kind, boolean side) {
+    /** The angle that a drag to the side, or one upward, changes; none where nothing turns. */
+    private static Optional<ViewNumber> angle(ViewKind kind, boolean side) {
         return switch (kind) {
-            case HOUSE -> side ? ViewNumber.ANGLE_Y : ViewNumber.TILT;
-            case SPHERICAL_LEFT, SPHERICAL_RIGHT -> side ? ViewNumber.THETA : ViewNumber.PHI;
-            case TRIMETRIC -> side ? ViewNumber.ALPHA : ViewNumber.BETA;
-            default -> null;
+            case HOUSE -> Optional.of(side ? ViewNumber.ANGLE_Y : ViewNumber.TILT);
+            case SPHERICAL_LEFT, SPHERICAL_RIGHT ->
+                    Optional.of(side ? ViewNumber.THETA : ViewNumber.PHI);
+            case TRIMETRIC -> Optional.of(side ? ViewNumber.ALPHA : ViewNumber.BETA);
+            default -> Optional.empty();
         };
     }
 

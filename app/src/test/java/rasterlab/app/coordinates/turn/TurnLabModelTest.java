@@ -106,7 +106,9 @@ class TurnLabModelTest {
         assertEquals(1, model.choice().times());
         model.turnTimes(1e12);
         assertEquals(10_000_000, model.choice().times());
+        assertTrue(model.busy());
         model.cancel();
+        assertFalse(model.busy(), "given up, and still busy");
     }
 
     @Test
