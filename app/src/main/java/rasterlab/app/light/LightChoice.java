@@ -2,23 +2,11 @@ package rasterlab.app.light;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.LightModel;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Substance;
-import rasterlab.engine.pipeline.DrawnDepths;
-import rasterlab.engine.pipeline.Look;
-import rasterlab.engine.pipeline.RenderRequest;
-import rasterlab.engine.pipeline.Renderer;
-import rasterlab.engine.pipeline.ShadingMethod;
-import rasterlab.engine.pipeline.paint.Sides;
-import rasterlab.engine.pipeline.paint.TextureMode;
-import rasterlab.engine.scene.Finish;
-import rasterlab.engine.scene.Scene;
-import rasterlab.engine.scene.SceneLight;
-import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 
 /**
@@ -385,36 +373,5 @@ record LightChoice(
                 twoSided,
                 reflection,
                 lamps.stream().filter(Lamp::on).map(Lamp::light).toList());
-    }
-
-    /**
-     * The picture by one of the shadings.
-     *
-     * @param mesh the body's scene
-     */
-    RenderRequest request(Scene mesh, ShadingMethod shading, int width, int height) {
-        Finish finish = Finish.of(material.material());
-        var lit =
-                new Scene(
-                        mesh.name(),
-                        mesh.mesh(),
-                        List.of(finish),
-                        new int[mesh.mesh().faceCount()],
-                        new SceneLight(model(), Optional.empty()),
-                        mesh.backgroundRgb(),
-                        mesh.defaultCamera(),
-                        zoom * mesh.pictureScale());
-        Look look =
-                Look.of(Renderer.PIPELINE, shading)
-                        .withTexture(TextureMode.NONE)
-                        .withLight(terms, Sides.SCENE);
-        return new RenderRequest(
-                lit,
-                camera,
-                Projection.PERSPECTIVE,
-                DrawnDepths.all(Projection.PERSPECTIVE, camera.rho()),
-                width,
-                height,
-                look);
     }
 }

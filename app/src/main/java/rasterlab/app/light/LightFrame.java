@@ -67,7 +67,7 @@ record LightFrame(LightChoice choice, int width, int height) {
     Drawn drawn(Scene body, PictureMaker maker, BooleanSupplier cancelled) {
         var pictures = new ArrayList<Picture>();
         for (ShadingMethod shading : SHADINGS) {
-            RenderRequest request = choice.request(body, shading, width, height);
+            RenderRequest request = LitScene.request(choice, body, shading, width, height);
             pictures.add(profiled(shading, maker.picture(request, cancelled)));
         }
         var places = PicturePlaces.of(choice, body, width, height);

@@ -57,43 +57,22 @@ final class VisibilityInspector {
         this.texts = texts;
         translations = Texts.of("visibility", "topic", texts.language());
         column = new Inspector(texts);
-        List<String> methods = model.methods().stream().map(Method::name).toList();
         scene = scenes();
         column.wide(new SceneRow(model, texts));
-        visibility =
-                new MethodChooser(
-                        "method",
-                        "",
-                        methods,
-                        name -> model.choose(choice -> choice.withVisibility(name)));
-        column.row("method", visibility);
-        comparison =
-                new MethodChooser(
-                        "comparison",
-                        texts.text("none"),
-                        methods,
-                        name -> model.choose(choice -> choice.withComparison(name)));
-        column.row("comparison", comparison);
-        shading =
-                names(
-                        "shading",
-                        Renderer.shadings(),
-                        name -> model.choose(choice -> choice.withShading(name)));
-        projection =
-                names(
-                        "projection",
-                        Renderer.projections(),
-                        name -> model.choose(choice -> choice.withProjection(name)));
+        visibility = methods("method", "", VisibilityChoice::withVisibility);
+        comparison = methods("comparison", texts.text("none"), VisibilityChoice::withComparison);
+        shading = names("shading", Renderer.shadings(), VisibilityChoice::withShading);
+        projection = names("projection", Renderer.projections(), VisibilityChoice::withProjection);
         view =
                 names(
                         "view",
                         StageView.codes(),
-                        code -> model.choose(choice -> choice.withView(StageView.coded(code))));
+                        (choice, code) -> choice.withView(StageView.coded(code)));
         timeline =
                 names(
                         "timeline",
                         List.of(TURN, DRAW),
-                        code -> model.choose(choice -> choice.withDrawing(code.equals(DRAW))));
+                        (choice, code) -> choice.withDrawing(code.equals(DRAW)));
         edges = box("edges", shown -> model.choose(choice -> choice.withEdges(shown)));
 
         column.heading("heading.wrong");
@@ -133,7 +112,7 @@ final class VisibilityInspector {
         var names = new ArrayList<String>(Scenes.names());
         SceneChoice shown = model.state().choice().shown();
         if (shown.file().isPresent()) names.add(shown.name());
-        return names("scene", names, this::chooseScene);
+        return chooser("scene", names, this::chooseScene);
     }
 
     /** The file that is open is no name to be looked up. */
@@ -150,7 +129,24 @@ final class VisibilityInspector {
         return scroll;
     }
 
-    private NameChooser names(String key, List<String> names, Consumer<String> chosen) {
+    private interface Change {
+        VisibilityChoice of(VisibilityChoice choice, String name);
+    }
+
+    private MethodChooser methods(String key, String none, Change change) {
+        List<String> names = model.methods().stream().map(Method::name).toList();
+        var chooser =
+                new MethodChooser(
+                        key, none, names, name -> model.choose(choice -> change.of(choice, name)));
+        column.row(key, chooser);
+        return chooser;
+    }
+
+    private NameChooser names(String key, List<String> names, Change change) {
+        return chooser(key, names, name -> model.choose(choice -> change.of(choice, name)));
+    }
+
+    private NameChooser chooser(String key, List<String> names, Consumer<String> chosen) {
         var chooser =
                 new NameChooser(key, names, name -> texts.textOr(key + "." + name, name), chosen);
         column.row(key, chooser);
