@@ -12,9 +12,6 @@ final class PlaneRulers {
     /** View units between grid lines, at least. */
     private static final double APART = 28;
 
-    /** How small a number without a power of ten may become, as a share of the usual size. */
-    private static final double LEAST_SHARE = 0.75;
-
     /** Beyond so many lines the numbers are too far from 0 to be told apart in doubles. */
     private static final int MOST = 1000;
 
@@ -117,13 +114,12 @@ final class PlaneRulers {
                 });
     }
 
-    /** A little too long for the left margin, or with a power of ten, it is written smaller. */
+    /** One with a power of ten is written smaller where it is too long for the left margin. */
     private void paintRow(Graphics2D g, String number, int base) {
         g.setFont(font);
         int wide = g.getFontMetrics().stringWidth(number);
-        int room = Rulers.left() - 8;
-        if (wide > room && (number.contains("·") || room >= LEAST_SHARE * wide))
-            g.setFont(font.deriveFont(font.getSize2D() * 0.97f * room / wide));
+        if (number.contains("·") && wide > Rulers.left() - 8)
+            g.setFont(font.deriveFont(font.getSize2D() * (Rulers.left() - 8) / wide));
         String fitting = shortened(number, g.getFontMetrics());
         g.drawString(fitting, Rulers.left() - 6 - g.getFontMetrics().stringWidth(fitting), base);
         g.setFont(font);
