@@ -1,8 +1,16 @@
 package rasterlab.app.line;
 
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import java.util.Map;
 
 /** What a mode draws, in pixel coordinates; immutable. */
+@JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "figure")
+@JsonSubTypes({
+    @JsonSubTypes.Type(value = ArcFigure.class, name = "arc"),
+    @JsonSubTypes.Type(value = PenFigure.class, name = "pen"),
+    @JsonSubTypes.Type(value = SlopeFigure.class, name = "slope")
+})
 public sealed interface DrawnFigure permits ArcFigure, PenFigure, SlopeFigure {
     /** What can be moved: the name of its handle and its place. */
     Map<String, Spot> grips();

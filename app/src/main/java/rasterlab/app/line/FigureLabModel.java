@@ -9,6 +9,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.engine.study.Hazard;
@@ -21,7 +22,7 @@ import rasterlab.engine.study.Method;
  * <p>Drawing runs on a thread of the model's own; answers and commands all run on the thread of the
  * executor it is given. Each change publishes a new immutable {@link FigureState}.
  */
-public final class FigureLabModel implements Steps, AutoCloseable {
+public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps, AutoCloseable {
     private final FigureTopics topics = new FigureTopics();
     private final LatestOnly<FigureScene, Answer> drawings;
     private final History<FigureScene> history = new History<>();
@@ -47,6 +48,17 @@ public final class FigureLabModel implements Steps, AutoCloseable {
                         (scene, cancelled) -> answer(scene),
                         (scene, answer) -> events.execute(() -> accept(answer)),
                         onFailure);
+    }
+
+    /**
+     * The figure of every mode.
+     *
+     * @param last the mode that was shown last
+     */
+    record Scenes(LineMode last, Map<LineMode, FigureScene> scenes) {
+        Scenes {
+            scenes = Map.copyOf(scenes);
+        }
     }
 
     private record Answer(
@@ -176,6 +188,36 @@ public final class FigureLabModel implements Steps, AutoCloseable {
     /** Back to the mode's first figure and method; can be undone. */
     public void reset() {
         change(FigureScene.first(state.scene().mode()), true);
+    }
+
+    @Override
+    public Class<Scenes> keptType() {
+        return Scenes.class;
+    }
+
+    @Override
+    public Scenes kept() {
+        return new Scenes(state.scene().mode(), scenes);
+    }
+
+    @Override
+    public void bringBack(Scenes choice) {
+        if (!choice.scenes().keySet().equals(scenes.keySet()))
+            throw new IllegalArgumentException(
+                    "the modes must be " + scenes.keySet() + ", got " + choice.scenes().keySet());
+        choice.scenes().forEach(this::require);
+        scenes.putAll(choice.scenes());
+        draw(choice.scenes().get(choice.last()), arranged(true));
+    }
+
+    private void require(LineMode mode, FigureScene scene) {
+        if (scene.mode() != mode)
+            throw new IllegalArgumentException(mode + " has a scene of " + scene.mode());
+        for (String method : List.of(scene.method(), scene.comparison()))
+            if (!method.isEmpty())
+                topics.of(mode)
+                        .orElseThrow(() -> new IllegalArgumentException("a pen has no methods"))
+                        .method(method);
     }
 
     /** Waits until every choice so far is drawn or dropped. Any other thread. */

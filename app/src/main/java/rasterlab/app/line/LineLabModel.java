@@ -82,6 +82,26 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         List.copyOf(modeListeners).forEach(listener -> listener.accept(next));
     }
 
+    /** The mode as it is kept between runs, beside the segment and the {@link #figures}. */
+    public Kept<LineMode> keptMode() {
+        return new Kept<>() {
+            @Override
+            public Class<LineMode> keptType() {
+                return LineMode.class;
+            }
+
+            @Override
+            public LineMode kept() {
+                return mode;
+            }
+
+            @Override
+            public void bringBack(LineMode choice) {
+                chooseMode(choice);
+            }
+        };
+    }
+
     /** Tells the listener each mode from now on; the answer ends that. */
     Runnable listenToMode(Consumer<LineMode> listener) {
         modeListeners.add(listener);

@@ -65,6 +65,8 @@ public record LabModels(
         kept.put("coordinates.stack", coordinates.stack());
         kept.put("coordinates.rotation", coordinates.rotation());
         kept.put("line", line);
+        kept.put("line.figures", line.figures());
+        kept.put("line.mode", line.keptMode());
         kept.put("polygon", polygon);
         kept.put("clip", clip);
         kept.put("visibility", visibility);
@@ -73,6 +75,7 @@ public record LabModels(
         kept.put("spline.curve", spline.curve());
         kept.put("spline.function", spline.function());
         kept.put("opengl", opengl);
+        kept.put("study", study);
         return kept;
     }
 

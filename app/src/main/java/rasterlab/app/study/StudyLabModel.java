@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Background;
+import rasterlab.app.canvas.Kept;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
@@ -27,7 +28,7 @@ import rasterlab.engine.study.Topic;
  * <p>Measuring runs on a thread of the model's own; commands and news run on the thread of the
  * executor it is given. What was measured of a topic stays until it is measured again.
  */
-public final class StudyLabModel implements AutoCloseable {
+public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoCloseable {
     private static final Duration LONGEST = Duration.ofSeconds(5);
 
     /** Longer, and what the user sees of a measurement would cost it time. */
@@ -50,6 +51,26 @@ public final class StudyLabModel implements AutoCloseable {
         this.topics = List.copyOf(topics);
         background = new Background(events, onFailure);
         state = first(topics.get(0), false, StudyView.HAZARDS);
+    }
+
+    /** What is kept between runs; measurements are not. */
+    record Chosen(String topic, boolean thorough, StudyView view) {}
+
+    @Override
+    public Class<Chosen> keptType() {
+        return Chosen.class;
+    }
+
+    @Override
+    public Chosen kept() {
+        return new Chosen(state.topic().name(), state.thorough(), state.view());
+    }
+
+    @Override
+    public void bringBack(Chosen choice) {
+        choose(choice.topic());
+        takeTime(choice.thorough());
+        show(choice.view());
     }
 
     private StudyLabState first(Topic<?, ?, ?> topic, boolean thorough, StudyView view) {
