@@ -24,8 +24,8 @@ enum HazardView {
     PIERCING("interpenetrating", "painter"),
     /** Sheets in one plane: what is seen depends on their order alone. */
     COPLANAR("coplanar", "painter"),
-    /** Sixteen bits are too few for depths from the near plane on. */
-    COARSE("near-plane", "z16");
+    /** Sixteen bits cannot tell sheets apart that nearly coincide. */
+    COARSE("coplanar", "z16");
 
     private final String scene;
     private final String method;

@@ -1,5 +1,6 @@
 package rasterlab.app.coordinates.stack;
 
+import java.awt.Insets;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -28,6 +29,10 @@ final class StackInspector {
     private final StackLabModel model;
     private final Texts texts;
     private final Inspector column;
+
+    /** Leaves the longest Russian command the room it needs. */
+    private static final Insets NARROW = new Insets(2, 4, 2, 4);
+
     private final NameChooser command;
     private final JList<String> program = new JList<>(new DefaultListModel<>());
     private final JButton remove;
@@ -96,6 +101,7 @@ final class StackInspector {
     private JPanel adding(JButton button) {
         var row = new JPanel(new MigLayout("insets 0, gap 6", "[grow,fill,0::][]"));
         row.add(command, "wmin 0");
+        button.setMargin(NARROW);
         row.add(button);
         return row;
     }
