@@ -34,8 +34,6 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     /** View pixels between two pictures. */
     static final int GAP = 6;
 
-    private record Differences(Compared first, Optional<Compared> second) {}
-
     private final LatestOnly<Frame, Frame.Pictures> pictures;
     private final LatestOnly<Frame, Optional<Differences>> differences;
     private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
@@ -66,7 +64,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         differences =
                 new LatestOnly<>(
                         "exact picture",
-                        (frame, cancelled) -> compared(frame, maker, cancelled),
+                        (frame, cancelled) -> Differences.of(frame, maker, cancelled),
                         (frame, found) -> events.execute(() -> accept(frame, found)),
                         onFailure);
         walks =
@@ -87,19 +85,6 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
                         (task, cancelled) -> SceneFiles.done(task),
                         (task, answer) -> events.execute(() -> accept(answer)),
                         onFailure);
-    }
-
-    /** Empty where a method refuses the scene. */
-    private static Optional<Differences> compared(
-            Frame frame, PictureMaker maker, BooleanSupplier cancelled) {
-        try {
-            return Optional.of(
-                    new Differences(
-                            Compared.of(frame.first(), maker, cancelled),
-                            frame.second().map(request -> Compared.of(request, maker, cancelled))));
-        } catch (IllegalArgumentException refused) {
-            return Optional.empty(); // The picture says why.
-        }
     }
 
     public VisibilityLabState state() {

@@ -27,7 +27,6 @@ import rasterlab.app.coordinates.view.ViewKind;
 import rasterlab.app.language.Language;
 import rasterlab.app.line.LineMode;
 import rasterlab.app.opengl.state.Group;
-import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.spline.CurveForm;
@@ -76,6 +75,39 @@ class ClippedTextTest {
                                         Arguments.of(language, 2560, 1380)));
     }
 
+    /** What else a tab shows, with texts of its own. */
+    private record Other(String tab, String name, Consumer<LabModels> change) {}
+
+    private static List<Other> others() {
+        var others = new ArrayList<Other>();
+        for (Consumer<SplineLabModel> each : OTHER_SPLINES)
+            others.add(new Other("spline", "curve", models -> each.accept(models.spline())));
+        for (Consumer<CoordinatesLabModel> each : OTHER_COORDINATES)
+            others.add(new Other("coordinates", "", models -> each.accept(models.coordinates())));
+        for (Group each : Group.values())
+            others.add(
+                    new Other(
+                            "opengl",
+                            each.name(),
+                            models -> models.opengl().touch(each.settings().get(0))));
+        for (ClipMode each : ClipMode.values())
+            others.add(new Other("clip", each.name(), m -> showComparison(m.clip(), each)));
+        for (LineMode each : LineMode.values())
+            others.add(new Other("line", each.name(), m -> m.line().chooseMode(each)));
+        for (PolygonMode each : PolygonMode.values())
+            others.add(new Other("polygon", each.name(), m -> showComparison(m.polygon(), each)));
+        others.add(
+                new Other(
+                        "visibility",
+                        "everything",
+                        models -> {
+                            models.visibility().compare("globe", "newell", "z24");
+                            models.visibility().watchSteps(true);
+                        }));
+        others.add(new Other("light", "colours", models -> models.light().showColours(true)));
+        return others;
+    }
+
     @ParameterizedTest(name = "a label is cut off: {0} in {1}×{2}")
     @MethodSource("sizes")
     void everyTextHasTheWidthItNeeds(Language language, int width, int height)
@@ -95,56 +127,12 @@ class ClippedTextTest {
             OffscreenPainter.paint(tab.panel(), width, height);
             assertEquals(List.of(), clipped(tab.panel()), tab.name());
         }
-        LabTab spline = tabs.get().named("spline");
-        for (Consumer<SplineLabModel> other : OTHER_SPLINES) {
-            OffscreenPainter.onEventThread(() -> other.accept(models.get().spline()));
-            OffscreenPainter.paint(spline.panel(), width, height);
-            assertEquals(List.of(), clipped(spline.panel()), "spline");
+        for (Other other : others()) {
+            JComponent panel = tabs.get().named(other.tab()).panel();
+            OffscreenPainter.onEventThread(() -> other.change().accept(models.get()));
+            for (int round = 0; round < 2; round++) OffscreenPainter.paint(panel, width, height);
+            assertEquals(List.of(), clipped(panel), other.tab() + ": " + other.name());
         }
-        LabTab coordinates = tabs.get().named("coordinates");
-        for (Consumer<CoordinatesLabModel> other : OTHER_COORDINATES) {
-            OffscreenPainter.onEventThread(() -> other.accept(models.get().coordinates()));
-            for (int round = 0; round < 2; round++)
-                OffscreenPainter.paint(coordinates.panel(), width, height);
-            assertEquals(List.of(), clipped(coordinates.panel()), "coordinates");
-        }
-        JComponent opengl = tabs.get().named("opengl").panel();
-        for (Group group : Group.values()) {
-            Setting shown = group.settings().get(0);
-            OffscreenPainter.onEventThread(() -> models.get().opengl().touch(shown));
-            OffscreenPainter.paint(opengl, width, height);
-            assertEquals(List.of(), clipped(opengl), group.name());
-        }
-        JComponent clip = tabs.get().named("clip").panel();
-        for (ClipMode mode : ClipMode.values()) {
-            OffscreenPainter.onEventThread(() -> showComparison(models.get().clip(), mode));
-            for (int round = 0; round < 2; round++) OffscreenPainter.paint(clip, width, height);
-            assertEquals(List.of(), clipped(clip), mode.name());
-        }
-        JComponent line = tabs.get().named("line").panel();
-        for (LineMode mode : LineMode.values()) {
-            OffscreenPainter.onEventThread(() -> models.get().line().chooseMode(mode));
-            for (int round = 0; round < 2; round++) OffscreenPainter.paint(line, width, height);
-            assertEquals(List.of(), clipped(line), mode.name());
-        }
-        JComponent polygon = tabs.get().named("polygon").panel();
-        for (PolygonMode mode : PolygonMode.values()) {
-            OffscreenPainter.onEventThread(() -> showComparison(models.get().polygon(), mode));
-            for (int round = 0; round < 2; round++) OffscreenPainter.paint(polygon, width, height);
-            assertEquals(List.of(), clipped(polygon), mode.name());
-        }
-        JComponent hidden = tabs.get().named("visibility").panel();
-        OffscreenPainter.onEventThread(
-                () -> {
-                    models.get().visibility().compare("globe", "newell", "z24");
-                    models.get().visibility().watchSteps(true);
-                });
-        for (int round = 0; round < 2; round++) OffscreenPainter.paint(hidden, width, height);
-        assertEquals(List.of(), clipped(hidden), "visibility with everything");
-        OffscreenPainter.onEventThread(() -> models.get().light().showColours(true));
-        JComponent light = tabs.get().named("light").panel();
-        for (int round = 0; round < 2; round++) OffscreenPainter.paint(light, width, height);
-        assertEquals(List.of(), clipped(light), "colour models");
         OffscreenPainter.onEventThread(
                 () -> {
                     tabs.get().close();
