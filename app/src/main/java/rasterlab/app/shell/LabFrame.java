@@ -14,6 +14,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
+import javax.swing.JPanel;
 import javax.swing.WindowConstants;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -161,6 +162,8 @@ public final class LabFrame extends JFrame {
         file.save(settings.at(content.shown(), filled ? unmaximised : getBounds(), filled));
         tabs.close();
         models.close();
+        // Else a later theme gives the closed window's controls their keys again, which keeps it.
+        setContentPane(new JPanel());
     }
 
     /**

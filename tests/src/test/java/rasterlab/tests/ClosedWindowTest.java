@@ -1,0 +1,66 @@
+package rasterlab.tests;
+
+import static org.assertj.swing.timing.Pause.pause;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+
+import java.awt.GraphicsEnvironment;
+import java.lang.ref.WeakReference;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.assertj.swing.timing.Condition;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabFrame;
+import rasterlab.app.shell.LabLook;
+import rasterlab.app.shell.LabModels;
+import rasterlab.app.shell.LabSettings;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.LabsFile;
+import rasterlab.app.shell.SettingsFile;
+
+class ClosedWindowTest {
+    @TempDir Path folder;
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final List<String> problems = new CopyOnWriteArrayList<>();
+
+    @Test
+    void closedWindowIsLetGoThoughAnotherOneChangesItsTheme() {
+        assumeFalse(GraphicsEnvironment.isHeadless(), "no display");
+        WeakReference<LabFrame> closed =
+                new WeakReference<>(GuiActionRunner.execute(() -> opened("closed")));
+        GuiActionRunner.execute(() -> closed.get().dispose());
+        GuiActionRunner.execute(() -> {}); // The closed window's own event has run to its end.
+        LabFrame other = GuiActionRunner.execute(() -> opened("other"));
+        GuiActionRunner.execute(() -> other.wear(other.look().with(LabTheme.DARK)));
+        pause(
+                new Condition("the closed window is let go") {
+                    @Override
+                    public boolean test() {
+                        System.gc();
+                        return closed.get() == null;
+                    }
+                });
+        GuiActionRunner.execute(other::dispose);
+        GuiActionRunner.execute(() -> {});
+        assertEquals(List.of(), failures);
+        assertEquals(List.of(), problems);
+    }
+
+    private LabFrame opened(String name) {
+        Path settings = folder.resolve(name).resolve("window.properties");
+        LabTheme.LIGHT.install();
+        var frame =
+                new LabFrame(
+                        LabModels.first(failures::add),
+                        LabSettings.first(Language.ENGLISH).with(LabLook.first(Language.ENGLISH)),
+                        new SettingsFile(settings, problems::add),
+                        LabsFile.beside(settings, problems::add),
+                        failures::add);
+        frame.setVisible(true);
+        return frame;
+    }
+}
