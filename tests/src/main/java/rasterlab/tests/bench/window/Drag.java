@@ -45,16 +45,15 @@ final class Drag {
         return null;
     }
 
-    /** Drags for so long. Not on the event thread. */
+    /** Drags for so long and brings back what it holds. Not on the event thread. */
     void run(double seconds) {
         post(MouseEvent.MOUSE_PRESSED, from);
         long start = System.nanoTime();
         long step = TimeUnit.SECONDS.toNanos(1) / EVENTS_PER_SECOND;
         long events = (long) (seconds * EVENTS_PER_SECOND);
-        Point at = from;
         for (long k = 0; k < events; k++) {
             double angle = 2 * Math.PI * ROUNDS_PER_SECOND * k / EVENTS_PER_SECOND;
-            at =
+            var at =
                     new Point(
                             (int) Math.round(from.x + radius * (Math.cos(angle) - 1)),
                             (int) Math.round(from.y + radius * Math.sin(angle)));
@@ -62,7 +61,8 @@ final class Drag {
             long next = start + (k + 1) * step;
             while (System.nanoTime() < next) LockSupport.parkNanos(next - System.nanoTime());
         }
-        post(MouseEvent.MOUSE_RELEASED, at);
+        post(MouseEvent.MOUSE_DRAGGED, from);
+        post(MouseEvent.MOUSE_RELEASED, from);
     }
 
     private void post(int kind, Point at) {

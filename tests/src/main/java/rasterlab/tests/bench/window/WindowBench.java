@@ -1,6 +1,7 @@
 package rasterlab.tests.bench.window;
 
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
@@ -20,6 +21,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Function;
 import javax.swing.RepaintManager;
 import javax.swing.SwingUtilities;
+import rasterlab.app.canvas.Settling;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabFrame;
 import rasterlab.app.shell.LabLook;
@@ -44,16 +46,7 @@ public final class WindowBench {
 
     /** What is dragged: the tab, the part of it that is taken, and the picture that it changes. */
     private record Work(
-            String name,
-            String tab,
-            String grip,
-            Function<LabModels, Object> picture,
-            Settled settled) {}
-
-    /** Waits until a lab has answered what it was asked. */
-    private interface Settled {
-        void in(LabModels models) throws InterruptedException;
-    }
+            String name, String tab, String grip, Function<LabModels, Object> picture) {}
 
     private static final List<Work> WORKS =
             List.of(
@@ -61,26 +54,22 @@ public final class WindowBench {
                             "turning the vase",
                             "visibility",
                             "stage",
-                            models -> models.visibility().state().picture().orElse(null),
-                            models -> models.visibility().settle()),
+                            models -> models.visibility().state().picture().orElse(null)),
                     new Work(
                             "dragging a segment's end",
                             "line",
                             "end.B",
-                            models -> models.line().state().drawings(),
-                            models -> models.line().settle()),
+                            models -> models.line().state().drawings()),
                     new Work(
                             "dragging a clipped segment's end",
                             "clip",
                             "end.B1",
-                            models -> models.clip().state().results(),
-                            models -> models.clip().settle()),
+                            models -> models.clip().state().results()),
                     new Work(
                             "dragging a control point",
                             "spline",
                             "point.1",
-                            models -> models.spline().curve().state().drawings(),
-                            models -> models.spline().curve().settle()));
+                            models -> models.spline().curve().state().drawings()));
 
     private final int starts;
     private final double seconds;
@@ -185,7 +174,7 @@ public final class WindowBench {
     }
 
     private void drag(LabFrame frame, LabModels models, Work work) throws InterruptedException {
-        Drag drag = grip(frame, models, work);
+        Drag drag = grip(frame, work);
         drag.run(Math.min(WARM_UP_SECONDS, seconds));
         onEventThread(
                 () -> {
@@ -226,13 +215,14 @@ public final class WindowBench {
     }
 
     /** Shows the tab, and waits until what it first shows is painted. */
-    private Drag grip(LabFrame frame, LabModels models, Work work) throws InterruptedException {
+    private Drag grip(LabFrame frame, Work work) throws InterruptedException {
         onEventThread(
                 () -> {
                     frame.showTab(work.tab());
                     return null;
                 });
-        work.settled().in(models);
+        var parts = onEventThread(() -> settling(frame.getContentPane()));
+        for (Settling part : parts) part.settle();
         onEventThread(() -> null);
         return onEventThread(
                 () -> {
@@ -259,7 +249,7 @@ public final class WindowBench {
                             frame.wear(look.with(LabTheme.values()[round % 3]));
                             return null;
                         });
-                for (Work work : WORKS) grip(frame, models, work).run(1);
+                for (Work work : WORKS) grip(frame, work).run(1);
             }
             last = heldMebibytes();
             if (minute == 0) first = last;
@@ -283,6 +273,17 @@ public final class WindowBench {
 
     private void row(String work, String figure, String goal, boolean met) {
         out.println(work + " | " + figure + " | " + goal + " | " + (met ? "yes" : "no"));
+    }
+
+    /** The parts on the screen that draw in the background. */
+    private static List<Settling> settling(Container root) {
+        var found = new ArrayList<Settling>();
+        for (Component child : root.getComponents()) {
+            if (!child.isShowing()) continue;
+            if (child instanceof Settling part) found.add(part);
+            if (child instanceof Container inner) found.addAll(settling(inner));
+        }
+        return found;
     }
 
     private static <T> T onEventThread(Callable<T> work) throws InterruptedException {
