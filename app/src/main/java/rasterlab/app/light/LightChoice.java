@@ -80,255 +80,88 @@ record LightChoice(
     }
 
     LightChoice with(Body other) {
-        return new LightChoice(
-                other,
-                camera,
-                zoom,
-                material,
-                lamps,
-                selected,
-                ambient,
-                terms,
-                reflection,
-                localViewer,
-                twoSided,
-                arrows,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.body = other;
+        return draft.choice();
     }
 
     LightChoice with(SphericalView other) {
-        return new LightChoice(
-                body,
-                other,
-                zoom,
-                material,
-                lamps,
-                selected,
-                ambient,
-                terms,
-                reflection,
-                localViewer,
-                twoSided,
-                arrows,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.camera = other;
+        return draft.choice();
     }
 
     LightChoice zoomed(double factor) {
-        return new LightChoice(
-                body,
-                camera,
-                Math.max(0.25, Math.min(8, zoom * factor)),
-                material,
-                lamps,
-                selected,
-                ambient,
-                terms,
-                reflection,
-                localViewer,
-                twoSided,
-                arrows,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.zoom = Math.max(0.25, Math.min(8, zoom * factor));
+        return draft.choice();
     }
 
     LightChoice with(MaterialChoice other) {
-        return new LightChoice(
-                body,
-                camera,
-                zoom,
-                other,
-                lamps,
-                selected,
-                ambient,
-                terms,
-                reflection,
-                localViewer,
-                twoSided,
-                arrows,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.material = other;
+        return draft.choice();
     }
 
     LightChoice selecting(int lamp) {
-        return new LightChoice(
-                body,
-                camera,
-                zoom,
-                material,
-                lamps,
-                lamp,
-                ambient,
-                terms,
-                reflection,
-                localViewer,
-                twoSided,
-                arrows,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.selected = lamp;
+        return draft.choice();
     }
 
     private LightChoice with(List<Lamp> other, int shown) {
-        return new LightChoice(
-                body,
-                camera,
-                zoom,
-                material,
-                other,
-                shown,
-                ambient,
-                terms,
-                reflection,
-                localViewer,
-                twoSided,
-                arrows,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.lamps = other;
+        draft.selected = shown;
+        return draft.choice();
     }
 
     LightChoice withAmbient(double share) {
-        return new LightChoice(
-                body,
-                camera,
-                zoom,
-                material,
-                lamps,
-                selected,
-                share,
-                terms,
-                reflection,
-                localViewer,
-                twoSided,
-                arrows,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.ambient = share;
+        return draft.choice();
     }
 
     LightChoice withTerms(Set<LightTerm> other) {
-        return new LightChoice(
-                body,
-                camera,
-                zoom,
-                material,
-                lamps,
-                selected,
-                ambient,
-                other,
-                reflection,
-                localViewer,
-                twoSided,
-                arrows,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.terms = other;
+        return draft.choice();
     }
 
     LightChoice with(Reflection other) {
-        return new LightChoice(
-                body,
-                camera,
-                zoom,
-                material,
-                lamps,
-                selected,
-                ambient,
-                terms,
-                other,
-                localViewer,
-                twoSided,
-                arrows,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.reflection = other;
+        return draft.choice();
     }
 
     LightChoice withLocalViewer(boolean local) {
-        return new LightChoice(
-                body,
-                camera,
-                zoom,
-                material,
-                lamps,
-                selected,
-                ambient,
-                terms,
-                reflection,
-                local,
-                twoSided,
-                arrows,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.localViewer = local;
+        return draft.choice();
     }
 
     LightChoice withTwoSides(boolean two) {
-        return new LightChoice(
-                body,
-                camera,
-                zoom,
-                material,
-                lamps,
-                selected,
-                ambient,
-                terms,
-                reflection,
-                localViewer,
-                two,
-                arrows,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.twoSided = two;
+        return draft.choice();
     }
 
     LightChoice withArrows(boolean drawn) {
-        return new LightChoice(
-                body,
-                camera,
-                zoom,
-                material,
-                lamps,
-                selected,
-                ambient,
-                terms,
-                reflection,
-                localViewer,
-                twoSided,
-                drawn,
-                mach,
-                line);
+        var draft = new Draft(this);
+        draft.arrows = drawn;
+        return draft.choice();
     }
 
     LightChoice withMach(boolean drawn) {
-        return new LightChoice(
-                body,
-                camera,
-                zoom,
-                material,
-                lamps,
-                selected,
-                ambient,
-                terms,
-                reflection,
-                localViewer,
-                twoSided,
-                arrows,
-                drawn,
-                line);
+        var draft = new Draft(this);
+        draft.mach = drawn;
+        return draft.choice();
     }
 
     LightChoice with(Marks other) {
-        return new LightChoice(
-                body,
-                camera,
-                zoom,
-                material,
-                lamps,
-                selected,
-                ambient,
-                terms,
-                reflection,
-                localViewer,
-                twoSided,
-                arrows,
-                mach,
-                other);
+        var draft = new Draft(this);
+        draft.line = other;
+        return draft.choice();
     }
 
     /** The lamp whose settings are shown. */
@@ -373,5 +206,58 @@ record LightChoice(
                 twoSided,
                 reflection,
                 lamps.stream().filter(Lamp::on).map(Lamp::light).toList());
+    }
+
+    /** The same parts, to be changed one by one. */
+    private static final class Draft {
+        private Body body;
+        private SphericalView camera;
+        private double zoom;
+        private MaterialChoice material;
+        private List<Lamp> lamps;
+        private int selected;
+        private double ambient;
+        private Set<LightTerm> terms;
+        private Reflection reflection;
+        private boolean localViewer;
+        private boolean twoSided;
+        private boolean arrows;
+        private boolean mach;
+        private Marks line;
+
+        Draft(LightChoice from) {
+            body = from.body;
+            camera = from.camera;
+            zoom = from.zoom;
+            material = from.material;
+            lamps = from.lamps;
+            selected = from.selected;
+            ambient = from.ambient;
+            terms = from.terms;
+            reflection = from.reflection;
+            localViewer = from.localViewer;
+            twoSided = from.twoSided;
+            arrows = from.arrows;
+            mach = from.mach;
+            line = from.line;
+        }
+
+        LightChoice choice() {
+            return new LightChoice(
+                    body,
+                    camera,
+                    zoom,
+                    material,
+                    lamps,
+                    selected,
+                    ambient,
+                    terms,
+                    reflection,
+                    localViewer,
+                    twoSided,
+                    arrows,
+                    mach,
+                    line);
+        }
     }
 }

@@ -74,19 +74,9 @@ public record VisibilityChoice(
     /** Zooms by a factor; stops at the ends of the range. */
     VisibilityChoice zoomed(double factor) {
         double next = Math.max(SMALLEST, Math.min(LARGEST, zoom * factor));
-        return new VisibilityChoice(
-                shown,
-                visibility,
-                comparison,
-                shading,
-                projection,
-                camera,
-                next,
-                edges,
-                difference,
-                view,
-                drawing,
-                look);
+        var draft = new Draft(this);
+        draft.zoom = next;
+        return draft.choice();
     }
 
     /** The scene as it is first shown, everything else kept that suits it. */
@@ -100,19 +90,12 @@ public record VisibilityChoice(
     }
 
     VisibilityChoice with(SceneChoice other, SphericalView eye) {
-        return new VisibilityChoice(
-                other,
-                visibility,
-                comparison,
-                shading,
-                projection,
-                eye,
-                other.name().equals(shown.name()) ? zoom : usualZoom(other),
-                edges,
-                difference,
-                view,
-                drawing,
-                suited(look, other));
+        var draft = new Draft(this);
+        draft.shown = other;
+        draft.camera = eye;
+        draft.zoom = other.name().equals(shown.name()) ? zoom : usualZoom(other);
+        draft.look = suited(look, other);
+        return draft.choice();
     }
 
     /** The vase's own scale leaves room for every view; others fill the picture. */
@@ -129,163 +112,63 @@ public record VisibilityChoice(
     }
 
     VisibilityChoice withVisibility(String other) {
-        return new VisibilityChoice(
-                shown,
-                other,
-                comparison,
-                shading,
-                projection,
-                camera,
-                zoom,
-                edges,
-                difference,
-                view,
-                drawing,
-                look);
+        var draft = new Draft(this);
+        draft.visibility = other;
+        return draft.choice();
     }
 
     VisibilityChoice withComparison(String other) {
-        return new VisibilityChoice(
-                shown,
-                visibility,
-                other,
-                shading,
-                projection,
-                camera,
-                zoom,
-                edges,
-                difference,
-                view,
-                drawing,
-                look);
+        var draft = new Draft(this);
+        draft.comparison = other;
+        return draft.choice();
     }
 
     VisibilityChoice withShading(String other) {
-        return new VisibilityChoice(
-                shown,
-                visibility,
-                comparison,
-                other,
-                projection,
-                camera,
-                zoom,
-                edges,
-                difference,
-                view,
-                drawing,
-                look);
+        var draft = new Draft(this);
+        draft.shading = other;
+        return draft.choice();
     }
 
     VisibilityChoice withProjection(String other) {
-        return new VisibilityChoice(
-                shown,
-                visibility,
-                comparison,
-                shading,
-                other,
-                camera,
-                zoom,
-                edges,
-                difference,
-                view,
-                drawing,
-                look);
+        var draft = new Draft(this);
+        draft.projection = other;
+        return draft.choice();
     }
 
     VisibilityChoice withCamera(SphericalView other) {
-        return new VisibilityChoice(
-                shown,
-                visibility,
-                comparison,
-                shading,
-                projection,
-                other,
-                zoom,
-                edges,
-                difference,
-                view,
-                drawing,
-                look);
+        var draft = new Draft(this);
+        draft.camera = other;
+        return draft.choice();
     }
 
     VisibilityChoice withEdges(boolean drawn) {
-        return new VisibilityChoice(
-                shown,
-                visibility,
-                comparison,
-                shading,
-                projection,
-                camera,
-                zoom,
-                drawn,
-                difference,
-                view,
-                drawing,
-                look);
+        var draft = new Draft(this);
+        draft.edges = drawn;
+        return draft.choice();
     }
 
     VisibilityChoice withDifference(boolean marked) {
-        return new VisibilityChoice(
-                shown,
-                visibility,
-                comparison,
-                shading,
-                projection,
-                camera,
-                zoom,
-                edges,
-                marked,
-                view,
-                drawing,
-                look);
+        var draft = new Draft(this);
+        draft.difference = marked;
+        return draft.choice();
     }
 
     VisibilityChoice withView(StageView other) {
-        return new VisibilityChoice(
-                shown,
-                visibility,
-                comparison,
-                shading,
-                projection,
-                camera,
-                zoom,
-                edges,
-                difference,
-                other,
-                drawing,
-                look);
+        var draft = new Draft(this);
+        draft.view = other;
+        return draft.choice();
     }
 
     VisibilityChoice withDrawing(boolean stepped) {
-        return new VisibilityChoice(
-                shown,
-                visibility,
-                comparison,
-                shading,
-                projection,
-                camera,
-                zoom,
-                edges,
-                difference,
-                view,
-                stepped,
-                look);
+        var draft = new Draft(this);
+        draft.drawing = stepped;
+        return draft.choice();
     }
 
     VisibilityChoice with(LookChoice other) {
-        return new VisibilityChoice(
-                shown,
-                visibility,
-                comparison,
-                shading,
-                projection,
-                camera,
-                zoom,
-                edges,
-                difference,
-                view,
-                drawing,
-                suited(other, shown));
+        var draft = new Draft(this);
+        draft.look = suited(other, shown);
+        return draft.choice();
     }
 
     /** The picture without edges, which are no matter of visibility. */
@@ -305,5 +188,52 @@ public record VisibilityChoice(
                 width,
                 height,
                 look.look(method, ShadingMethod.named(shading), chosen, camera.rho()));
+    }
+
+    /** The same parts, to be changed one by one. */
+    private static final class Draft {
+        private SceneChoice shown;
+        private String visibility;
+        private String comparison;
+        private String shading;
+        private String projection;
+        private SphericalView camera;
+        private double zoom;
+        private boolean edges;
+        private boolean difference;
+        private StageView view;
+        private boolean drawing;
+        private LookChoice look;
+
+        Draft(VisibilityChoice from) {
+            shown = from.shown;
+            visibility = from.visibility;
+            comparison = from.comparison;
+            shading = from.shading;
+            projection = from.projection;
+            camera = from.camera;
+            zoom = from.zoom;
+            edges = from.edges;
+            difference = from.difference;
+            view = from.view;
+            drawing = from.drawing;
+            look = from.look;
+        }
+
+        VisibilityChoice choice() {
+            return new VisibilityChoice(
+                    shown,
+                    visibility,
+                    comparison,
+                    shading,
+                    projection,
+                    camera,
+                    zoom,
+                    edges,
+                    difference,
+                    view,
+                    drawing,
+                    look);
+        }
     }
 }

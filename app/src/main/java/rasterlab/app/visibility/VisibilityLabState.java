@@ -49,146 +49,110 @@ public record VisibilityLabState(
     }
 
     VisibilityLabState with(VisibilityChoice next) {
-        return new VisibilityLabState(
-                next,
-                picture,
-                other,
-                Optional.empty(),
-                Optional.empty(),
-                drawn,
-                step,
-                Optional.empty(),
-                chosen,
-                problem,
-                medianNanos,
-                undoable);
+        var draft = new Draft(this);
+        draft.choice = next;
+        draft.difference = Optional.empty();
+        draft.otherDifference = Optional.empty();
+        draft.pixel = Optional.empty();
+        return draft.state();
     }
 
     VisibilityLabState with(Frame.Pictures made) {
-        return new VisibilityLabState(
-                choice,
-                Optional.of(made.first()),
-                made.second(),
-                difference,
-                otherDifference,
-                drawn,
-                step,
-                pixel,
-                chosen,
-                problem,
-                medianNanos,
-                undoable);
+        var draft = new Draft(this);
+        draft.picture = Optional.of(made.first());
+        draft.other = made.second();
+        return draft.state();
     }
 
     VisibilityLabState withDifferences(Compared first, Optional<Compared> second) {
-        return new VisibilityLabState(
-                choice,
-                picture,
-                other,
-                Optional.of(first),
-                second,
-                drawn,
-                step,
-                pixel,
-                chosen,
-                problem,
-                medianNanos,
-                undoable);
+        var draft = new Draft(this);
+        draft.difference = Optional.of(first);
+        draft.otherDifference = second;
+        return draft.state();
     }
 
     VisibilityLabState withDrawn(Optional<Drawn> found) {
-        return new VisibilityLabState(
-                choice,
-                picture,
-                other,
-                difference,
-                otherDifference,
-                found,
-                step,
-                pixel,
-                chosen,
-                problem,
-                medianNanos,
-                undoable);
+        var draft = new Draft(this);
+        draft.drawn = found;
+        return draft.state();
     }
 
     VisibilityLabState at(int next) {
-        return new VisibilityLabState(
-                choice,
-                picture,
-                other,
-                difference,
-                otherDifference,
-                drawn,
-                next,
-                pixel,
-                chosen,
-                problem,
-                medianNanos,
-                undoable);
+        var draft = new Draft(this);
+        draft.step = next;
+        return draft.state();
     }
 
     VisibilityLabState with(Optional<PixelReport> found) {
-        return new VisibilityLabState(
-                choice,
-                picture,
-                other,
-                difference,
-                otherDifference,
-                drawn,
-                step,
-                found,
-                chosen,
-                problem,
-                medianNanos,
-                undoable);
+        var draft = new Draft(this);
+        draft.pixel = found;
+        return draft.state();
     }
 
     VisibilityLabState choosing(Optional<ChosenPixel> next) {
-        return new VisibilityLabState(
-                choice,
-                picture,
-                other,
-                difference,
-                otherDifference,
-                drawn,
-                step,
-                Optional.empty(),
-                next,
-                problem,
-                medianNanos,
-                undoable);
+        var draft = new Draft(this);
+        draft.pixel = Optional.empty();
+        draft.chosen = next;
+        return draft.state();
     }
 
     VisibilityLabState withProblem(String said) {
-        return new VisibilityLabState(
-                choice,
-                picture,
-                other,
-                difference,
-                otherDifference,
-                drawn,
-                step,
-                pixel,
-                chosen,
-                said,
-                medianNanos,
-                undoable);
+        var draft = new Draft(this);
+        draft.problem = said;
+        return draft.state();
     }
 
     VisibilityLabState measured(long nanos, boolean undo) {
-        return new VisibilityLabState(
-                choice,
-                picture,
-                other,
-                difference,
-                otherDifference,
-                drawn,
-                step,
-                pixel,
-                chosen,
-                problem,
-                nanos,
-                undo);
+        var draft = new Draft(this);
+        draft.medianNanos = nanos;
+        draft.undoable = undo;
+        return draft.state();
+    }
+
+    /** The same parts, to be changed one by one. */
+    private static final class Draft {
+        private VisibilityChoice choice;
+        private Optional<Picture> picture;
+        private Optional<Picture> other;
+        private Optional<Compared> difference;
+        private Optional<Compared> otherDifference;
+        private Optional<Drawn> drawn;
+        private int step;
+        private Optional<PixelReport> pixel;
+        private Optional<ChosenPixel> chosen;
+        private String problem;
+        private long medianNanos;
+        private boolean undoable;
+
+        Draft(VisibilityLabState from) {
+            choice = from.choice;
+            picture = from.picture;
+            other = from.other;
+            difference = from.difference;
+            otherDifference = from.otherDifference;
+            drawn = from.drawn;
+            step = from.step;
+            pixel = from.pixel;
+            chosen = from.chosen;
+            problem = from.problem;
+            medianNanos = from.medianNanos;
+            undoable = from.undoable;
+        }
+
+        VisibilityLabState state() {
+            return new VisibilityLabState(
+                    choice,
+                    picture,
+                    other,
+                    difference,
+                    otherDifference,
+                    drawn,
+                    step,
+                    pixel,
+                    chosen,
+                    problem,
+                    medianNanos,
+                    undoable);
+        }
     }
 }
