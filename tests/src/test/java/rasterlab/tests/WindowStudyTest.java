@@ -134,7 +134,7 @@ class WindowStudyTest extends WindowHarness {
         window.button("save").click();
         window.fileChooser().setCurrentDirectory(folder.toFile());
         window.fileChooser().fileNameTextBox().setText(file.toString());
-        window.fileChooser().approve();
+        window.fileChooser().fileNameTextBox().pressAndReleaseKeys(KeyEvent.VK_ENTER);
         await("the file is there", () -> java.nio.file.Files.exists(file));
     }
 

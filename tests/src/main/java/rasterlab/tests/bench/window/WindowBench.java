@@ -148,6 +148,8 @@ public final class WindowBench {
                         frame.dispose();
                         return null;
                     });
+            // The closed window keeps its settings in an event of its own.
+            onEventThread(() -> null);
         }
         if (failure.get() != null)
             throw new IllegalStateException("the lab reported a failure", failure.get());
