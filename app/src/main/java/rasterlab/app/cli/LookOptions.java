@@ -127,6 +127,22 @@ final class LookOptions {
         return TextureMode.named(shown.option("--texture", texture));
     }
 
+    /**
+     * Passes unless textures are asked for on the command line where there are no faces to lay them
+     * on.
+     *
+     * @param laid whether other options say what lies on the faces
+     */
+    void requireFaces(ShownScene shown, boolean laid) {
+        TextureMode mode = texture(shown);
+        boolean given = shown.onCommandLine().test("--texture");
+        boolean asked = laid || given && mode != TextureMode.AUTO && mode != TextureMode.NONE;
+        if (asked && ShadingMethod.named(shown.option("--shading", shading)) == ShadingMethod.WIRE)
+            throw new IllegalArgumentException(
+                    "--texture, --texture-image, --wrap and --environment need faces; --shading wire"
+                            + " draws nothing but edges");
+    }
+
     /** Wires and tones have no light that could be told anything. */
     private void requireLight(ShadingMethod chosen) {
         boolean wire = chosen == ShadingMethod.WIRE;

@@ -157,6 +157,7 @@ final class RenderCommand implements Callable<Integer> {
         try {
             ShownScene opened = shown.open(console);
             requireZoom();
+            look.requireFaces(opened, texture.given());
             Scene scene = texture.laid(opened.scene().zoomed(zoom), look.texture(opened));
             SphericalView eye = camera == null ? scene.defaultCamera() : camera;
             Projection chosen = Projection.named(opened.option("--projection", projection));

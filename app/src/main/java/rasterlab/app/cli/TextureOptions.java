@@ -36,6 +36,10 @@ final class TextureOptions {
             completionCandidates = EngineNames.OfEnvironments.class)
     private String environment;
 
+    boolean given() {
+        return image != null || wrap != null || environment != null;
+    }
+
     /**
      * The scene with its textures as told.
      *
@@ -43,7 +47,7 @@ final class TextureOptions {
      * @throws IllegalArgumentException if it has none, or no place for one, or none is shown
      */
     Scene laid(Scene scene, TextureMode mode) {
-        if (mode == TextureMode.NONE && (image != null || wrap != null || environment != null))
+        if (mode == TextureMode.NONE && given())
             throw new IllegalArgumentException(
                     "--texture-image, --wrap and --environment need a texture to be seen; --texture"
                             + " none shows none");

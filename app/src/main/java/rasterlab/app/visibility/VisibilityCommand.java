@@ -68,14 +68,9 @@ final class VisibilityCommand {
 
     private void addLook(RenderRequest request) {
         LookChoice look = choice.look();
-        if (look.texture() != TextureMode.AUTO) add("--texture", look.texture().code());
-        if (choice.shown().textured()) {
-            look.change().wrap().ifPresent(wrap -> add("--wrap", code(wrap)));
-            look.change().environment().ifPresent(mode -> add("--environment", code(mode)));
-        }
-        addLight(look);
-        if (look.cull() != Cull.NONE) add("--cull", look.cull().code());
         if (request.look().shading() == ShadingMethod.WIRE) addWire(look);
+        else addFaces(look, request.look().shading());
+        if (look.cull() != Cull.NONE) add("--cull", look.cull().code());
         if (look.cue() > 0) add("--depth-cue", look.cue());
         if (look.near() > 0) add("--near", request.depth().near());
         if (look.far() < Double.POSITIVE_INFINITY) add("--far", request.depth().far());
@@ -88,8 +83,13 @@ final class VisibilityCommand {
                         });
     }
 
-    private void addLight(LookChoice look) {
-        if (!look.terms().equals(LightTerm.all()))
+    private void addFaces(LookChoice look, ShadingMethod shading) {
+        if (look.texture() != TextureMode.AUTO) add("--texture", look.texture().code());
+        if (choice.shown().textured()) {
+            look.change().wrap().ifPresent(wrap -> add("--wrap", code(wrap)));
+            look.change().environment().ifPresent(mode -> add("--environment", code(mode)));
+        }
+        if (!look.terms().equals(LightTerm.all()) && shading != ShadingMethod.TONE)
             add(
                     "--terms",
                     new TreeSet<>(look.terms())

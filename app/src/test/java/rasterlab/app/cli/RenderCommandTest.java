@@ -163,6 +163,8 @@ class RenderCommandTest {
                         "--shading=tone",
                         "--terms=ambient"),
                 mistake("backs of wires", "--two-sided needs light", WIRE, "--two-sided"),
+                mistake("texture of wires", "--texture-image, --wrap", WIRE, "--texture=nearest"),
+                mistake("wrap of wires", "need faces", WIRE, "--wrap=repeat"),
                 mistake("outlines of wires", "--outline needs faces", WIRE, "--outline"),
                 mistake("up of a scene", "--up is for a model", "--up=y"),
                 mistake("texture is missing", "no such file", "--texture-image=no.png"),

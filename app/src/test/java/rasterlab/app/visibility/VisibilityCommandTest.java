@@ -54,6 +54,10 @@ class VisibilityCommandTest {
                 mistake(
                         "near and far are lost",
                         choice -> choice.with(choice.look().withNear(0.9).withFar(1.05))),
+                mistake(
+                        "wires are asked for light and textures",
+                        choice -> lit(textured(choice)).withShading("wire")),
+                mistake("tones are asked for light", choice -> lit(choice).withShading("tone")),
                 mistake("textures lie otherwise", VisibilityCommandTest::textured),
                 mistake(
                         "light is lost",
@@ -97,6 +101,11 @@ class VisibilityCommandTest {
                 .withVisibility("zfloat")
                 .withEdges(true)
                 .with(choice.look().withHidden(HiddenLines.DASHED).withCrease(20));
+    }
+
+    private static VisibilityChoice lit(VisibilityChoice choice) {
+        return choice.with(
+                choice.look().withTerms(Set.of(LightTerm.SPECULAR)).withSides(Sides.ONE));
     }
 
     private static VisibilityChoice textured(VisibilityChoice choice) {
