@@ -8,6 +8,8 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JComponent;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
 import rasterlab.app.canvas.Settling;
 
 /** Paints components without a window, with or without a display. */
@@ -30,6 +32,7 @@ public final class OffscreenPainter {
     public static BufferedImage paint(JComponent component, int width, int height)
             throws InterruptedException {
         var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        onEventThread(() -> headTables(component));
         for (int i = 0; i < ROUNDS; i++) {
             onEventThread(() -> layOut(component, width, height));
             for (Settling settling : settling(component)) settling.settle();
@@ -42,6 +45,15 @@ public final class OffscreenPainter {
                     g.dispose();
                 });
         return image;
+    }
+
+    /** Tables put their column names above themselves only when their window is shown. */
+    private static void headTables(Container container) {
+        if (container instanceof JScrollPane scroll
+                && scroll.getViewport().getView() instanceof JTable table)
+            scroll.setColumnHeaderView(table.getTableHeader());
+        for (Component child : container.getComponents())
+            if (child instanceof Container inner) headTables(inner);
     }
 
     private static void layOut(JComponent component, int width, int height) {
