@@ -12,11 +12,14 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
+import rasterlab.app.outcome.PixelLevels;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.pipeline.DrawnDepths;
+import rasterlab.engine.pipeline.Look;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Scene;
@@ -123,7 +126,8 @@ final class RenderCommand implements Callable<Integer> {
         RenderRequest request = request();
         if (out == null && other == null && !errors)
             throw Complaint.badInput(
-                    "nothing to do; give --out FILE.png, --diff OTHER.png or both");
+                    "nothing to do; give --out FILE.png, --diff OTHER.png or --errors");
+        if (errors) requireErrors(request.look());
         if (out != null) requirePng(out);
         RenderMemory.require(request, (other == null ? 0 : 3) + (errors ? 3 : 0));
         Optional<BufferedImage> expected =
@@ -186,6 +190,14 @@ final class RenderCommand implements Callable<Integer> {
         return new DrawnDepths(near == null ? all.near() : near, far == null ? all.far() : far);
     }
 
+    private static void requireErrors(Look look) {
+        if (look.shading() == ShadingMethod.WIRE || look.visibility().equals(Renderer.SURFACES))
+            throw Complaint.badInput(
+                    "--errors needs faces to shade; neither --shading wire nor --visibility "
+                            + Renderer.SURFACES
+                            + " has any");
+    }
+
     private static void requirePng(Path file) {
         if (!file.toString().toLowerCase(Locale.ROOT).endsWith(".png"))
             throw Complaint.badInput(file + ": unknown extension; allowed is .png");
@@ -194,7 +206,8 @@ final class RenderCommand implements Callable<Integer> {
 
     private static Raster copied(BufferedImage image) {
         var raster = new Raster(image.getWidth(), image.getHeight());
-        image.getRGB(0, 0, image.getWidth(), image.getHeight(), raster.argb(), 0, image.getWidth());
+        for (int y = 0; y < image.getHeight(); y++)
+            PixelLevels.row(image, y, raster.argb(), y * image.getWidth());
         return raster;
     }
 }

@@ -10,6 +10,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import rasterlab.app.opengl.state.GlChoice.ImageTexture;
+import rasterlab.app.outcome.PixelLevels;
 import rasterlab.engine.texture.Texture;
 
 /**
@@ -50,7 +51,7 @@ record ImageLoading(Optional<ImageTexture> image, Optional<ImageProblem> problem
         BufferedImage image = reader.read(0);
         int[] texels = new int[width * height];
         for (int y = 0; y < height; y++)
-            image.getRGB(0, y, width, 1, texels, (height - 1 - y) * width, width);
+            PixelLevels.row(image, y, texels, (height - 1 - y) * width);
         var texture = Texture.of(width, height, 4, texels);
         return new ImageLoading(Optional.of(new ImageTexture(name, texture)), Optional.empty());
     }

@@ -17,7 +17,7 @@ public final class PictureFile {
     /**
      * Reads a picture; one that is too large is refused before its pixels are read.
      *
-     * @return with alpha where the picture has any
+     * @return with the components of {@link PixelLevels#components}
      * @throws Complaint if there is no such file, or it is no picture, broken or too large
      */
     public static Texture texture(Path file) {
@@ -26,8 +26,8 @@ public final class PictureFile {
         int height = image.getHeight();
         var texels = new int[width * height];
         for (int y = 0; y < height; y++)
-            image.getRGB(0, y, width, 1, texels, (height - 1 - y) * width, width);
-        return Texture.of(width, height, image.getColorModel().hasAlpha() ? 4 : 3, texels);
+            PixelLevels.row(image, y, texels, (height - 1 - y) * width);
+        return Texture.of(width, height, PixelLevels.components(image), texels);
     }
 
     private static BufferedImage read(Path file) {

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /** Pictures as PNG. */
 public final class PngFile {
@@ -20,8 +21,10 @@ public final class PngFile {
 
     public static byte[] bytes(BufferedImage picture) {
         var bytes = new ByteArrayOutputStream();
-        try {
-            ImageIO.write(picture, "png", bytes);
+        // Left to itself, ImageIO writes by way of a file of its own in the system's folder for
+        // those.
+        try (var out = new MemoryCacheImageOutputStream(bytes)) {
+            ImageIO.write(picture, "png", out);
         } catch (IOException e) {
             throw new UncheckedIOException("memory cannot be written to", e);
         }

@@ -165,6 +165,12 @@ class RenderCommandTest {
                 mistake("backs of wires", "--two-sided needs light", WIRE, "--two-sided"),
                 mistake("texture of wires", "--texture-image, --wrap", WIRE, "--texture=nearest"),
                 mistake("wrap of wires", "need faces", WIRE, "--wrap=repeat"),
+                mistake("errors of wires", "--errors needs faces", WIRE, "--errors"),
+                mistake(
+                        "errors of surfaces",
+                        "--errors needs faces",
+                        "--visibility=raycast-surface",
+                        "--errors"),
                 mistake("outlines of wires", "--outline needs faces", WIRE, "--outline"),
                 mistake("up of a scene", "--up is for a model", "--up=y"),
                 mistake("texture is missing", "no such file", "--texture-image=no.png"),
@@ -233,7 +239,7 @@ class RenderCommandTest {
                 .assertComplains(
                         2,
                         "./lab render: nothing to do; give --out FILE.png, --diff OTHER.png"
-                                + " or both");
+                                + " or --errors");
     }
 
     @Test

@@ -172,11 +172,18 @@ class RunLightTest {
                         "summed-area refuses: footprint must not be turned: dt/dx and ds/dy must be"
                                 + " 0, got 1.0 and -1.0"),
                 argumentSet(
+                        "no field is named where all may be left out",
+                        2,
+                        "color",
+                        "formula",
+                        "[]",
+                        "/: expected a JSON object with cmy, cmyk, hsv, hvs, rgb, got an array"),
+                argumentSet(
                         "a vertex that does not exist",
                         2,
                         "vertex-normals",
                         "angle",
                         "{\"vertices\":[[0,0,0]],\"triangles\":[[0,1,2]]}",
-                        "/: triangles[0] names vertex 1, there are 1"));
+                        "/triangles/0/1: must be a vertex from 0 to 0, got 1"));
     }
 }

@@ -5,7 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.WritableRaster;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -50,6 +55,39 @@ class PictureFileTest {
                 argumentSet("alpha is lost", "png", BufferedImage.TYPE_INT_ARGB, 3, 5, 4),
                 argumentSet("JPEG is refused", "jpg", rgb, 1, 1, 3),
                 argumentSet("widest picture is refused", "png", rgb, 8192, 1, 3));
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("greys")
+    void greyLevelsAreThoseOfTheFile(String format, int bits, boolean alpha, int components)
+            throws Exception {
+        var model =
+                new ComponentColorModel(
+                        ColorSpace.getInstance(ColorSpace.CS_GRAY),
+                        alpha,
+                        false,
+                        alpha ? Transparency.TRANSLUCENT : Transparency.OPAQUE,
+                        bits == 8 ? DataBuffer.TYPE_BYTE : DataBuffer.TYPE_USHORT);
+        WritableRaster levels = model.createCompatibleWritableRaster(8, 8);
+        int middle = bits == 8 ? 128 : 128 * 257;
+        for (int k = 0; k < 64 * levels.getNumBands(); k++)
+            levels.setSample(k % 8, k / 8 % 8, k / 64, k < 64 ? middle : middle / 2);
+        Path file = folder.resolve("grey." + format);
+        ImageIO.write(new BufferedImage(model, levels, false, null), format, file.toFile());
+        Texture texture = PictureFile.texture(file);
+        assertEquals(components, texture.components());
+        int texel = texture.level(0).texel(3, 3);
+        assertEquals(0x808080, texel & 0xFFFFFF, () -> Integer.toHexString(texel));
+        assertEquals(alpha ? 64 : 255, texel >>> 24);
+    }
+
+    static Stream<Arguments> greys() {
+        return Stream.of(
+                argumentSet("grey PNG becomes lighter", "png", 8, false, 1),
+                argumentSet("grey JPEG becomes lighter", "jpg", 8, false, 1),
+                argumentSet("grey with alpha becomes lighter", "png", 8, true, 2),
+                argumentSet("deep grey becomes lighter", "png", 16, false, 1),
+                argumentSet("deep grey with alpha becomes lighter", "png", 16, true, 2));
     }
 
     @Test

@@ -108,7 +108,8 @@ public final class Renderer implements AutoCloseable {
             if (outline) throw new IllegalArgumentException(SURFACES + " draws no outlines");
             return;
         }
-        Named.find("visibility method", visibility, visibilities(), name -> name);
+        List<String> known = Stream.concat(visibilities().stream(), Stream.of(SURFACES)).toList();
+        Named.find("visibility method", visibility, known, name -> name);
         if (visibility.equals(AUTO)) return;
         Method<Visibility> method = named(KNOWN, visibility);
         if (outline && !method.implementation().drawsOutlines())

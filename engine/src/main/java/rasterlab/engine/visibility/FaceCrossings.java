@@ -14,7 +14,7 @@ import java.util.function.BooleanSupplier;
  * #IN_PLANE} of the sizes of the coordinates.
  */
 public final class FaceCrossings {
-    private static final double IN_PLANE = 0x1p-40;
+    static final double IN_PLANE = 0x1p-40;
 
     private final ViewedMesh view;
     private final List<EyeSegment> found = new ArrayList<>();
@@ -77,6 +77,21 @@ public final class FaceCrossings {
         return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     }
 
+    /** Of a vertex from the plane of a face; 0 within the tolerance. */
+    static double distance(ViewedMesh view, int vertex, int face) {
+        double x = view.eyeX[vertex];
+        double y = view.eyeY[vertex];
+        double z = view.eyeZ[vertex];
+        double offset = view.planeOffset(face);
+        double distance =
+                view.eyeNormal(face, 0) * x
+                        + view.eyeNormal(face, 1) * y
+                        + view.eyeNormal(face, 2) * z
+                        - offset;
+        double sizes = Math.abs(x) + Math.abs(y) + Math.abs(z) + Math.abs(offset);
+        return Math.abs(distance) <= IN_PLANE * sizes ? 0 : distance;
+    }
+
     /** What the plane of one face cuts out of another: the ends, and their places on the line. */
     private final class Cut {
         final double[] from = new double[3];
@@ -96,10 +111,10 @@ public final class FaceCrossings {
             boolean behind = false;
             int corners = view.mesh().cornerCount(face);
             int last = view.mesh().corner(face, corners - 1);
-            double atLast = distance(last, by);
+            double atLast = distance(view, last, by);
             for (int k = 0; k < corners; k++) {
                 int corner = view.mesh().corner(face, k);
-                double here = distance(corner, by);
+                double here = distance(view, corner, by);
                 before |= here > 0;
                 behind |= here < 0;
                 if (here == 0) include(corner, corner, 0, along);
@@ -109,21 +124,6 @@ public final class FaceCrossings {
                 atLast = here;
             }
             return before && behind;
-        }
-
-        /** From the plane of a face, 0 within the tolerance. */
-        private double distance(int vertex, int face) {
-            double x = view.eyeX[vertex];
-            double y = view.eyeY[vertex];
-            double z = view.eyeZ[vertex];
-            double offset = view.planeOffset(face);
-            double distance =
-                    view.eyeNormal(face, 0) * x
-                            + view.eyeNormal(face, 1) * y
-                            + view.eyeNormal(face, 2) * z
-                            - offset;
-            double sizes = Math.abs(x) + Math.abs(y) + Math.abs(z) + Math.abs(offset);
-            return Math.abs(distance) <= IN_PLANE * sizes ? 0 : distance;
         }
 
         private void include(int a, int b, double t, double[] along) {

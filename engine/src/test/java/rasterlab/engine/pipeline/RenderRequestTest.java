@@ -58,7 +58,8 @@ class RenderRequestTest {
                         10,
                         false,
                         "no visibility method 'z17'; there are "
-                                + String.join(", ", Renderer.visibilities())),
+                                + String.join(", ", Renderer.visibilities())
+                                + ", raycast-surface"),
                 argumentSet(
                         "unknown shading is accepted",
                         z,

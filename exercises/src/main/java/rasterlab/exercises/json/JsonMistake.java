@@ -9,10 +9,12 @@ import com.fasterxml.jackson.databind.exc.MismatchedInputException;
 public final class JsonMistake {
     private JsonMistake() {}
 
-    /** Such as "line 3, column 8: Duplicate field 'name'". */
+    /** Such as "line 3, column 8: Duplicate field 'name'"; beyond the parser's limits no place. */
     public static String in(JsonProcessingException e) {
         JsonLocation at = e.getLocation();
-        return "line " + at.getLineNr() + ", column " + at.getColumnNr() + ": " + reason(e);
+        return at == null
+                ? reason(e)
+                : "line " + at.getLineNr() + ", column " + at.getColumnNr() + ": " + reason(e);
     }
 
     private static String reason(JsonProcessingException e) {
@@ -20,7 +22,9 @@ public final class JsonMistake {
             return "the text ends here, but something in it is not closed";
         if (e instanceof MismatchedInputException)
             return "the value ends here, but something follows it";
-        // the parser's own words without "(for Array starting at [Source: …", as some end
-        return e.getOriginalMessage().replaceFirst("(?s) \\([^(]*\\[Source.*", "");
+        // the parser's own words without "(for Array starting at [Source: …" and ", from `Class…`"
+        return e.getOriginalMessage()
+                .replaceFirst("(?s) \\([^(]*\\[Source.*", "")
+                .replaceFirst(", from `[^`]*`", "");
     }
 }

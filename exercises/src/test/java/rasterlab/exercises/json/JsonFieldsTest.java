@@ -40,6 +40,15 @@ class JsonFieldsTest {
                         "field twice",
                         "{\"a\": 1,\n\"a\": 2}",
                         "is not JSON: line 2, column 4: Duplicate field 'a'"),
+                argumentSet(
+                        "nested too deep",
+                        "[".repeat(1500),
+                        "is not JSON: Document nesting depth (1001) exceeds the maximum allowed"
+                                + " (1000)"),
+                argumentSet(
+                        "number too long",
+                        "{\"a\": " + "1".repeat(2000) + "}",
+                        "is not JSON: Number value length (2000) exceeds the maximum allowed (1000)"),
                 argumentSet("nothing", "", "must be an object {…}, got nothing"));
     }
 }

@@ -81,7 +81,7 @@ final class DepthBufferRun implements TopicRun {
                     given.find(TO).orElse(depths),
                     given.find(PIXELS).orElse(1));
         } catch (IllegalArgumentException e) {
-            throw Complaint.badInput("/: " + e.getMessage());
+            throw EngineRefusal.complaint(e);
         }
     }
 

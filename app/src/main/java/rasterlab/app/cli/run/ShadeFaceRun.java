@@ -8,7 +8,6 @@ import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.cli.run.json.StrictJson;
-import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.FaceShader;
 import rasterlab.contract.LitFace;
 import rasterlab.engine.light.face.FacePoints;
@@ -122,7 +121,7 @@ final class ShadeFaceRun implements TopicRun {
                             LightJson.globalAmbient(given));
             return new FacePoints(face, given.get(POINTS));
         } catch (IllegalArgumentException e) {
-            throw Complaint.badInput("/: " + e.getMessage());
+            throw EngineRefusal.complaint(e);
         }
     }
 }

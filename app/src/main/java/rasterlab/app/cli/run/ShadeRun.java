@@ -8,7 +8,6 @@ import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.cli.run.json.StrictJson;
-import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.LitPoint;
 import rasterlab.contract.PointShader;
 import rasterlab.engine.light.UnitVector;
@@ -121,7 +120,7 @@ final class ShadeRun implements TopicRun {
                     LightJson.light(given),
                     LightJson.globalAmbient(given));
         } catch (IllegalArgumentException e) {
-            throw Complaint.badInput("/: " + e.getMessage());
+            throw EngineRefusal.complaint(e);
         }
     }
 

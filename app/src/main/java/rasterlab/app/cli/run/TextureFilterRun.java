@@ -7,7 +7,6 @@ import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.cli.run.json.StrictJson;
-import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.texture.TexelShare;
@@ -108,7 +107,7 @@ final class TextureFilterRun implements TopicRun {
         try {
             return new FilteredPixels(width, height, argb, given.get(PIXELS));
         } catch (IllegalArgumentException e) {
-            throw Complaint.badInput("/: " + e.getMessage());
+            throw EngineRefusal.complaint(e);
         }
     }
 }

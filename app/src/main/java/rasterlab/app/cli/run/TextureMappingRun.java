@@ -4,7 +4,6 @@ import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.cli.run.json.StrictJson;
-import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.TextureMapper;
 import rasterlab.contract.TexturedSpan;
 import rasterlab.engine.study.Topic;
@@ -62,7 +61,7 @@ final class TextureMappingRun implements TopicRun {
             return new TexturedSpan(
                     from[0], from[1], from[2], to[0], to[1], to[2], given.get(PIXELS));
         } catch (IllegalArgumentException e) {
-            throw Complaint.badInput("/: " + e.getMessage());
+            throw EngineRefusal.complaint(e);
         }
     }
 }

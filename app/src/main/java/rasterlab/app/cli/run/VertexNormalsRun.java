@@ -9,7 +9,6 @@ import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.cli.run.json.StrictJson;
-import rasterlab.app.outcome.Complaint;
 import rasterlab.contract.VertexNormals;
 import rasterlab.engine.light.normals.NormalsTopic;
 import rasterlab.engine.light.normals.NormalsWalk;
@@ -108,7 +107,7 @@ final class VertexNormalsRun implements TopicRun {
         try {
             return new Triangles(given.get(VERTICES), corners);
         } catch (IllegalArgumentException e) {
-            throw Complaint.badInput("/: " + e.getMessage());
+            throw EngineRefusal.complaint(e);
         }
     }
 }

@@ -33,7 +33,7 @@ public record Triangles(double[] vertices, int[] triangles) {
         for (int i = 0; i < triangles.length; i++)
             if (triangles[i] < 0 || triangles[i] >= vertices.length / 3)
                 throw new IllegalArgumentException(
-                        "triangles[%d] names vertex %d, there are %d"
-                                .formatted(i / 3, triangles[i], vertices.length / 3));
+                        "triangles[%d][%d] must be a vertex from 0 to %d, got %d"
+                                .formatted(i / 3, i % 3, vertices.length / 3 - 1, triangles[i]));
     }
 }

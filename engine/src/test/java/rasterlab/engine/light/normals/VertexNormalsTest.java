@@ -111,12 +111,12 @@ class VertexNormalsTest {
                         "a face has a vertex that does not exist",
                         one,
                         new int[] {0, 0, 1},
-                        "triangles[0] names vertex 1, there are 1"),
+                        "triangles[0][2] must be a vertex from 0 to 0, got 1"),
                 argumentSet(
                         "a face has a vertex before the first",
                         one,
                         new int[] {0, -1, 0},
-                        "triangles[0] names vertex -1, there are 1"),
+                        "triangles[0][1] must be a vertex from 0 to 0, got -1"),
                 argumentSet(
                         "NaN spreads over its neighbours",
                         new double[] {0, Double.NaN, 0},

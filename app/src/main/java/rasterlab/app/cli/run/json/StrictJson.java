@@ -110,11 +110,12 @@ public final class StrictJson {
     }
 
     private static String anObjectWith(JsonField<?>... fields) {
-        return "a JSON object with "
-                + Stream.of(fields)
+        String required =
+                Stream.of(fields)
                         .filter(JsonField::required)
                         .map(JsonField::name)
                         .collect(Collectors.joining(", "));
+        return "a JSON object with " + (required.isEmpty() ? sorted(fields) : required);
     }
 
     private static String sorted(JsonField<?>... fields) {
