@@ -4,7 +4,9 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Iterator;
+import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -12,6 +14,9 @@ import rasterlab.engine.texture.Texture;
 
 /** Pictures that textures are made of: PNG and JPEG. */
 public final class PictureFile {
+    /** What the JPEG reader only warns of, and fills with grey. */
+    private static final Pattern DAMAGED = Pattern.compile("Premature end|Corrupt");
+
     private PictureFile() {}
 
     /**
@@ -55,7 +60,14 @@ public final class PictureFile {
                 throw Complaint.badInput(
                         "%s: has %d×%d pixels; a texture has from 1×1 to %d×%d"
                                 .formatted(file, width, height, Texture.LARGEST, Texture.LARGEST));
-            return reader.read(0);
+            var damage = new ArrayList<String>();
+            reader.addIIOReadWarningListener(
+                    (from, warning) -> {
+                        if (DAMAGED.matcher(warning).find()) damage.add(warning);
+                    });
+            BufferedImage picture = reader.read(0);
+            if (!damage.isEmpty()) throw new IOException(damage.get(0));
+            return picture;
         } finally {
             reader.dispose();
         }

@@ -107,6 +107,18 @@ class PictureFileTest {
         assertMessage(empty, empty + ": is not a PNG or JPEG picture");
     }
 
+    @Test
+    @DisplayName("what is missing of a JPEG becomes grey")
+    void refusesPartOfAJpeg() throws Exception {
+        Path part = folder.resolve("part.jpg");
+        byte[] whole = Files.readAllBytes(written("jpg", BufferedImage.TYPE_INT_RGB, 400, 300));
+        Files.write(part, Arrays.copyOf(whole, whole.length - 300));
+        var refusal = assertThrows(Complaint.class, () -> PictureFile.texture(part));
+        assertTrue(
+                refusal.getMessage().startsWith(part + ": is a broken picture"),
+                refusal.getMessage());
+    }
+
     private static void assertMessage(Path file, String message) {
         assertEquals(
                 message,
