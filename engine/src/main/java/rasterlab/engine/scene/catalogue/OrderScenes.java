@@ -96,7 +96,7 @@ final class OrderScenes {
     }
 
     private static Scene nearPlane(int detail) {
-        var camera = new SphericalView(0, 1.4, 160);
+        var camera = new SphericalView(0.02, 1.4, 160);
         var parts = new Parts();
         parts.add(Finishes.pictured(Pictures.checker()), floor());
         parts.add(Finishes.satin(0x7F93A8), wall(-90, 1));
