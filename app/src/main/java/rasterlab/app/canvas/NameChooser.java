@@ -40,6 +40,16 @@ public final class NameChooser extends JComboBox<String> {
                 });
     }
 
+    /** Shows a choice that is in the list for as long as it is shown, unless it is always there. */
+    public void showListed(String chosen, List<String> always) {
+        refreshing = true;
+        for (int i = getItemCount() - 1; i >= 0; i--)
+            if (!always.contains(getItemAt(i)) && !getItemAt(i).equals(chosen)) removeItemAt(i);
+        if (!always.contains(chosen) && getItemCount() == always.size()) addItem(chosen);
+        setSelectedItem(chosen);
+        refreshing = false;
+    }
+
     /** Shows a choice without telling anybody. */
     public void show(String chosen) {
         refreshing = true;

@@ -104,6 +104,16 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
         change(choice.with(topics.showing(choice.scene(), hazard)), true);
     }
 
+    /**
+     * Brings an input of the mode's topic.
+     *
+     * @throws ClassCastException if it is of another topic
+     */
+    public void showInput(ClipMode mode, Object input) {
+        ClipChoice choice = state.choice().in(mode);
+        change(choice.with(ClipTopics.showing(choice.scene(), input)), true);
+    }
+
     /** Makes the window a rectangle, or a convex polygon. */
     public void shapeWindow(boolean upright) {
         ClipScene scene = state.choice().scene();

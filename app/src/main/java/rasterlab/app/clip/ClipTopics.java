@@ -1,13 +1,15 @@
 package rasterlab.app.clip;
 
 import java.util.List;
-import java.util.Map;
-import java.util.stream.Collectors;
 import rasterlab.engine.clip.polygon.PolygonClipTopic;
+import rasterlab.engine.clip.polygon.PolygonInWindow;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
+import rasterlab.engine.clip.segment.SegmentsInWindow;
 import rasterlab.engine.clip.segment.SteppedSegmentClipper;
+import rasterlab.engine.clip.volume.SegmentsInVolume;
 import rasterlab.engine.clip.volume.SteppedVolumeClipper;
 import rasterlab.engine.clip.volume.VolumeClipTopic;
+import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -44,19 +46,15 @@ public record ClipTopics(
 
     /** The scene with a hazard's input in the place of its own. */
     ClipScene showing(ClipScene scene, String hazard) {
-        if (scene instanceof SegmentScene old)
-            return old.showing(named(segments.hazards(), hazard).input());
-        if (scene instanceof PolygonScene old)
-            return old.showing(named(polygon.hazards(), hazard).input());
-        return ((VolumeScene) scene).showing(named(volume.hazards(), hazard).input());
+        List<Hazard<?>> hazards = List.copyOf(hazards(scene.mode()));
+        return showing(scene, Named.find("hazard", hazard, hazards, Hazard::name).input());
     }
 
-    private static <I> Hazard<I> named(List<Hazard<I>> hazards, String name) {
-        Map<String, Hazard<I>> byName =
-                hazards.stream().collect(Collectors.toMap(Hazard::name, each -> each));
-        if (!byName.containsKey(name))
-            throw new IllegalArgumentException("no hazard is called '" + name + "'");
-        return byName.get(name);
+    /** The scene with another input of its topic in the place of its own. */
+    static ClipScene showing(ClipScene scene, Object input) {
+        if (scene instanceof SegmentScene old) return old.showing((SegmentsInWindow) input);
+        if (scene instanceof PolygonScene old) return old.showing((PolygonInWindow) input);
+        return ((VolumeScene) scene).showing((SegmentsInVolume) input);
     }
 
     /** What the decision variable of a method is, as a formula; "" for one without. */

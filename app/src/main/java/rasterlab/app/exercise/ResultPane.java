@@ -214,12 +214,9 @@ final class ResultPane extends JPanel {
         picture.show(chosen.flatMap(TriedCase::pictures));
         view.setEnabled(chosen.flatMap(TriedCase::pictures).isPresent());
         Optional<MethodCase> scene = chosen.flatMap(ResultPane::scene);
-        boolean opens = scene.filter(one -> lab.showsInputs(one.topic())).isPresent();
-        open.setEnabled(opens);
-        open.setToolTipText(
-                scene.isPresent() && !opens
-                        ? texts.text("open.noTab", scene.get().topic())
-                        : texts.text("open.hint"));
+        Optional<String> obstacle = scene.flatMap(this::obstacle);
+        open.setEnabled(scene.isPresent() && obstacle.isEmpty());
+        open.setToolTipText(obstacle.orElse(texts.text("open.hint")));
     }
 
     private String hint(Optional<TriedCase> chosen) {
@@ -235,6 +232,11 @@ final class ResultPane extends JPanel {
         return SceneFile.read(one.scene()) instanceof MethodCase found
                 ? Optional.of(found)
                 : Optional.empty();
+    }
+
+    private Optional<String> obstacle(MethodCase one) {
+        return lab.obstacleToInputs(one.topic())
+                .map(why -> why.in(Texts.of("canvas", texts.language()), one.topic()));
     }
 
     private void openChosen(Consumer<Throwable> onFailure) {

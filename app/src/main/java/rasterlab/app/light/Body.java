@@ -12,7 +12,7 @@ import rasterlab.engine.scene.catalogue.Scenes;
 /**
  * What is lit.
  *
- * @param name of a scene
+ * @param name of a scene, or {@code TOPIC/HAZARD}
  * @param detail faces once round, for a scene that is made in steps
  * @param normals {@value #OWN}, or a method of topic {@code vertex-normals}
  */
@@ -31,7 +31,12 @@ record Body(String name, int detail, String normals) {
 
     /** Its faces with their normals; takes long for many faces. */
     Scene scene() {
+        if (TopicBodies.has(name)) return smoothed(TopicBodies.scene(name));
         Scene scene = hasDetail() ? Scenes.named(name, detail) : Scenes.named(name);
+        return smoothed(scene);
+    }
+
+    private Scene smoothed(Scene scene) {
         return withMesh(scene, method().map(m -> SmoothedMesh.of(scene.mesh(), m)));
     }
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import rasterlab.contract.ColorConverter;
 import rasterlab.contract.ColorModel;
 import rasterlab.engine.color.ColorTopic;
+import rasterlab.engine.color.Colors;
 import rasterlab.engine.color.FormulaColors;
 
 /**
@@ -50,6 +51,21 @@ record ColourChoice(
             return new ColourChoice(model, components, method, yaw, pitch, true);
         }
         return new ColourChoice(in, list(numbers), method, yaw, pitch, false);
+    }
+
+    /**
+     * The first of those colours, as it is written; outside the cube it is not taken.
+     *
+     * @param byMethod whose round trips are shown
+     */
+    ColourChoice with(Colors colors, String byMethod) {
+        double[] numbers = Arrays.copyOf(colors.components(), colors.model().size());
+        try {
+            new FormulaColors().convert(colors.model(), numbers, ColorModel.RGB);
+        } catch (IllegalArgumentException e) {
+            return new ColourChoice(model, components, byMethod, yaw, pitch, true);
+        }
+        return new ColourChoice(colors.model(), list(numbers), byMethod, yaw, pitch, false);
     }
 
     ColourChoice withMethod(String name) {

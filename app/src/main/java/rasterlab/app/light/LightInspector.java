@@ -220,7 +220,7 @@ final class LightInspector {
         LightLabState state = model.state();
         LightChoice choice = state.choice();
         mode.refresh();
-        body.show(choice.body().name());
+        body.showListed(choice.body().name(), Body.NAMES);
         column.showRow(detail, choice.body().hasDetail());
         detail.show(choice.body().detail(), Integer.toString(choice.body().detail()));
         normals.show(choice.body().normals());

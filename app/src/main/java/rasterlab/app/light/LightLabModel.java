@@ -10,6 +10,8 @@ import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Unshown;
+import rasterlab.engine.color.Colors;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.Scene;
@@ -106,6 +108,33 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         if (shown == state.colours()) return;
         history.remember(chosen());
         show(new Chosen(state.choice(), shown, state.colour()));
+    }
+
+    /** Why the lab cannot show a hazard's input, of a topic about light; empty where it can. */
+    public Optional<Unshown> obstacle(Object input) {
+        if (!(input instanceof Colors colors)) return TopicBodies.obstacle(input);
+        return ColourChoice.first().with(colors, "formula").outside()
+                ? Optional.of(Unshown.OUTSIDE_CUBE)
+                : Optional.empty();
+    }
+
+    /**
+     * Shows a hazard, of several colours or points the first.
+     *
+     * @param input the hazard's
+     * @param method by which, where the lab has it
+     * @throws IllegalArgumentException if there is an {@link #obstacle}
+     */
+    public void show(String topic, String hazard, Object input, String method) {
+        boolean colours = input instanceof Colors;
+        ColourChoice colour = state.colour();
+        LightChoice light = state.choice();
+        if (input instanceof Colors colors) colour = colour.with(colors, method);
+        else light = TopicBodies.shown(topic + "/" + hazard, input, method);
+        var next = new Chosen(light, colours, colour);
+        if (next.equals(chosen())) return;
+        history.remember(chosen());
+        show(next);
     }
 
     /** Draws the normals of faces and corners, or no more. */

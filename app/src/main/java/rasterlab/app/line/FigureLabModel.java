@@ -12,6 +12,8 @@ import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
+import rasterlab.engine.circle.Circle;
+import rasterlab.engine.circle.Ellipse;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
@@ -137,6 +139,14 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
      */
     public void show(LineMode mode, String hazard) {
         change(scenes.get(mode).with(topics.showing(mode, hazard)), true);
+    }
+
+    public void show(Circle circle) {
+        change(scenes.get(LineMode.CIRCLE).with(ArcFigure.of(circle)), true);
+    }
+
+    public void show(Ellipse ellipse) {
+        change(scenes.get(LineMode.ELLIPSE).with(ArcFigure.of(ellipse)), true);
     }
 
     /**

@@ -111,6 +111,17 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
     }
 
     /**
+     * Brings an input of the mode's topic.
+     *
+     * @throws ClassCastException if it is of another topic
+     */
+    public void showInput(PolygonMode mode, Object input) {
+        PolygonChoice choice = state.choice().in(mode);
+        PolygonScene scene = choice.scene();
+        change(choice.with(scene.with(PolygonTopics.showing(scene.figure(), input))), true);
+    }
+
+    /**
      * Moves a point to a place in the picture. Between {@link #beginDrag} and {@link #endDrag} all
      * moves are one for undo.
      */

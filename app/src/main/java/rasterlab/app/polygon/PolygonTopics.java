@@ -73,7 +73,11 @@ public record PolygonTopics(
                 Named.<Hazard<?>>find(
                                 "hazard", hazard, List.copyOf(hazards(scene.mode())), Hazard::name)
                         .input();
-        Figure figure = scene.figure();
+        return showing(scene.figure(), input);
+    }
+
+    /** The figure with another input of its topic in the place of its own. */
+    static Figure showing(Figure figure, Object input) {
         if (figure instanceof InsideFigure old) return old.showing((ShapeAndPoints) input);
         if (figure instanceof CutFigure) return new CutFigure(CornerList.of((Points) input));
         if (figure instanceof FillFigure old) return old.showing((PolygonTask) input);

@@ -12,6 +12,7 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.Unshown;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -27,6 +28,7 @@ final class StudyInspector {
 
     private final StudyLabModel model;
     private final Texts texts;
+    private final Texts canvas;
     private final OpenInLab lab;
     private final StudyWords words;
     private final Inspector column;
@@ -50,6 +52,7 @@ final class StudyInspector {
         this.model = model;
         this.texts = texts;
         this.lab = lab;
+        canvas = Texts.of("canvas", texts.language());
         words = new StudyWords(texts.language());
         column = new Inspector(texts);
         topic =
@@ -210,9 +213,11 @@ final class StudyInspector {
                         + description(state, hazard)
                         + (said.isEmpty() ? "" : "\n→ " + said));
         say(input, texts.text("input.is", InputText.of(hazard.input())));
-        boolean opens = lab.showsHazards(state.topic().name());
-        open.setEnabled(opens);
-        open.setToolTipText(texts.text(opens ? "open.hint" : "open.noTab", state.topic().name()));
+        Optional<Unshown> obstacle = lab.obstacleTo(state.topic().name(), hazard.name());
+        open.setEnabled(obstacle.isEmpty());
+        open.setToolTipText(
+                obstacle.map(why -> why.in(canvas, state.topic().name()))
+                        .orElse(texts.text("open.hint")));
     }
 
     private String description(StudyLabState state, Hazard<?> hazard) {

@@ -141,7 +141,8 @@ public final class StudyPanel extends LabPanel {
 
     private void open() {
         StudyLabState state = model.state();
-        if (state.hazard().isEmpty() || !lab.showsHazards(state.topic().name())) return;
+        if (state.hazard().isEmpty()) return;
+        if (lab.obstacleTo(state.topic().name(), state.hazard()).isPresent()) return;
         try {
             lab.showHazard(state.topic().name(), state.hazard(), state.method());
         } catch (IllegalArgumentException e) {

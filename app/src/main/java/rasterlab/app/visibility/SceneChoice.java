@@ -15,14 +15,21 @@ import rasterlab.engine.texture.Texture;
  * @param name one of {@link Scenes#names()}, or the file's
  * @param file where it was read from; empty for a scene that the lab has
  * @param image the picture laid on all its faces, where one was opened
+ * @param known whether the name brings the scene back, image and all
  */
-record SceneChoice(String name, Optional<Path> file, Optional<Path> image, Scene scene) {
+record SceneChoice(
+        String name, Optional<Path> file, Optional<Path> image, Scene scene, boolean known) {
     /**
      * @throws IllegalArgumentException for an unknown name
      */
     @JsonCreator
     static SceneChoice named(String name) {
-        return new SceneChoice(name, Optional.empty(), Optional.empty(), Scenes.named(name));
+        return new SceneChoice(name, Optional.empty(), Optional.empty(), Scenes.named(name), true);
+    }
+
+    /** A scene that is neither the lab's nor a file's. */
+    static SceneChoice of(Scene scene) {
+        return new SceneChoice(scene.name(), Optional.empty(), Optional.empty(), scene, false);
     }
 
     /** What {@link #named} brings back; only scenes that the lab has are kept between runs. */
@@ -33,7 +40,7 @@ record SceneChoice(String name, Optional<Path> file, Optional<Path> image, Scene
 
     static SceneChoice opened(Path file, Scene scene) {
         return new SceneChoice(
-                file.getFileName().toString(), Optional.of(file), Optional.empty(), scene);
+                file.getFileName().toString(), Optional.of(file), Optional.empty(), scene, false);
     }
 
     /**
@@ -41,7 +48,7 @@ record SceneChoice(String name, Optional<Path> file, Optional<Path> image, Scene
      */
     SceneChoice covered(Path picture, Texture texture) {
         return new SceneChoice(
-                name, file, Optional.of(picture), TextureChange.covered(scene, texture));
+                name, file, Optional.of(picture), TextureChange.covered(scene, texture), false);
     }
 
     boolean textured() {

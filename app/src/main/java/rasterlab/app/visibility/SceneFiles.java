@@ -87,7 +87,7 @@ final class SceneFiles {
     private static void save(Path file, VisibilityChoice choice) {
         SceneChoice shown = choice.shown();
         SceneSource source =
-                shown.file().isEmpty() && shown.image().isEmpty()
+                shown.known()
                         ? new SceneSource.ByName(shown.name(), OptionalInt.empty())
                         : new SceneSource.Inline(shown.scene());
         var view =

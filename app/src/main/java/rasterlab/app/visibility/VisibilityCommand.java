@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import rasterlab.app.model.SceneText;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Cull;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -45,7 +46,7 @@ final class VisibilityCommand {
         Raster shown = model.state().picture().map(Picture::raster).orElse(new Raster(800, 600));
         SceneChoice scene = choice.shown();
         words.addAll(List.of("./lab", "render"));
-        words.add(scene.file().map(VisibilityCommand::quoted).orElse(scene.name()));
+        words.add(scene.file().map(VisibilityCommand::quoted).orElse(named(scene)));
         scene.image().ifPresent(image -> add("--texture-image", quoted(image)));
         SphericalView camera = choice.camera();
         add("--visibility", method);
@@ -59,6 +60,12 @@ final class VisibilityCommand {
         boolean two = !choice.comparison().isEmpty();
         add("--out", stem(scene.name()) + (two ? "-" + method : "") + ".png");
         return String.join(" ", words);
+    }
+
+    /** A scene that no name brings back, as it is called when it is saved. */
+    private static String named(SceneChoice scene) {
+        boolean unknown = !scene.known() && scene.image().isEmpty();
+        return unknown ? scene.name() + SceneText.EXTENSION : scene.name();
     }
 
     private static String stem(String name) {

@@ -111,11 +111,11 @@ final class VisibilityInspector {
     private NameChooser scenes() {
         var names = new ArrayList<String>(Scenes.names());
         SceneChoice shown = model.state().choice().shown();
-        if (shown.file().isPresent()) names.add(shown.name());
+        if (!names.contains(shown.name())) names.add(shown.name());
         return chooser("scene", names, this::chooseScene);
     }
 
-    /** The file that is open is no name to be looked up. */
+    /** What is open already may be no name to be looked up. */
     private void chooseScene(String name) {
         if (!name.equals(model.state().choice().scene()))
             model.choose(choice -> choice.withScene(name));
@@ -194,13 +194,9 @@ final class VisibilityInspector {
                 .forEach(method -> about.show(translations, method, readings.decision(), ""));
     }
 
-    /** An opened file is in the list as long as it is shown. */
+    /** What has no name of its own is in the list as long as it is shown. */
     private void showScene(SceneChoice shown) {
-        boolean listed = false;
-        for (int i = 0; i < scene.getItemCount(); i++)
-            listed |= scene.getItemAt(i).equals(shown.name());
-        if (!listed) scene.addItem(shown.name());
-        scene.show(shown.name());
+        scene.showListed(shown.name(), Scenes.names());
     }
 
     private void refreshSteps(VisibilityChoice choice, VisibilityReadings readings) {

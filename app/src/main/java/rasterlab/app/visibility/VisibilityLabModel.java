@@ -265,12 +265,10 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         return VisibilityChoice.class;
     }
 
-    /** How the lab opens where a file is shown, which may be gone by the next run. */
+    /** How the lab opens where a scene is shown that no name brings back. */
     @Override
     public VisibilityChoice kept() {
-        SceneChoice shown = state.choice().shown();
-        boolean ofTheLab = shown.file().isEmpty() && shown.image().isEmpty();
-        return ofTheLab ? state.choice() : VisibilityChoice.first();
+        return state.choice().shown().known() ? state.choice() : VisibilityChoice.first();
     }
 
     @Override

@@ -39,6 +39,11 @@ public record Wire(int dimension, List<Double> points, List<Edge> edges) {
         return new Wire(3, list(points), edges(new Mesh(points, faces)));
     }
 
+    /** The corner of the unit cube that is farthest from the origin. */
+    public static Wire point() {
+        return new Wire(3, List.of(1.0, 1.0, 1.0), List.of());
+    }
+
     /** The unit square with a letter F in it, whose mirror image looks different. */
     public static Wire square() {
         return plane(

@@ -88,6 +88,11 @@ public record ListChoice(
         return withItems(items, index);
     }
 
+    /** Points of space in the place of the subject. */
+    ListChoice with(List<Double> xyz) {
+        return new ListChoice(Subject.POINTS, xyz, items, selected, reading, method, viewpoint);
+    }
+
     ListChoice withPoint(int index, double x, double y) {
         var moved = new ArrayList<>(points);
         moved.set(2 * index, x);

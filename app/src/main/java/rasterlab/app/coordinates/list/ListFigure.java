@@ -64,6 +64,7 @@ final class ListFigure {
      */
     private void wire(double[] points, Ink ink, double[] h) {
         List<Spot> places = finite(points);
+        if (scene.choice().subject().wire().edges().isEmpty()) dots(places, ink, h);
         for (Wire.Edge edge : scene.choice().subject().wire().edges()) {
             boolean right = h.length == 0 || h[edge.from()] > 0 && h[edge.to()] > 0;
             marks.add(
@@ -72,6 +73,11 @@ final class ListFigure {
                             places.get(edge.to()),
                             right ? ink : Ink.WRONG));
         }
+    }
+
+    private void dots(List<Spot> places, Ink ink, double[] h) {
+        for (int i = 0; i < places.size(); i++)
+            marks.add(new Mark.Dot(places.get(i), h.length == 0 || h[i] > 0 ? ink : Ink.WRONG, ""));
     }
 
     /** Places of points, each one without an image being not finite. */

@@ -22,6 +22,7 @@ import rasterlab.engine.transform.matrix.NamedMatrix;
  */
 public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps {
     private static final double TURN = 180;
+    private static final String FORMULA = "formula";
     private static final String PRINTED = "formula-textbook";
 
     private final MatrixTopic topic = new MatrixTopic();
@@ -70,14 +71,31 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
 
     /** Shows a hazard's matrix alone, by the printed cells where those are wrong. */
     public void show(Hazard<MatrixCall> hazard) {
-        ListItem item = ListItem.of(hazard.input());
+        boolean printedRight = hazard.recorded().get(PRINTED) == Verdict.Kind.EXACT;
+        rearrange(alone(hazard.input()).withMethod(printedRight ? choice().method() : PRINTED));
+        goTo(last());
+    }
+
+    /** Shows a matrix alone. */
+    public void show(MatrixCall call) {
+        rearrange(alone(call));
+        goTo(last());
+    }
+
+    private ListChoice alone(MatrixCall call) {
+        ListItem item = ListItem.of(call);
         ListChoice next = choice();
         if (item.dimension() != next.dimension())
             next = next.with(item.dimension() == 2 ? Subject.SQUARE : Subject.CUBE);
-        boolean printedRight = hazard.recorded().get(PRINTED) == Verdict.Kind.EXACT;
+        return next.withItems(List.of(item), 0);
+    }
+
+    /** Shows points of space that go through matrices, by the right formula. */
+    public void show(PointList list) {
         rearrange(
-                next.withItems(List.of(item), 0)
-                        .withMethod(printedRight ? next.method() : PRINTED));
+                choice().with(list.points())
+                        .withItems(list.items(), list.items().size() - 1)
+                        .withMethod(FORMULA));
         goTo(last());
     }
 

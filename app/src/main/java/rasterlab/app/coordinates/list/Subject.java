@@ -11,7 +11,9 @@ public enum Subject {
     SQUARE(Wire.square()),
     TRIANGLE(Wire.triangle()),
     HOUSE(Wire.house()),
-    CUBE(Wire.cube());
+    CUBE(Wire.cube()),
+    /** Points of space by themselves, as an input of a topic has them. */
+    POINTS(Wire.point());
 
     private final transient Wire wire;
 

@@ -112,7 +112,12 @@ public final class TurnLabModel extends ChoiceModel<TurnChoice> implements Steps
     }
 
     public void show(Hazard<Turns> hazard) {
-        rearrange(choice().with(hazard.input()));
+        show(hazard.input());
+    }
+
+    /** Turns the first of the points. */
+    public void show(Turns turns) {
+        rearrange(choice().with(turns));
     }
 
     @Override

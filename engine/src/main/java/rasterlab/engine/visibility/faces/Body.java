@@ -52,7 +52,7 @@ public record Body(double[] xyz, int[][] faces, double[] eye, double[] inside) {
     }
 
     /** The inner point, or the mean of the vertices where none is given. */
-    double[] insideOrMean() {
+    public double[] insideOrMean() {
         if (inside.length > 0) return inside.clone();
         var mean = new double[3];
         int vertices = xyz.length / 3;

@@ -12,9 +12,10 @@ import rasterlab.engine.visibility.ViewedMesh;
  * Faces and where they are seen from: an input of topic {@code hidden-surfaces}.
  *
  * @param mesh the faces
+ * @param camera where the eye is
  * @param view the same as the eye sees them
  */
-public record SurfaceView(Mesh mesh, ViewedMesh view) {
+public record SurfaceView(Mesh mesh, SphericalView camera, ViewedMesh view) {
 
     /**
      * Without a far plane.
@@ -25,14 +26,14 @@ public record SurfaceView(Mesh mesh, ViewedMesh view) {
             Mesh mesh, SphericalView camera, Projection projection, PictureFit fit) {
         Raster.checkSize(fit.width(), fit.height());
         var transform = new ViewTransform(camera, projection);
-        return new SurfaceView(mesh, new ViewedMesh(mesh, transform, fit));
+        return new SurfaceView(mesh, camera, new ViewedMesh(mesh, transform, fit));
     }
 
     /** Perspective between a near and a far plane. */
     static SurfaceView between(
             double near, double far, Mesh mesh, SphericalView camera, PictureFit fit) {
         var transform = new ViewTransform(camera, Projection.PERSPECTIVE);
-        return new SurfaceView(mesh, new ViewedMesh(mesh, transform, fit, near, far));
+        return new SurfaceView(mesh, camera, new ViewedMesh(mesh, transform, fit, near, far));
     }
 
     int width() {

@@ -1,0 +1,60 @@
+package rasterlab.app.coordinates.list;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import rasterlab.engine.transform.axis.AxisTurn;
+import rasterlab.engine.transform.chain.Chain;
+import rasterlab.engine.transform.view.Look;
+
+/**
+ * Points of space and the matrices they go through: an input of a topic that has both.
+ *
+ * @param items the matrix that the points go through first is the last one
+ * @param points coordinates, one point after the other
+ */
+public record PointList(List<ListItem> items, List<Double> points) {
+    public PointList {
+        items = List.copyOf(items);
+        points = List.copyOf(points);
+    }
+
+    /**
+     * @throws IllegalArgumentException for a chain of the plane
+     */
+    public static PointList of(Chain chain) {
+        if (chain.dimension() != 3)
+            throw new IllegalArgumentException(
+                    "dimension must be 3 to be shown in space, got " + chain.dimension());
+        var items = new ArrayList<ListItem>();
+        for (double[] cells : chain.matrices()) items.add(ListItem.of(ListItem.FREE, cells));
+        Collections.reverse(items);
+        return new PointList(items, list(chain.points()));
+    }
+
+    public static PointList of(Look look) {
+        ListItem view = ListItem.of("VIEW_LEFT", look.theta(), look.phi(), look.rho());
+        return new PointList(List.of(view), list(look.points()));
+    }
+
+    public static PointList of(AxisTurn turn) {
+        double[] through = turn.through();
+        double[] along = turn.direction();
+        ListItem axis =
+                ListItem.of(
+                        "ROTAXIS",
+                        through[0],
+                        through[1],
+                        through[2],
+                        along[0],
+                        along[1],
+                        along[2],
+                        turn.degrees());
+        return new PointList(List.of(axis), list(turn.points()));
+    }
+
+    private static List<Double> list(double[] numbers) {
+        return Arrays.stream(numbers).boxed().toList();
+    }
+}

@@ -1,0 +1,203 @@
+package rasterlab.app.shell;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import rasterlab.app.canvas.Unshown;
+import rasterlab.app.clip.ClipLabModel;
+import rasterlab.app.clip.ClipMode;
+import rasterlab.app.coordinates.CoordinatesLabModel;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.list.PointList;
+import rasterlab.app.light.LightLabModel;
+import rasterlab.app.line.LineLabModel;
+import rasterlab.app.line.LineMode;
+import rasterlab.app.polygon.PolygonLabModel;
+import rasterlab.app.polygon.PolygonMode;
+import rasterlab.app.spline.SplineLabModel;
+import rasterlab.app.spline.SplineMode;
+import rasterlab.app.visibility.TopicView;
+import rasterlab.app.visibility.VisibilityLabModel;
+import rasterlab.engine.circle.Circle;
+import rasterlab.engine.circle.Ellipse;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.spline.CurveTask;
+import rasterlab.engine.spline.SplineProblem;
+import rasterlab.engine.transform.axis.AxisTurn;
+import rasterlab.engine.transform.chain.Chain;
+import rasterlab.engine.transform.matrix.MatrixCall;
+import rasterlab.engine.transform.rotate.Turns;
+import rasterlab.engine.transform.view.Look;
+import rasterlab.engine.visibility.faces.Body;
+import rasterlab.engine.visibility.hidden.SurfaceView;
+import rasterlab.engine.visibility.order.Sight;
+
+/** The way of each topic into its tab. A further topic is one more line. */
+final class TopicWays {
+    /** Methods of the other topics about hidden surfaces, by what draws by them. */
+    private static final Map<String, String> DRAWN_BY =
+            Map.of(
+                    "mean-z-textbook", "painter-textbook",
+                    "mean-z", "painter",
+                    "convex-segment-textbook", "convex",
+                    "convex-segment", "convex");
+
+    private final Map<String, TopicWay> ways = new TreeMap<>();
+
+    TopicWays(LabModels models) {
+        lines(models.line());
+        polygons(models.polygon());
+        clipping(models.clip());
+        coordinates(models.coordinates());
+        visibility(models.visibility());
+        light(models.light());
+        splines(models.spline());
+        ways.put("line-plane", TopicWay.none(Unshown.NO_TAB));
+        ways.put("depth-buffer", TopicWay.none(Unshown.DEPTHS_ALONE));
+        ways.put("texture-mapping", TopicWay.none(Unshown.TEXELS_ALONE));
+        ways.put("texture-filter", TopicWay.none(Unshown.TEXELS_ALONE));
+    }
+
+    /** The way of that topic; that of one which is not known shows nothing. */
+    TopicWay of(String topic) {
+        return ways.getOrDefault(topic, TopicWay.none(Unshown.NO_TAB));
+    }
+
+    private void lines(LineLabModel lab) {
+        put(
+                "line",
+                "line",
+                input -> {
+                    lab.chooseMode(LineMode.SEGMENT);
+                    lab.show((Segment) input);
+                },
+                lab::chooseMethod);
+        put(
+                "circle",
+                "line",
+                input -> {
+                    lab.chooseMode(LineMode.CIRCLE);
+                    lab.figures().show((Circle) input);
+                },
+                lab.figures()::chooseMethod);
+        put(
+                "ellipse",
+                "line",
+                input -> {
+                    lab.chooseMode(LineMode.ELLIPSE);
+                    lab.figures().show((Ellipse) input);
+                },
+                lab.figures()::chooseMethod);
+    }
+
+    private void polygons(PolygonLabModel lab) {
+        for (PolygonMode mode : PolygonMode.values())
+            put(mode.topic(), "polygon", input -> lab.showInput(mode, input), lab::chooseMethod);
+    }
+
+    private void clipping(ClipLabModel lab) {
+        for (ClipMode mode : ClipMode.values())
+            put(mode.topic(), "clip", input -> lab.showInput(mode, input), lab::chooseMethod);
+    }
+
+    private void splines(SplineLabModel lab) {
+        put(
+                "curve",
+                "spline",
+                input -> {
+                    lab.show(SplineMode.CURVE);
+                    lab.curve().show((CurveTask) input);
+                },
+                lab.curve()::chooseMethod);
+        put(
+                "spline-function",
+                "spline",
+                input -> {
+                    lab.show(SplineMode.FUNCTION);
+                    lab.function().show((SplineProblem) input);
+                },
+                lab.function()::chooseMethod);
+    }
+
+    private void coordinates(CoordinatesLabModel lab) {
+        put(
+                "rotate",
+                "coordinates",
+                input -> {
+                    lab.show(CoordinatesMode.ROTATION);
+                    lab.rotation().show((Turns) input);
+                },
+                lab.rotation()::chooseMethod);
+        put(
+                "matrix",
+                "coordinates",
+                input -> {
+                    lab.show(CoordinatesMode.TRANSFORMATIONS);
+                    lab.transformations().show((MatrixCall) input);
+                },
+                lab.transformations()::chooseMethod);
+        points("transform", lab, input -> PointList.of((Chain) input));
+        points("view", lab, input -> PointList.of((Look) input));
+        points("rotate-axis", lab, input -> PointList.of((AxisTurn) input));
+    }
+
+    /** Points that go through matrices, which the lab knows no other methods for. */
+    private void points(String topic, CoordinatesLabModel lab, Function<Object, PointList> list) {
+        Consumer<Object> show =
+                input -> {
+                    lab.show(CoordinatesMode.TRANSFORMATIONS);
+                    lab.transformations().show(list.apply(input));
+                };
+        put(topic, "coordinates", show, method -> {});
+    }
+
+    private void visibility(VisibilityLabModel lab) {
+        seen("hidden-surfaces", lab, in -> TopicView.of(in.name(), (SurfaceView) in.input()));
+        seen("visible-faces", lab, in -> TopicView.of(in.name(), (Body) in.input()));
+        seen("depth-order", lab, in -> TopicView.of(in.name(), (Sight) in.input()));
+    }
+
+    private void seen(
+            String topic, VisibilityLabModel lab, Function<TopicInput, TopicView.Found> found) {
+        BiConsumer<TopicInput, String> show =
+                (input, method) -> {
+                    TopicView view = found.apply(input).view().orElseThrow();
+                    lab.choose(
+                            choice ->
+                                    view.shown(
+                                            choice,
+                                            method.isEmpty()
+                                                    ? choice.visibility()
+                                                    : DRAWN_BY.getOrDefault(method, method)));
+                };
+        ways.put(topic, new TopicWay("visibility", input -> found.apply(input).obstacle(), show));
+    }
+
+    private void light(LightLabModel lab) {
+        for (String topic : List.of("shade", "shade-face", "vertex-normals", "color"))
+            ways.put(
+                    topic,
+                    new TopicWay(
+                            "light",
+                            input -> lab.obstacle(input.input()),
+                            (input, method) ->
+                                    lab.show(topic, input.hazard(), input.input(), method)));
+    }
+
+    private void put(
+            String topic, String tab, Consumer<Object> show, Consumer<String> chooseMethod) {
+        ways.put(
+                topic,
+                new TopicWay(
+                        tab,
+                        input -> Optional.empty(),
+                        (input, method) -> {
+                            show.accept(input.input());
+                            if (!method.isEmpty()) chooseMethod.accept(method);
+                        }));
+    }
+}
