@@ -70,7 +70,7 @@ class WindowStudyTest extends WindowHarness {
 
     @Test
     void cellOfTheTableIsExplainedAndOpensItsSceneInItsTab() {
-        window.table("hazards").selectCell(TableCell.row(0).column(1));
+        window.table("hazards").selectCell(TableCell.row(0).column(0));
         robot.waitForIdle();
         var topic = state().topic();
         assertEquals(topic.hazards().get(0).name(), state().hazard());
@@ -86,7 +86,7 @@ class WindowStudyTest extends WindowHarness {
     void enterOpensTheCellToo() {
         window.comboBox("topic").selectItem("curve");
         robot.waitForIdle();
-        window.table("hazards").selectCell(TableCell.row(1).column(2));
+        window.table("hazards").selectCell(TableCell.row(1).column(1));
         focus("hazards");
         press(KeyEvent.VK_ENTER);
         assertEquals("spline", frame.shownTab());
@@ -94,12 +94,29 @@ class WindowStudyTest extends WindowHarness {
 
     @Test
     void topicWithoutATabShowsItsInput() {
-        window.comboBox("topic").selectItem("matrix");
+        window.comboBox("topic").selectItem("line-plane");
         robot.waitForIdle();
-        window.table("hazards").selectCell(TableCell.row(0).column(1));
+        window.table("hazards").selectCell(TableCell.row(0).column(0));
         robot.waitForIdle();
         assertFalse(window.button("open").isEnabled());
+        assertTrue(window.button("open").target().getToolTipText().contains("line-plane"));
         assertTrue(window.textBox("input").text().length() > 10);
+    }
+
+    @Test
+    void namesOfHazardsStayWhereMethodsScroll() {
+        window.comboBox("topic").selectItem("hidden-surfaces");
+        window.resizeTo(new Dimension(900, 600));
+        robot.waitForIdle();
+        var names = window.table("hazards.names");
+        Point before = names.target().getLocationOnScreen();
+        int last = state().topic().methods().size() - 1;
+        window.table("hazards").selectCell(TableCell.row(3).column(last));
+        robot.waitForIdle();
+        assertTrue(window.table("hazards").target().getVisibleRect().x > 0, "methods scrolled");
+        assertEquals(before, names.target().getLocationOnScreen());
+        assertEquals(names.target().getVisibleRect().width, names.target().getWidth());
+        assertEquals(3, names.target().getSelectedRow());
     }
 
     @Test
@@ -141,7 +158,7 @@ class WindowStudyTest extends WindowHarness {
     @Test
     void languageKeepsTopicViewAndChoice() {
         window.comboBox("topic").selectItem("clip-segment");
-        window.table("hazards").selectCell(TableCell.row(2).column(2));
+        window.table("hazards").selectCell(TableCell.row(2).column(1));
         robot.waitForIdle();
         var before = state();
         GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));

@@ -2,19 +2,16 @@ package rasterlab.app.study;
 
 import java.awt.Color;
 import java.awt.Component;
-import java.awt.Dimension;
 import java.awt.Font;
-import java.awt.Graphics;
-import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Optional;
-import javax.swing.JComponent;
+import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
+import javax.swing.ScrollPaneConstants;
 import javax.swing.UIManager;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
@@ -39,6 +36,7 @@ final class HazardTable extends JTable {
     private final transient StudyLabModel model;
     private final transient Texts texts;
     private final transient Cells cells = new Cells();
+    private final HazardNames names;
     private transient Topic<?, ?, ?> shown;
     private boolean refreshing;
 
@@ -59,6 +57,7 @@ final class HazardTable extends JTable {
         setRowHeight(getFontMetrics(getFont()).getHeight() + 8);
         getSelectionModel().addListSelectionListener(e -> choose());
         getColumnModel().getSelectionModel().addListSelectionListener(e -> choose());
+        names = new HazardNames(this, texts.text("hazard"));
         KeyBinding.whenFocused(this, KeyStroke.getKeyStroke("ENTER"), open);
         addMouseListener(
                 new MouseAdapter() {
@@ -69,11 +68,20 @@ final class HazardTable extends JTable {
                 });
     }
 
+    /** The table with the names of its rows beside it, which stay while the methods scroll. */
+    JScrollPane scroll() {
+        var scroll = new JScrollPane(this);
+        scroll.setName("hazards.scroll");
+        scroll.setRowHeaderView(names);
+        scroll.setCorner(ScrollPaneConstants.UPPER_LEFT_CORNER, names.getTableHeader());
+        return scroll;
+    }
+
     private void choose() {
         int row = getSelectedRow();
         int column = getSelectedColumn();
-        if (refreshing || row < 0 || column < 1 || column > methods().size()) return;
-        model.choose(hazards().get(row).name(), methods().get(column - 1).name());
+        if (refreshing || row < 0 || column < 0 || column >= methods().size()) return;
+        model.choose(hazards().get(row).name(), methods().get(column).name());
     }
 
     private List<? extends Hazard<?>> hazards() {
@@ -97,16 +105,11 @@ final class HazardTable extends JTable {
     }
 
     private void shape() {
-        var metrics = getFontMetrics(getFont());
-        int first =
-                hazards().stream()
-                        .mapToInt(hazard -> metrics.stringWidth(hazard.name()))
-                        .max()
-                        .orElse(0);
-        width(0, first + 20);
-        for (int i = 1; i < getColumnCount(); i++) width(i, COLUMN);
-        for (int i = 0; i < getColumnCount(); i++)
-            getColumnModel().getColumn(i).setHeaderRenderer(new Upright());
+        for (int i = 0; i < getColumnCount(); i++) {
+            width(i, COLUMN);
+            getColumnModel().getColumn(i).setHeaderRenderer(new UprightHeader(false));
+        }
+        names.show(hazards());
     }
 
     private void width(int column, int width) {
@@ -118,16 +121,16 @@ final class HazardTable extends JTable {
 
     private Verdict.Kind recorded(int row, int column) {
         var hazard = hazards().get(row);
-        return hazard.recorded().getOrDefault(methods().get(column - 1).name(), Verdict.Kind.EXACT);
+        return hazard.recorded().getOrDefault(methods().get(column).name(), Verdict.Kind.EXACT);
     }
 
     private Optional<Cell> fresh(int row, int column) {
-        return model.state().cell(hazards().get(row).name(), methods().get(column - 1).name());
+        return model.state().cell(hazards().get(row).name(), methods().get(column).name());
     }
 
     @Override
     public TableCellRenderer getCellRenderer(int row, int column) {
-        return column == 0 ? super.getCellRenderer(row, column) : new VerdictCell();
+        return new VerdictCell();
     }
 
     private final class VerdictCell extends DefaultTableCellRenderer {
@@ -146,7 +149,7 @@ final class HazardTable extends JTable {
             setToolTipText(
                     texts.text(
                             fresh.isPresent() ? "cell.fresh" : "cell.recorded",
-                            methods().get(column - 1).name(),
+                            methods().get(column).name(),
                             hazards().get(row).name(),
                             texts.text("verdict." + kind.code())));
             return this;
@@ -167,65 +170,20 @@ final class HazardTable extends JTable {
 
         @Override
         public int getColumnCount() {
-            return methods().size() + 1;
+            return methods().size();
         }
 
         @Override
         public String getColumnName(int column) {
-            return column == 0 ? texts.text("hazard") : methods().get(column - 1).name();
+            return methods().get(column).name();
         }
 
         @Override
         public Object getValueAt(int row, int column) {
-            if (column == 0) return hazards().get(row).name();
             Optional<Cell> fresh = fresh(row, column);
             if (fresh.isEmpty()) return VerdictSign.of(recorded(row, column)).sign();
             String sign = VerdictSign.of(fresh.get().verdict().kind()).sign();
             return fresh.get().asRecorded() ? sign : sign + " !";
-        }
-    }
-
-    /** Names of methods that stand upright, so that a column is as narrow as its sign. */
-    private static final class Upright extends JComponent implements TableCellRenderer {
-        private static final long serialVersionUID = 1L;
-
-        private String name = "";
-        private boolean lying;
-
-        @Override
-        public Component getTableCellRendererComponent(
-                JTable table, Object value, boolean on, boolean focused, int row, int column) {
-            name = String.valueOf(value);
-            lying = column == 0;
-            setFont(table.getFont());
-            int longest = 0;
-            for (int i = 1; i < table.getColumnCount(); i++)
-                longest =
-                        Math.max(
-                                longest,
-                                getFontMetrics(getFont()).stringWidth(table.getColumnName(i)));
-            setPreferredSize(new Dimension(COLUMN, longest + 16));
-            return this;
-        }
-
-        @Override
-        protected void paintComponent(Graphics graphics) {
-            var g = (Graphics2D) graphics.create();
-            g.setRenderingHint(
-                    RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-            g.setColor(UIManager.getColor("TableHeader.bottomSeparatorColor"));
-            g.drawLine(0, getHeight() - 1, getWidth(), getHeight() - 1);
-            g.setFont(getFont());
-            g.setColor(UIManager.getColor("TableHeader.foreground"));
-            var metrics = g.getFontMetrics();
-            if (lying) {
-                g.drawString(name, 6, getHeight() - 8);
-            } else {
-                g.translate((getWidth() + metrics.getAscent()) / 2 - 1, getHeight() - 8);
-                g.rotate(-Math.PI / 2);
-                g.drawString(name, 0, 0);
-            }
-            g.dispose();
         }
     }
 }
