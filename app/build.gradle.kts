@@ -9,6 +9,7 @@ dependencies {
     implementation(libs.jackson.datatype.jdk8)
     implementation(libs.rsyntaxtextarea)
     implementation(libs.flatlaf)
+    implementation(libs.jsvg)
     implementation(libs.miglayout.swing)
     implementation(libs.picocli)
     implementation(libs.batik.dom)

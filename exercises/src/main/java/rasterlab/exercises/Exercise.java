@@ -11,6 +11,7 @@ import rasterlab.exercises.score.Disclosure;
  * @param topic the engine's topic whose contract the student implements
  * @param title language code ("en", "ru") to title
  * @param statement language code to Markdown text
+ * @param pictures what the statements show, by file name
  * @param starter Java source to begin with
  * @param revision changes whenever anything that grading depends on changes
  * @param tolerance what still counts as right
@@ -21,6 +22,7 @@ public record Exercise(
         String topic,
         Map<String, String> title,
         Map<String, String> statement,
+        Map<String, Picture> pictures,
         String starter,
         String revision,
         Tolerance tolerance,
@@ -32,6 +34,7 @@ public record Exercise(
     public Exercise {
         title = withEnglish("title", title);
         statement = withEnglish("statement", statement);
+        pictures = Map.copyOf(pictures);
         cases = List.copyOf(cases);
     }
 

@@ -24,6 +24,7 @@ import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.Grading
+import rasterlab.exercises.Picture
 import rasterlab.exercises.score.CasePictures
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Disclosure
@@ -87,12 +88,18 @@ class Classroom(
         }
 
     companion object {
+        const val DOT = "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><rect width='9' height='9'/></svg>"
+
         val EXERCISE =
             Exercise(
                 "draw-dot",
                 "line",
                 mapOf("en" to "Draw a dot", "ru" to "Нарисуйте точку"),
-                mapOf("en" to "Light **one** pixel. <script>alert(1)</script>", "ru" to "Зажгите **один** пиксель."),
+                mapOf(
+                    "en" to "Light **one** pixel. <script>alert(1)</script>\n\n![one pixel](dot.svg)\n",
+                    "ru" to "Зажгите **один** пиксель.",
+                ),
+                mapOf("dot.svg" to Picture.of("dot.svg", DOT.toByteArray())),
                 "public class Dot {}\n",
                 "r1",
                 Exercise.Tolerance(true),

@@ -151,7 +151,7 @@ public final class ExercisePanel extends LabPanel {
     private void refresh() {
         ExerciseState state = model.state();
         exercise.show(state.exercise().id());
-        statement.show(state.exercise().statement(texts.locale().getLanguage()));
+        statement.show(state.exercise(), texts.locale().getLanguage());
         editor.show(state.exercise().id(), state.source());
         editor.remark(
                 state.upToDate() ? state.outcome().orElseThrow().remarks() : java.util.List.of());

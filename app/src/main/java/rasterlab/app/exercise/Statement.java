@@ -6,12 +6,14 @@ import java.net.URL;
 import java.util.Hashtable;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
-import java.util.function.Function;
 import org.commonmark.ext.gfm.tables.TableBlock;
 import org.commonmark.ext.gfm.tables.TablesExtension;
+import org.commonmark.node.AbstractVisitor;
 import org.commonmark.node.IndentedCodeBlock;
 import org.commonmark.node.Node;
+import org.commonmark.node.Text;
 import org.commonmark.parser.Parser;
 import org.commonmark.renderer.NodeRenderer;
 import org.commonmark.renderer.html.AttributeProvider;
@@ -19,8 +21,9 @@ import org.commonmark.renderer.html.HtmlNodeRendererContext;
 import org.commonmark.renderer.html.HtmlRenderer;
 
 /**
- * An exercise's Markdown as HTML that Swing shows. A block of rows made of {@code #} and {@code .}
- * becomes a picture of pixels.
+ * An exercise's Markdown as HTML that Swing shows, with its pictures. A block of rows made of
+ * {@code #} and {@code .} becomes a picture of pixels. Formulas are text: Unicode has what they
+ * need.
  */
 final class Statement {
     private static final List<TablesExtension> EXTENSIONS =
@@ -29,17 +32,23 @@ final class Statement {
     private final Hashtable<URL, Image> pictures = new Hashtable<>();
     private final String html;
 
-    /**
-     * @param picture draws rows of pixels
-     */
-    Statement(String markdown, Function<List<String>, Image> picture) {
+    /** What draws the pictures. */
+    interface Painter {
+        /** Rows of pixels: {@code #} lit, {@code .} not. */
+        Image pixels(List<String> rows);
+
+        /** A picture of the exercise by its name; empty where it cannot be shown. */
+        Optional<Image> picture(String name);
+    }
+
+    Statement(String markdown, Painter painter) {
         html =
                 HtmlRenderer.builder()
                         .extensions(EXTENSIONS)
                         .escapeHtml(true)
                         .sanitizeUrls(true)
                         .attributeProviderFactory(context -> new TableLines())
-                        .nodeRendererFactory(context -> new Blocks(context, picture))
+                        .nodeRendererFactory(context -> new Drawn(context, painter))
                         .build()
                         .render(Parser.builder().extensions(EXTENSIONS).build().parse(markdown));
     }
@@ -73,23 +82,27 @@ final class Statement {
         }
     }
 
-    private final class Blocks implements NodeRenderer {
+    private final class Drawn implements NodeRenderer {
         private final HtmlNodeRendererContext context;
-        private final Function<List<String>, Image> picture;
+        private final Painter painter;
 
-        Blocks(HtmlNodeRendererContext context, Function<List<String>, Image> picture) {
+        Drawn(HtmlNodeRendererContext context, Painter painter) {
             this.context = context;
-            this.picture = picture;
+            this.painter = painter;
         }
 
         @Override
         public Set<Class<? extends Node>> getNodeTypes() {
-            return Set.of(IndentedCodeBlock.class);
+            return Set.of(IndentedCodeBlock.class, org.commonmark.node.Image.class);
         }
 
         @Override
         public void render(Node node) {
-            String text = ((IndentedCodeBlock) node).getLiteral();
+            if (node instanceof IndentedCodeBlock block) code(block.getLiteral());
+            else picture((org.commonmark.node.Image) node);
+        }
+
+        private void code(String text) {
             List<String> rows = pixels(text);
             var out = context.getWriter();
             out.line();
@@ -99,16 +112,45 @@ final class Statement {
                 out.tag("/pre");
             } else {
                 out.tag("p");
-                out.tag("img", Map.of("src", address(rows), "alt", String.join(" ", rows)), true);
+                put(painter.pixels(rows), String.join(" ", rows));
                 out.tag("/p");
             }
             out.line();
         }
 
-        private String address(List<String> rows) {
+        /** A picture that cannot be shown gives way to its words. */
+        private void picture(org.commonmark.node.Image node) {
+            String words = words(node);
+            painter.picture(node.getDestination())
+                    .ifPresentOrElse(
+                            image -> put(image, words),
+                            () -> {
+                                context.getWriter().tag("i");
+                                context.getWriter().text("[" + words + "]");
+                                context.getWriter().tag("/i");
+                            });
+        }
+
+        private static String words(Node node) {
+            var words = new StringBuilder();
+            node.accept(
+                    new AbstractVisitor() {
+                        @Override
+                        public void visit(Text text) {
+                            words.append(text.getLiteral());
+                        }
+                    });
+            return words.toString();
+        }
+
+        private void put(Image image, String words) {
+            context.getWriter().tag("img", Map.of("src", address(image), "alt", words), true);
+        }
+
+        private String address(Image image) {
             try {
-                URL address = new URL("file:/pixels/" + pictures.size());
-                pictures.put(address, picture.apply(rows));
+                URL address = new URL("file:/pictures/" + pictures.size());
+                pictures.put(address, image);
                 return address.toString();
             } catch (MalformedURLException e) {
                 throw new AssertionError("the scheme is known to every JDK", e);

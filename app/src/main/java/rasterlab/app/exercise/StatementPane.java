@@ -6,11 +6,15 @@ import java.awt.Graphics2D;
 import java.awt.Image;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import javax.swing.JEditorPane;
 import javax.swing.UIManager;
 import javax.swing.text.html.HTMLEditorKit;
 import javax.swing.text.html.StyleSheet;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Picture;
 
 /** What an exercise asks for, as a page. */
 final class StatementPane extends JEditorPane {
@@ -67,17 +71,30 @@ final class StatementPane extends JEditorPane {
     }
 
     /** Shows the statement from its beginning, unless it is shown already. */
-    void show(String markdown) {
+    void show(Exercise exercise, String language) {
+        String markdown = exercise.statement(language);
         if (markdown.equals(shown)) return;
         shown = markdown;
-        var statement = new Statement(markdown, StatementPane::picture);
+        var statement = new Statement(markdown, new Pictures(exercise.pictures()));
         getDocument().putProperty("imageCache", statement.pictures());
         setText(statement.html());
         setCaretPosition(0);
     }
 
+    private record Pictures(Map<String, Picture> named) implements Statement.Painter {
+        @Override
+        public Image pixels(List<String> rows) {
+            return squares(rows);
+        }
+
+        @Override
+        public Optional<Image> picture(String name) {
+            return Optional.ofNullable(named.get(name)).flatMap(PicturePlate::of);
+        }
+    }
+
     /** One square for each character: {@code #} lit, {@code .} not. */
-    private static Image picture(List<String> rows) {
+    private static Image squares(List<String> rows) {
         int cell = UIScale.scale(CELL);
         var colours = StageColours.now();
         var image =

@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import rasterlab.exercises.CatalogueException;
 
-/** The files of one exercise, from a folder or from the class path; remembers what was read. */
+/** The files of one exercise, from a folder or from the class path; remembers texts it read. */
 final class ExerciseFolder {
     /** More than any honest statement or case file; a mistaken file is named, not loaded. */
     private static final int MOST_BYTES = 1 << 20;
@@ -66,19 +66,24 @@ final class ExerciseFolder {
     }
 
     String text(String file) {
-        if (!file.matches("[A-Za-z0-9][A-Za-z0-9._-]*(/[A-Za-z0-9][A-Za-z0-9._-]*)?"))
-            throw new CatalogueException(
-                    place
-                            + ": '"
-                            + file
-                            + "' is not a file name of letters, digits, '.', '_' and '-', in at most one sub-folder");
-        byte[] bytes = bytes(file);
+        byte[] bytes = content(file);
         read.put(file, bytes);
         try {
             return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
         } catch (CharacterCodingException e) {
             throw new CatalogueException(place(file) + " is not text in UTF-8", e);
         }
+    }
+
+    /** The bytes of a file, which are not remembered. */
+    byte[] content(String file) {
+        if (!file.matches("[A-Za-z0-9][A-Za-z0-9._-]*(/[A-Za-z0-9][A-Za-z0-9._-]*)?"))
+            throw new CatalogueException(
+                    place
+                            + ": '"
+                            + file
+                            + "' is not a file name of letters, digits, '.', '_' and '-', in at most one sub-folder");
+        return bytes(file);
     }
 
     private byte[] bytes(String file) {

@@ -55,11 +55,13 @@ final class ExerciseReader {
         checkNames(cases);
         checkSum(cases, Kind.ACCURACY, points.accuracy());
         checkSum(cases, Kind.STABILITY, points.stability());
+        Map<String, String> statements = statements();
         return new Exercise(
                 id,
                 topic.name(),
                 titles(fields.object("title", "en", "ru")),
-                statements(),
+                statements,
+                new StatementPictures(folder).read(statements),
                 folder.text("Starter.java"),
                 Revision.of(folder.read()),
                 new Tolerance(
@@ -78,7 +80,7 @@ final class ExerciseReader {
     private Map<String, String> statements() {
         Map<String, String> statements = new LinkedHashMap<>();
         for (String language : LANGUAGES)
-            statements.put(language, folder.text("statement." + language + ".md"));
+            statements.put(language, folder.text(StatementPictures.file(language)));
         return statements;
     }
 

@@ -1,6 +1,7 @@
 package rasterlab.exercises.catalogue;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -11,7 +12,9 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -23,6 +26,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading;
+import rasterlab.exercises.Picture;
 
 /** An instructor's folder is read, or its mistake is named with file and field. */
 class CatalogueTest {
@@ -33,7 +37,8 @@ class CatalogueTest {
                     "hidden-cases.json",
                     "Starter.java",
                     "statement.en.md",
-                    "statement.ru.md");
+                    "statement.ru.md",
+                    "segment.svg");
 
     @TempDir Path folder;
     private Path mine;
@@ -57,6 +62,20 @@ class CatalogueTest {
         assertEquals(100, exercise.points().total());
         assertTrue(exercise.statement("ru").contains("Брезенхем"), exercise.statement("ru"));
         assertEquals(exercise.statement("en"), exercise.statement("de"));
+    }
+
+    @Test
+    void picturesAreReadWithTheStatementAndChangeNoGrade() throws IOException {
+        Exercise before = Catalogue.builtIn().withFolder(folder).named("my-line");
+        assertEquals(Set.of("segment.svg"), before.pictures().keySet());
+        assertEquals(Picture.Form.SVG, before.pictures().get("segment.svg").form());
+        change("segment.svg", "#d55e00", "#0072b2");
+        Exercise after = Catalogue.builtIn().withFolder(folder).named("my-line");
+        assertEquals(before.revision(), after.revision());
+        assertFalse(
+                Arrays.equals(
+                        before.pictures().get("segment.svg").content(),
+                        after.pictures().get("segment.svg").content()));
     }
 
     @Test
@@ -98,6 +117,30 @@ class CatalogueTest {
         String json = "exercise.json";
         String cases = "cases.json";
         return Stream.of(
+                argumentSet(
+                        "picture that is not there",
+                        "statement.ru.md",
+                        "segment.svg",
+                        "circle.svg",
+                        "circle.svg is missing"),
+                argumentSet(
+                        "picture from elsewhere",
+                        "statement.en.md",
+                        "(segment.svg)",
+                        "(http://localhost/segment.svg)",
+                        "statement.en.md: picture must lie in the exercise's own folder"),
+                argumentSet(
+                        "file that is no picture",
+                        "statement.en.md",
+                        "segment.svg",
+                        "cases.json",
+                        "picture must end in .png or .svg, got 'cases.json'"),
+                argumentSet(
+                        "picture of another form than its name tells",
+                        "segment.svg",
+                        "<svg",
+                        "<html",
+                        "'segment.svg' is no SVG picture"),
                 argumentSet("file is no JSON", json, "{", "[", "exercise.json is not JSON: line"),
                 argumentSet("array for object", cases, "[", "{} [", "cases.json is not JSON"),
                 argumentSet(

@@ -5,12 +5,14 @@ import io.ktor.http.HttpHeaders
 import io.ktor.http.withCharset
 import io.ktor.server.application.ApplicationCall
 import io.ktor.server.response.header
+import io.ktor.server.response.respondBytes
 import io.ktor.server.response.respondText
 import io.ktor.server.routing.Route
 import io.ktor.server.routing.get
 import io.ktor.server.util.getOrFail
 import kotlinx.serialization.Serializable
 import rasterlab.exercises.Exercise
+import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondJson
 
 @Serializable
@@ -43,12 +45,25 @@ fun Route.exercises(exercises: Exercises) {
             ContentType("text", "markdown").withCharset(Charsets.UTF_8),
         )
     }
+    get("/exercises/{id}/pictures/{name}") {
+        call.respondPicture(exercises.named(call.exerciseId()), call.parameters.getOrFail("name"))
+    }
 }
 
 /** The starter as a file to save. */
 suspend fun ApplicationCall.respondStarter(exercise: Exercise) {
     response.header(HttpHeaders.ContentDisposition, "attachment; filename=\"${exercise.starterFile()}\"")
     respondText(exercise.starter(), ContentType.Text.Plain.withCharset(Charsets.UTF_8))
+}
+
+/** A picture of the statement. An SVG that is opened by itself runs and loads nothing. */
+suspend fun ApplicationCall.respondPicture(
+    exercise: Exercise,
+    name: String,
+) {
+    val picture = exercise.pictures()[name] ?: throw Rejection.UnknownPicture(exercise.id(), name)
+    response.header("Content-Security-Policy", "default-src 'none'; style-src 'unsafe-inline'; sandbox")
+    respondBytes(picture.content(), ContentType.parse(picture.form().mediaType()))
 }
 
 /** The file name that the compiler wants for the starter. */

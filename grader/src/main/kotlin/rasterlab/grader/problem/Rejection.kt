@@ -44,9 +44,9 @@ sealed class Rejection(
     ) : Rejection("no submission '$id' of yours", "unknown-submission")
 
     class UnknownPicture(
-        case: String,
+        of: String,
         picture: String,
-    ) : Rejection("no picture '$picture' of a case '$case'", "unknown-picture")
+    ) : Rejection("no picture '$picture' of '$of'", "unknown-picture")
 
     class UnknownCourse(
         code: String,

@@ -27,6 +27,7 @@ import rasterlab.exercises.Exercise
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
+import rasterlab.grader.exercise.respondPicture
 import rasterlab.grader.exercise.respondStarter
 import rasterlab.grader.exercise.starterFile
 import rasterlab.grader.submission.GradingQueue
@@ -50,6 +51,10 @@ fun Route.exercisePages(
     get("/exercises/{id}/starter") {
         call.someone(accounts)
         call.respondStarter(exercises.named(call.parameters.getOrFail("id")))
+    }
+    get("/exercises/{id}/pictures/{name}") {
+        call.someone(accounts)
+        call.respondPicture(exercises.named(call.parameters.getOrFail("id")), call.parameters.getOrFail("name"))
     }
     post("/exercises/{id}") {
         call.requireOwnForm()
@@ -95,7 +100,10 @@ private suspend fun ApplicationCall.respondExercise(
             +texts.say("exercise.plan", plan.accuracy(), plan.stability(), plan.speed())
         }
         div("columns wide") {
-            article("card statement") { unsafe { +markdownAsHtml(exercise.statement(texts.language).withoutTitle()) } }
+            article("card statement") {
+                val statement = exercise.statement(texts.language).withoutTitle()
+                unsafe { +markdownAsHtml(statement) { "/exercises/${exercise.id()}/pictures/$it" } }
+            }
             section {
                 div("card") {
                     p {

@@ -1,19 +1,32 @@
 package rasterlab.grader.web
 
 import org.commonmark.ext.gfm.tables.TablesExtension
+import org.commonmark.node.Image
 import org.commonmark.parser.Parser
+import org.commonmark.renderer.html.AttributeProvider
 import org.commonmark.renderer.html.HtmlRenderer
 
 private val EXTENSIONS = listOf(TablesExtension.create())
 
-/** Markdown, with tables, as HTML in which nothing but Markdown's own elements survives. */
-fun markdownAsHtml(markdown: String): String =
+/**
+ * Markdown, with tables, as HTML in which nothing but Markdown's own elements survives.
+ *
+ * @param address where a picture is, by its name
+ */
+fun markdownAsHtml(
+    markdown: String,
+    address: (String) -> String,
+): String =
     HtmlRenderer
         .builder()
         .extensions(EXTENSIONS)
         .escapeHtml(true)
         .sanitizeUrls(true)
-        .build()
+        .attributeProviderFactory {
+            AttributeProvider { node, _, attributes ->
+                if (node is Image) attributes["src"] = address(node.destination)
+            }
+        }.build()
         .render(
             Parser
                 .builder()

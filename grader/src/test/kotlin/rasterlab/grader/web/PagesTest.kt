@@ -53,6 +53,25 @@ class PagesTest {
         }
 
     @Test
+    fun showsThePicturesOfAStatement() =
+        Classroom(folder).open(grades = false) {
+            val joined = form("/join", "course" to newCourse(), "name" to "Ada")
+            val cookie = session(joined)
+            val place = "/exercises/draw-dot/pictures/dot.svg"
+            assertTrue("""src="$place"""" in page("/exercises/draw-dot", cookie), "the page has no picture")
+            val picture = client.get(place) { header(HttpHeaders.Cookie, cookie) }
+            assertEquals(Classroom.DOT, picture.bodyAsText())
+            assertEquals("image/svg+xml", picture.headers[HttpHeaders.ContentType])
+            assertTrue(picture.headers.getAll("Content-Security-Policy").orEmpty().any { "sandbox" in it })
+            val scripted = client.get("/api/v1$place") { bearer(token(joined)) }
+            assertEquals(Classroom.DOT, scripted.bodyAsText())
+            val unknown = client.get("/api/v1/exercises/draw-dot/pictures/other.svg") { bearer(token(joined)) }
+            assertEquals(404, unknown.status.value)
+            assertTrue("no picture 'other.svg' of 'draw-dot'" in unknown.bodyAsText(), unknown.bodyAsText())
+            assertFalse(client.get(place).bodyAsText().contains("<svg xmlns='"), "strangers see it")
+        }
+
+    @Test
     fun refusesFormsOfOtherSites() =
         Classroom(folder).open(grades = false) {
             val code = newCourse()
