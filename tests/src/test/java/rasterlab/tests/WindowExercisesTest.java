@@ -3,7 +3,9 @@ package rasterlab.tests;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.EventQueue;
 import java.awt.event.KeyEvent;
+import java.awt.event.WindowEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.assertj.swing.edt.GuiActionRunner;
@@ -147,6 +149,59 @@ class WindowExercisesTest extends WindowHarness {
         await("it is given up", () -> window.button("check").isEnabled());
         assertEquals(endless, source());
         assertTrue(window.textBox("notice").text().contains("Given up"));
+    }
+
+    @Test
+    void textThatCannotBeSavedIsAskedForBeforeTheWindowCloses() throws Exception {
+        Files.createDirectory(draft());
+        Files.writeString(draft().resolve("in-the-way"), "");
+        type("typed");
+        askToClose();
+        JOptionPaneFixture question = window.optionPane();
+        assertTrue(messageOf(question).contains("line-bresenham"), messageOf(question));
+        press(KeyEvent.VK_ESCAPE);
+        assertTrue(frame.isShowing(), "stays");
+        assertEquals("typed", source());
+
+        askToClose();
+        choose("Save elsewhere…");
+        Path elsewhere = folder.resolve("kept.java");
+        window.fileChooser().fileNameTextBox().setText(elsewhere.toString());
+        window.fileChooser().fileNameTextBox().pressAndReleaseKeys(KeyEvent.VK_ENTER);
+        await("the window closes", () -> !frame.isDisplayable());
+        assertEquals("typed", Files.readString(elsewhere));
+    }
+
+    @Test
+    void windowClosesWithoutItsTextWhereTheUserSaysSo() throws Exception {
+        Files.createDirectory(draft());
+        Files.writeString(draft().resolve("in-the-way"), "");
+        type("typed");
+        askToClose();
+        choose("Close anyway");
+        await("the window closes", () -> !frame.isDisplayable());
+    }
+
+    @Test
+    void savedTextIsNotAskedFor() {
+        type("typed");
+        askToClose();
+        await("the window closes", () -> !frame.isDisplayable());
+        assertEquals("typed", drafted());
+    }
+
+    private void askToClose() {
+        EventQueue.invokeLater(
+                () -> frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING)));
+    }
+
+    private void choose(String answer) {
+        var button = window.optionPane().buttonWithText(answer).target();
+        EventQueue.invokeLater(button::doClick);
+    }
+
+    private static String messageOf(JOptionPaneFixture question) {
+        return GuiActionRunner.execute(() -> question.target().getMessage().toString());
     }
 
     @Test

@@ -26,6 +26,8 @@ final class Drafts implements AutoCloseable {
     private final Thread writer = new Thread(this::writeAll, "drafts");
     private final Map<String, DraftFile> files = new HashMap<>();
     private final Map<String, String> waiting = new LinkedHashMap<>();
+    private final Map<String, UnsavedDraft> unsaved = new LinkedHashMap<>();
+    private final Map<String, String> unread = new HashMap<>();
     private boolean writing;
     private boolean closed;
 
@@ -51,6 +53,7 @@ final class Drafts implements AutoCloseable {
         try {
             return file(exercise).found();
         } catch (IOException e) {
+            unread.put(exercise, problem(e));
             told.accept(new Saving(exercise, problem(e)));
             return Optional.empty();
         }
@@ -70,6 +73,25 @@ final class Drafts implements AutoCloseable {
     synchronized void save(String exercise, String text) {
         waiting.put(exercise, text);
         notifyAll();
+    }
+
+    /** Why the exercise's text is not on the disk, or cannot be; "" when nothing is in the way. */
+    synchronized String problem(String exercise) {
+        UnsavedDraft draft = unsaved.get(exercise);
+        return draft == null ? unread.getOrDefault(exercise, "") : draft.problem();
+    }
+
+    /** What could not be written, not even just now. */
+    List<UnsavedDraft> unsaved() throws InterruptedException {
+        settle();
+        synchronized (this) {
+            unsaved.forEach((exercise, draft) -> waiting.put(exercise, draft.text()));
+            notifyAll();
+        }
+        settle();
+        synchronized (this) {
+            return List.copyOf(unsaved.values());
+        }
     }
 
     /** Waits until every change so far is written or told to be impossible. */
@@ -119,7 +141,13 @@ final class Drafts implements AutoCloseable {
             text = waiting.remove(exercise);
             writing = true;
         }
-        return new Saving(exercise, written(exercise, text));
+        String problem = written(exercise, text);
+        synchronized (this) {
+            unread.remove(exercise);
+            if (problem.isEmpty()) unsaved.remove(exercise);
+            else unsaved.put(exercise, new UnsavedDraft(exercise, text, problem));
+        }
+        return new Saving(exercise, problem);
     }
 
     private String written(String exercise, String text) {

@@ -77,7 +77,7 @@ final class EditorBar extends JPanel {
     /** Makes the type larger or smaller beside that of the window. */
     private void grow(int steps) {
         model.growType(steps);
-        editor.setPoints(UIManager.getFont("Label.font").getSize() + model.typeSteps());
+        editor.setPoints(UIManager.getFont("Label.font").getSize() + model.kept().typeSteps());
     }
 
     void refresh() {

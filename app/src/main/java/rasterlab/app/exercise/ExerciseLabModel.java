@@ -19,10 +19,10 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.Background;
+import rasterlab.app.canvas.Kept;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.naming.Named;
 import rasterlab.exercises.Exercise;
-import rasterlab.exercises.score.Disclosure;
 
 /**
  * The tab of exercises without its window: which exercise, its source, what was said to it.
@@ -30,7 +30,7 @@ import rasterlab.exercises.score.Disclosure;
  * <p>Checks and talks with a server run on a thread of the model's own; commands and news all run
  * on the thread of the executor it is given. Nothing is read before the state is first asked for.
  */
-public final class ExerciseLabModel implements AutoCloseable {
+public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseable {
     private final Supplier<List<Exercise>> catalogue;
     private final CourseServer.Patience patience;
     private final Executor events;
@@ -43,7 +43,7 @@ public final class ExerciseLabModel implements AutoCloseable {
     /** What each submission that is not graded yet is called, by exercise and source. */
     private final Map<String, String> keys = new HashMap<>();
 
-    private int typeSteps;
+    private ExerciseChoice chosen = ExerciseChoice.FIRST;
     private Optional<Path> folder = Optional.empty();
     private Optional<Drafts> drafts = Optional.empty();
     private List<Exercise> exercises = List.of();
@@ -93,7 +93,12 @@ public final class ExerciseLabModel implements AutoCloseable {
                                 new Drafts(
                                         kept.resolve("drafts"),
                                         saving -> events.execute(() -> accept(saving))));
-        Exercise first = exercises.get(0);
+        Exercise first =
+                exercises.stream()
+                        .filter(one -> one.id().equals(chosen.exercise()))
+                        .findFirst()
+                        .orElse(exercises.get(0));
+        chosen = chosen.with(first.id());
         state =
                 new ExerciseState(
                         first,
@@ -123,19 +128,7 @@ public final class ExerciseLabModel implements AutoCloseable {
 
     /** The open cases of the chosen exercise, none of them tried. */
     List<TriedCase> untried() {
-        return state().exercise().cases().stream()
-                .filter(one -> one.visibility() == Disclosure.OPEN)
-                .map(
-                        one ->
-                                new TriedCase(
-                                        one.name(),
-                                        "",
-                                        0,
-                                        one.points(),
-                                        Said.NOTHING,
-                                        Optional.empty(),
-                                        ""))
-                .toList();
+        return TriedCase.untried(state().exercise());
     }
 
     /** Tells the listener each new state from now on; the answer ends that. */
@@ -150,15 +143,17 @@ public final class ExerciseLabModel implements AutoCloseable {
      * @throws IllegalArgumentException naming the exercises there are
      */
     public void choose(String id) {
-        Exercise chosen = Named.find("exercise", id, exercises(), Exercise::id);
-        if (chosen.equals(state.exercise())) return;
+        Exercise next = Named.find("exercise", id, exercises(), Exercise::id);
+        if (next.equals(state.exercise())) return;
         cancel();
+        chosen = chosen.with(id);
         publish(
                 changed()
-                        .exercise(chosen, source(chosen))
-                        .otherDrafts(others(chosen))
-                        .outcome(Optional.ofNullable(outcomes.get(chosen.id())))
-                        .notice(Notice.NONE));
+                        .exercise(next, source(next))
+                        .otherDrafts(others(next))
+                        .outcome(Optional.ofNullable(outcomes.get(id)))
+                        .notice(Notice.NONE)
+                        .unsaved(unsaved(id)));
     }
 
     /** Takes the text as the user has just left it, and keeps it. */
@@ -185,14 +180,32 @@ public final class ExerciseLabModel implements AutoCloseable {
                 .map(path -> "./lab check %s '%s'".formatted(id, path));
     }
 
-    /** By how much the editor's type is larger than the window's, in points. */
-    int typeSteps() {
-        return typeSteps;
+    /** Makes the editor's type larger, or smaller; stops where it cannot be read. */
+    public void growType(int points) {
+        chosen = chosen.grown(points);
     }
 
-    /** Makes the editor's type larger, or smaller; stops where it cannot be read. */
-    void growType(int points) {
-        typeSteps = Math.max(-4, Math.min(24, typeSteps + points));
+    @Override
+    public Class<ExerciseChoice> keptType() {
+        return ExerciseChoice.class;
+    }
+
+    @Override
+    public ExerciseChoice kept() {
+        return chosen;
+    }
+
+    /** An exercise that there is no more gives way to the first one. */
+    @Override
+    public void bringBack(ExerciseChoice choice) {
+        chosen = choice;
+        if (state != null && exercises.stream().anyMatch(one -> one.id().equals(choice.exercise())))
+            choose(choice.exercise());
+    }
+
+    /** The sources that are not on the disk; tries once more to write them, and waits for that. */
+    public List<UnsavedDraft> unsavedDrafts() throws InterruptedException {
+        return drafts.isPresent() ? drafts.get().unsaved() : List.of();
     }
 
     /** Goes on with what another window wrote. */
@@ -234,7 +247,7 @@ public final class ExerciseLabModel implements AutoCloseable {
             publish(changed().notice(Notice.of("server.address", address)));
             return;
         }
-        String key = keys.computeIfAbsent(server + "\n" + code + "\n" + name, this::newKey);
+        String key = key(server + "\n" + code + "\n" + name);
         begin(
                 Work.of(JOINING),
                 tell -> {
@@ -277,7 +290,7 @@ public final class ExerciseLabModel implements AutoCloseable {
         Exercise exercise = state.exercise();
         String source = state.source();
         String about = account.server() + "\n" + exercise.id() + "\n" + source;
-        String key = keys.computeIfAbsent(about, this::newKey);
+        String key = key(about);
         var submitting =
                 new Submitting(new CourseServer(account.server(), patience), account.token());
         begin(
@@ -307,8 +320,9 @@ public final class ExerciseLabModel implements AutoCloseable {
         };
     }
 
-    private String newKey(String about) {
-        return UUID.randomUUID().toString();
+    /** The same one for the same thing until it is graded. */
+    private String key(String about) {
+        return keys.computeIfAbsent(about, is -> UUID.randomUUID().toString());
     }
 
     private void judged(Work.Phase phase, List<TriedCase> cases, int of) {
@@ -339,11 +353,13 @@ public final class ExerciseLabModel implements AutoCloseable {
 
     private void accept(Drafts.Saving saving) {
         boolean shown = state != null && saving.exercise().equals(state.exercise().id());
-        Notice unsaved =
-                saving.problem().isEmpty()
-                        ? Notice.NONE
-                        : Notice.of("draft.unsaved", saving.problem());
+        Notice unsaved = unsaved(saving.exercise());
         if (shown && !unsaved.equals(state.unsaved())) publish(changed().unsaved(unsaved));
+    }
+
+    private Notice unsaved(String exercise) {
+        String problem = drafts.map(kept -> kept.problem(exercise)).orElse("");
+        return problem.isEmpty() ? Notice.NONE : Notice.of("draft.unsaved", problem);
     }
 
     private String source(Exercise exercise) {

@@ -1,9 +1,12 @@
 package rasterlab.app.exercise;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.CasePictures;
 import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
 
 /**
@@ -47,6 +50,18 @@ record TriedCase(
                 Said.of(report::message),
                 report.pictures().map((Function<CasePictures, Pictures>) Pictures::of),
                 report.scene());
+    }
+
+    /** The open cases of an exercise, none of them tried. */
+    static List<TriedCase> untried(Exercise exercise) {
+        return exercise.cases().stream()
+                .filter(one -> one.visibility() == Disclosure.OPEN)
+                .map(TriedCase::untried)
+                .toList();
+    }
+
+    private static TriedCase untried(Exercise.Case one) {
+        return new TriedCase(one.name(), "", 0, one.points(), Said.NOTHING, Optional.empty(), "");
     }
 
     boolean right() {

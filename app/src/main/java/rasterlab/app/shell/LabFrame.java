@@ -16,6 +16,8 @@ import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.WindowConstants;
+import rasterlab.app.exercise.Closing;
+import rasterlab.app.exercise.ClosingDialog;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -55,11 +57,16 @@ public final class LabFrame extends JFrame {
         this.onFailure = onFailure;
         models.exercises().keepIn(file.folder());
         setName("lab");
-        setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
+        setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         setMinimumSize(UIScale.scale(LEAST));
         setIconImages(WindowIcon.images());
         addWindowListener(
                 new WindowAdapter() {
+                    @Override
+                    public void windowClosing(WindowEvent e) {
+                        if (mayClose()) dispose();
+                    }
+
                     @Override
                     public void windowClosed(WindowEvent e) {
                         end();
@@ -154,6 +161,17 @@ public final class LabFrame extends JFrame {
             if (seen.width >= 200 && seen.height >= 100) return true;
         }
         return false;
+    }
+
+    /** Asks the user where a source would be lost. */
+    private boolean mayClose() {
+        try {
+            return Closing.allowed(
+                    models.exercises().unsavedDrafts(), new ClosingDialog(this, language()));
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return false;
+        }
     }
 
     private void end() {

@@ -76,6 +76,7 @@ public record LabModels(
         kept.put("spline.function", spline.function());
         kept.put("opengl", opengl);
         kept.put("study", study);
+        kept.put("exercises", exercises);
         return kept;
     }
 

@@ -14,6 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.catalogue.Catalogue;
 
 @Timeout(120)
 class ExerciseLabModelTest {
@@ -61,6 +63,79 @@ class ExerciseLabModelTest {
             again.model.takeDraft(again.state().otherDrafts().get(0));
             assertEquals("second", again.state().source());
             assertEquals(List.of(), again.state().otherDrafts());
+        }
+    }
+
+    @Test
+    void exerciseAndSizeOfTypeAreKept() {
+        ExerciseChoice left;
+        try (var trial = new Trial(folder)) {
+            trial.state();
+            trial.model.growType(3);
+            left = trial.model.kept();
+        }
+        assertEquals(new ExerciseChoice("line-bresenham", 3), left);
+        try (var trial = new Trial(folder)) {
+            trial.model.bringBack(left);
+            assertEquals(left, trial.model.kept());
+            assertEquals("line-bresenham", trial.state().exercise().id());
+        }
+    }
+
+    @Test
+    void secondExerciseIsShownAgainAndOneThatIsGoneGivesWayToTheFirst() {
+        try (var model = twoExercises()) {
+            model.choose("second");
+            assertEquals("second", model.kept().exercise());
+        }
+        try (var model = twoExercises()) {
+            model.bringBack(new ExerciseChoice("second", 0));
+            assertEquals("second", model.state().exercise().id());
+        }
+        try (var model = twoExercises()) {
+            model.bringBack(new ExerciseChoice("gone", 0));
+            assertEquals("line-bresenham", model.state().exercise().id());
+        }
+    }
+
+    private static ExerciseLabModel twoExercises() {
+        Exercise first = Catalogue.builtIn().named("line-bresenham");
+        var second =
+                new Exercise(
+                        "second",
+                        first.topic(),
+                        first.title(),
+                        first.statement(),
+                        first.pictures(),
+                        first.starter(),
+                        first.revision(),
+                        first.tolerance(),
+                        first.points(),
+                        first.cases());
+        return new ExerciseLabModel(
+                () -> List.of(first, second),
+                Runnable::run,
+                failure -> {
+                    throw new AssertionError(failure);
+                });
+    }
+
+    @Test
+    void unwrittenTextsAreListedUntilTheyCanBeWritten() throws Exception {
+        Files.writeString(folder.resolve("drafts"), "in the way");
+        try (var trial = new Trial(folder)) {
+            trial.state();
+            assertEquals(List.of(), trial.model.unsavedDrafts());
+            trial.model.type("typed");
+            UnsavedDraft lost = trial.model.unsavedDrafts().get(0);
+            assertEquals("line-bresenham", lost.exercise());
+            assertEquals("typed", lost.text());
+            assertTrue(lost.problem().contains(folder.resolve("drafts").toString()));
+            Files.delete(folder.resolve("drafts"));
+            assertEquals(List.of(), trial.model.unsavedDrafts());
+        }
+        try (var trial = new Trial(folder)) {
+            assertEquals("typed", trial.state().source());
         }
     }
 

@@ -142,6 +142,7 @@ class LabsFileTest {
         models.light().drawNormals(true);
         models.opengl().set(Setting.SCENE, "globe");
         models.study().choose("triangulate");
+        models.exercises().growType(3);
         models.spline().show(SplineMode.FUNCTION);
         models.spline().curve().chooseForm(CurveForm.PIECES);
         models.spline().function().chooseEnds(SplineEnds.slopes(-1.25, 3));
