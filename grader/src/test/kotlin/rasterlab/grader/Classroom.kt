@@ -88,7 +88,7 @@ class Classroom(
         }
 
     companion object {
-        const val DOT = "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><rect width='9' height='9'/></svg>"
+        const val DOT = "<svg xmlns='http://www.w3.org/2000/svg'><rect width='9' height='9'/></svg>"
 
         val EXERCISE =
             Exercise(

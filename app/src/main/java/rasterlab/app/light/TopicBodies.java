@@ -42,6 +42,9 @@ final class TopicBodies {
     /** How far the eye is from a point whose direction to the eye is known. */
     private static final double AWAY = 2;
 
+    /** Radians between a surface's normal and the look at it. */
+    private static final double SLANT = 0.5;
+
     private static final double UNIT = 1e-9;
     private static final int BACKGROUND = 0xFFFFFF;
     private static final LightChoice.Marks MIDDLE =
@@ -106,7 +109,23 @@ final class TopicBodies {
         if (input instanceof FacePoints points) return face(first, points.face());
         if (input instanceof LitPoints points) return point(first, points.points().get(0), method);
         String normals = Body.NORMALS.contains(method) ? method : "plain";
-        return first.with(new Body(body, Body.COARSEST, normals)).withArrows(true);
+        return first.with(new Body(body, Body.COARSEST, normals))
+                .with(facing((Triangles) input))
+                .with(MIDDLE)
+                .withArrows(true);
+    }
+
+    /** Looks slantingly at the side that most of the surface has; at a closed one, as usual. */
+    private static SphericalView facing(Triangles bare) {
+        Mesh mesh = body(bare);
+        var side = new Vector3d();
+        for (int face = 0; face < mesh.faceCount(); face++)
+            side.add(mesh.normalX(face), mesh.normalY(face), mesh.normalZ(face));
+        SphericalView usual = LightChoice.first().camera();
+        if (side.length() < UNIT) return usual;
+        double phi = Math.acos(side.z / side.length());
+        double turned = phi + (phi < Math.PI / 2 ? SLANT : -SLANT);
+        return new SphericalView(Math.atan2(side.y, side.x), turned, usual.rho());
     }
 
     private static LightChoice face(LightChoice first, LitFace face) {

@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
 import rasterlab.app.canvas.Unshown;
+import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.PictureFit;
@@ -78,10 +79,22 @@ public record TopicView(Scene scene, Projection projection, double near, double 
         double[] xyz = minus(body.xyz(), middle);
         double[] eye = minus(body.eye(), middle);
         double rho = Math.hypot(Math.hypot(eye[0], eye[1]), eye[2]);
-        if (!reachable(rho) || !(largest(xyz) >= SphericalView.NEAREST))
+        if (!reachable(rho) || !(farthest(xyz) >= SphericalView.NEAREST))
             return Found.no(Unshown.MAGNITUDE);
         var camera = new SphericalView(Math.atan2(eye[1], eye[0]), Math.acos(eye[2] / rho), rho);
-        return perspective(name, xyz, body.faces(), camera, REACH / largest(xyz));
+        return perspective(name, xyz, body.faces(), camera, ballScale(farthest(xyz), rho));
+    }
+
+    /** Pixels per unit for which a ball about the middle is seen, unless the eye is too near. */
+    private static double ballScale(double radius, double rho) {
+        return REACH * Math.max(rho - radius, rho / 2) / (radius * rho);
+    }
+
+    private static double farthest(double[] xyz) {
+        double farthest = 0;
+        for (int i = 0; i < xyz.length; i += 3)
+            farthest = Math.max(farthest, Math.hypot(Math.hypot(xyz[i], xyz[i + 1]), xyz[i + 2]));
+        return farthest;
     }
 
     /**
@@ -138,10 +151,6 @@ public record TopicView(Scene scene, Projection projection, double near, double 
         return moved;
     }
 
-    private static double largest(double[] xyz) {
-        return Arrays.stream(xyz).map(Math::abs).max().orElse(0);
-    }
-
     /** Of the corners before the eye; empty where there are none. */
     private static OptionalDouble meanDepth(double[][] polygons) {
         return Arrays.stream(polygons)
@@ -172,7 +181,7 @@ public record TopicView(Scene scene, Projection projection, double near, double 
         return REACH / (reach * rho);
     }
 
-    /** The choice that shows it; shading stays. */
+    /** The choice that shows it, each face in a colour of its own. */
     public VisibilityChoice shown(VisibilityChoice choice, String method) {
         double rho = scene.defaultCamera().rho();
         LookChoice look = LookChoice.USUAL;
@@ -181,6 +190,7 @@ public record TopicView(Scene scene, Projection projection, double near, double 
                 .with(look)
                 .withView(StageView.COLOURS)
                 .withVisibility(method)
+                .withShading(ShadingMethod.FLAT.code())
                 .withProjection(projection.code())
                 .zoomed(1 / choice.with(SceneChoice.of(scene)).zoom())
                 .withDifference(true);

@@ -62,7 +62,12 @@ class PagesTest {
             val picture = client.get(place) { header(HttpHeaders.Cookie, cookie) }
             assertEquals(Classroom.DOT, picture.bodyAsText())
             assertEquals("image/svg+xml", picture.headers[HttpHeaders.ContentType])
-            assertTrue(picture.headers.getAll("Content-Security-Policy").orEmpty().any { "sandbox" in it })
+            assertTrue(
+                picture.headers
+                    .getAll("Content-Security-Policy")
+                    .orEmpty()
+                    .any { "sandbox" in it },
+            )
             val scripted = client.get("/api/v1$place") { bearer(token(joined)) }
             assertEquals(Classroom.DOT, scripted.bodyAsText())
             val unknown = client.get("/api/v1/exercises/draw-dot/pictures/other.svg") { bearer(token(joined)) }
