@@ -34,7 +34,7 @@ final class TopicBodies {
     private static final double REACH = 64;
 
     /** Pixels of the same in a picture of 800×600. */
-    private static final double SCALE = 150;
+    private static final double SCALE = 190;
 
     /** Half the side of the face around a single point; its light is nearly that of the point. */
     private static final double PATCH = 0.02;
