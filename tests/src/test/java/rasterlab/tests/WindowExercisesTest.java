@@ -8,6 +8,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.swing.text.JTextComponent;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.BeforeEach;
@@ -108,6 +109,15 @@ class WindowExercisesTest extends WindowHarness {
         robot.waitForIdle();
         assertEquals("exercises", frame.shownTab());
         assertTrue(source().startsWith("x"), source());
+    }
+
+    @Test
+    void editorThatIsReplacedDoesNotGoOnBlinking() {
+        focus("source");
+        var editor = window.textBox("source").targetCastedTo(JTextComponent.class);
+        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        robot.waitForIdle();
+        assertEquals(0, GuiActionRunner.execute(() -> editor.getCaret().getBlinkRate()));
     }
 
     @Test

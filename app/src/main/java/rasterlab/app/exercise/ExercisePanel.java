@@ -145,6 +145,7 @@ public final class ExercisePanel extends LabPanel {
     @Override
     public void close() {
         unsubscribe.run();
+        editor.close();
         result.close();
     }
 

@@ -197,6 +197,12 @@ final class SourceEditor extends JPanel {
         return area.canRedo();
     }
 
+    /** Stops the caret, whose blinking keeps the program running after its last window. */
+    void close() {
+        area.getCaret().setBlinkRate(0);
+        area.getCaret().setVisible(false);
+    }
+
     /**
      * @param points of the text
      */

@@ -28,12 +28,23 @@ final class StatementPane extends JEditorPane {
         setName("statement");
         setEditable(false);
         setBackground(StageColours.now().ground());
-        var kit = new HTMLEditorKit();
-        kit.setStyleSheet(style(kit.getStyleSheet()));
-        setEditorKit(kit);
+        setEditorKit(new Kit());
         getAccessibleContext().setAccessibleName(accessibleName);
         putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
         setBorder(javax.swing.BorderFactory.createEmptyBorder(4, 12, 8, 12));
+    }
+
+    /** With a style of its own: setting one would give it to every label's HTML in the program. */
+    private static final class Kit extends HTMLEditorKit {
+        private static final long serialVersionUID = 1L;
+
+        private transient StyleSheet own;
+
+        @Override
+        public StyleSheet getStyleSheet() {
+            if (own == null) own = style(super.getStyleSheet());
+            return own;
+        }
     }
 
     private static StyleSheet style(StyleSheet usual) {
