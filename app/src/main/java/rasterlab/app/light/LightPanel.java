@@ -3,11 +3,9 @@ package rasterlab.app.light;
 import java.awt.CardLayout;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.Shown;
@@ -63,7 +61,7 @@ public final class LightPanel extends LabPanel {
                 new LabLayout(colourChips(), cube, colours.column(), colourActions, turning),
                 COLOURS);
         add(shown);
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        Actions.bindUndo(this, model.history());
         orbit.bindKeys(stage);
         turning.bindKeys(cube);
         unsubscribe = model.listen(state -> refresh());
@@ -72,7 +70,7 @@ public final class LightPanel extends LabPanel {
 
     private Actions actions(Texts canvas, Runnable copy) {
         var actions = new Actions(canvas);
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", copy);
         return actions;
@@ -156,13 +154,13 @@ public final class LightPanel extends LabPanel {
             cube.repaint();
             colours.refresh();
             turning.refresh();
-            colourActions.enable("undo", model.state().undoable());
+            colourActions.refreshUndo();
         } else {
             turning.stop();
             stage.repaint();
             light.refresh();
             orbit.refresh();
-            lightActions.enable("undo", model.state().undoable());
+            lightActions.refreshUndo();
         }
     }
 }

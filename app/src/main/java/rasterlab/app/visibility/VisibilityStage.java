@@ -142,7 +142,11 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     /** Shows the model's present state. */
     void refresh() {
         VisibilityChoice choice = model.state().choice();
-        if (choice.view().isChart()) model.charts().ask(choice.view(), texts.language());
+        if (choice.view().isChart())
+            model.charts()
+                    .ask(
+                            new ChartStudies.Question(
+                                    choice.view(), texts.language(), StageColours.now()));
         counting.refresh(choice.view().isChart());
         pointed.setVisible(pointed.isVisible() && !choice.view().isChart());
         revalidate();
@@ -168,8 +172,6 @@ final class VisibilityStage extends SelfDrawn implements Settling {
 
     /** As large as it fits, in the middle. */
     private void paintChart(Graphics2D g) {
-        g.setColor(Color.WHITE);
-        g.fillRect(0, 0, getWidth(), getHeight());
         Optional<ChartStudies.Chart> chart = model.charts().chart();
         if (chart.isEmpty()) return;
         var image = chart.get().image();
