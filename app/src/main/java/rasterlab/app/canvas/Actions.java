@@ -68,6 +68,11 @@ public final class Actions extends JPanel {
         enable("redo", history.filter(History::redoable).isPresent());
     }
 
+    /** Says something else of a button than its usual hint. */
+    public void hint(String key, String text) {
+        buttons.get(key).setToolTipText(text);
+    }
+
     public void enable(String key, boolean enabled) {
         buttons.get(key).setEnabled(enabled);
     }

@@ -41,6 +41,7 @@ final class SegmentPanel extends LabPanel {
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
+        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         actions.add(
                 "copyCommand",
                 () -> Copying.text(LineCommand.of(model.state().choice()), onFailure));

@@ -23,6 +23,7 @@ import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
 /**
@@ -159,6 +160,11 @@ final class OpenGlStage extends JPanel implements Settling {
 
     CallLog log() {
         return log;
+    }
+
+    /** The fields as an SVG document: the pictures as pictures, the calls as text. */
+    String svg() {
+        return SvgPicture.of(this, this::print);
     }
 
     private void resized() {

@@ -171,7 +171,8 @@ public final class GrowthChart {
             column = 0;
             for (Axis axis : Axis.values())
                 graphics.drawString(
-                        String.format(Locale.ROOT, "%.2f", growth(method, axis).exponent()),
+                        String.format(texts.locale(), "%.2f", growth(method, axis).exponent())
+                                .replace('-', '−'),
                         left + 150 + 105 * column++,
                         y);
         }

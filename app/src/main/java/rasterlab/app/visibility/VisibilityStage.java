@@ -15,6 +15,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import javax.accessibility.AccessibleRole;
@@ -26,6 +27,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -161,13 +163,27 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
+        paintAll(g);
+        g.dispose();
+        paintFocus((Graphics2D) graphics.create());
+    }
+
+    private void paintAll(Graphics2D g) {
         g.setColor(StageColours.now().ground());
         g.fillRect(0, 0, getWidth(), getHeight());
         VisibilityLabState state = model.state();
         if (state.choice().view().isChart()) paintChart(g);
         else paintPictures(g, state);
-        g.dispose();
-        paintFocus((Graphics2D) graphics.create());
+    }
+
+    /** The chart, or the pictures with what lies over them, as an SVG document. */
+    String svg() {
+        boolean charted = model.state().choice().view().isChart();
+        return model.charts()
+                .chart()
+                .filter(chart -> charted)
+                .map(chart -> new String(chart.svg().get(), StandardCharsets.UTF_8))
+                .orElseGet(() -> SvgPicture.of(this, this::paintAll));
     }
 
     /** As large as it fits, in the middle. */

@@ -16,6 +16,7 @@ public final class StackPanel extends LabCard {
     private static final long serialVersionUID = 1L;
 
     private final transient StackLabModel model;
+    private final transient Texts texts;
     private final StackStage stage;
     private final transient StackInspector inspector;
     private final StepPlayer player;
@@ -33,7 +34,7 @@ public final class StackPanel extends LabCard {
             Consumer<Throwable> onFailure) {
         this.model = model;
         setName("stack");
-        Texts texts = Texts.of("coordinates.stack", language);
+        texts = Texts.of("coordinates.stack", language);
         Texts canvas = Texts.of("canvas", language);
         stage = new StackStage(model, texts, onFailure);
         inspector =
@@ -49,14 +50,19 @@ public final class StackPanel extends LabCard {
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage.shown(), onFailure));
         actions.add("copySvg", () -> Copying.svg(stage.shown().svg(), onFailure));
-        add(new LabLayout(chips(texts), stage, inspector.column(), actions, player));
+        actions.add(
+                "copyCommand",
+                () ->
+                        CubeCommand.of(model.scene())
+                                .ifPresent(command -> Copying.text(command, onFailure)));
+        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(choice -> refresh());
         refresh();
     }
 
-    private Chips chips(Texts texts) {
+    private Chips chips() {
         var chips = new Chips(texts.text("programs"));
         for (StackProgram each : StackProgram.values())
             chips.add(
@@ -89,5 +95,8 @@ public final class StackPanel extends LabCard {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        boolean drawn = !model.scene().cubes().isEmpty();
+        actions.enable("copyCommand", drawn);
+        actions.hint("copyCommand", texts.text(drawn ? "copy.cube" : "copy.none"));
     }
 }

@@ -52,7 +52,7 @@ public final class TurnPanel extends LabCard {
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
-        actions.add("copySvg", () -> Copying.svg(stage.shown().svg(), onFailure));
+        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         actions.add("copyCommand", () -> Copying.text(TurnCommand.of(model.choice()), onFailure));
         add(new LabLayout(chips(texts), stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
