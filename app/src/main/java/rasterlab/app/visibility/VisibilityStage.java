@@ -29,6 +29,7 @@ import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.scene.Vase;
@@ -265,7 +266,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
             say(
                     new StageOverlay(g, 1),
                     g,
-                    texts.text("problem", problem),
+                    texts.text("problem", Complaints.said(texts.language(), problem)),
                     getWidth(),
                     getHeight() / 2);
     }
