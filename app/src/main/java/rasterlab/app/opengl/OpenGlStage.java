@@ -22,7 +22,6 @@ import org.lwjgl.opengl.awt.AWTGLCanvas;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.Settling;
-import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
@@ -251,6 +250,5 @@ final class OpenGlStage extends JPanel implements Settling {
                                                 .at((int) (at.x * scale), (int) (at.y * scale)))
                         .orElse(texts.text("stage.hint"));
         reading.setText(text);
-        reading.setForeground(pointed.isPresent() ? null : StageColours.now().axis());
     }
 }
