@@ -37,6 +37,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private final History<Chosen> history = new History<>(this::chosen, this::show);
     private final List<Consumer<LightLabState>> listeners = new ArrayList<>();
     private Optional<Made> made = Optional.empty();
+    private Optional<LitSceneFile> saved = Optional.empty();
     private int width;
     private int height;
     private LightLabState state =
@@ -60,6 +61,16 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         if (made.filter(last -> last.body().equals(body)).isEmpty())
             made = Optional.of(new Made(body, body.scene()));
         return frame.drawn(made.get().scene(), renderer::render, cancelled);
+    }
+
+    /** The file that the scene was saved into last. */
+    Optional<LitSceneFile> saved() {
+        return saved;
+    }
+
+    void keep(LitSceneFile file) {
+        saved = Optional.of(file);
+        publish(state.choice(), state.drawn());
     }
 
     LightLabState state() {

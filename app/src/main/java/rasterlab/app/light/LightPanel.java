@@ -32,6 +32,7 @@ public final class LightPanel extends LabPanel {
     private final transient ColourInspector colours;
     private final StepPlayer orbit;
     private final StepPlayer turning;
+    private final transient LitSceneSaving saving;
     private final Actions lightActions;
     private final Actions colourActions;
     private final transient Runnable unsubscribe;
@@ -54,6 +55,11 @@ public final class LightPanel extends LabPanel {
         lightActions = actions(canvas, () -> Copying.picture(stage, onFailure));
         colourActions = actions(canvas, () -> Copying.picture(cube, onFailure));
         lightActions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        saving = new LitSceneSaving(model, texts, this, onFailure);
+        lightActions.add("saveScene", saving::ask);
+        lightActions.add(
+                "copyCommand",
+                () -> saving.commands().ifPresent(lines -> Copying.text(lines, onFailure)));
         colourActions.add("copySvg", () -> Copying.svg(cube.svg(), onFailure));
         colourActions.add("copyCommand", () -> Copying.text(command(), onFailure));
         shown.add(new LabLayout(chips(), stage, light.column(), lightActions, orbit), LIGHT);
@@ -161,6 +167,9 @@ public final class LightPanel extends LabPanel {
             light.refresh();
             orbit.refresh();
             lightActions.refreshUndo();
+            boolean saved = saving.commands().isPresent();
+            lightActions.enable("copyCommand", saved);
+            lightActions.hint("copyCommand", texts.text(saved ? "copy.saved" : "copy.unsaved"));
         }
     }
 }
