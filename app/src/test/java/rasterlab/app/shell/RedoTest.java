@@ -172,6 +172,7 @@ class RedoTest {
         var failure = new AtomicReference<Throwable>();
         OffscreenPainter.onEventThread(
                 () -> {
+                    LabTheme.LIGHT.install();
                     try (LabModels models = LabModels.first(failure::set)) {
                         check.accept(models);
                     }

@@ -19,6 +19,7 @@ class SvgExportTest {
         var failure = new AtomicReference<Throwable>();
         OffscreenPainter.onEventThread(
                 () -> {
+                    LabTheme.LIGHT.install();
                     try (LabModels models = LabModels.first(failure::set);
                             LabTabs tabs = LabTabs.create(models, Language.ENGLISH, failure::set)) {
                         for (LabTab tab : tabs.all()) {
