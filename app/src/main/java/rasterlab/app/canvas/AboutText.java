@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import javax.swing.JEditorPane;
 import javax.swing.text.DefaultCaret;
@@ -52,6 +53,18 @@ public final class AboutText extends JEditorPane {
         parts.put("cost", translated(translations, key, "cost", about.cost()));
         parts.put("failures", translated(translations, key, "failures", about.failures()));
         parts.put("source", translated(translations, key, "source", about.source()));
+        show(html(parts));
+    }
+
+    /**
+     * What is no method of a topic.
+     *
+     * @param texts {@code about.formula} and so on, for each part
+     */
+    public void show(Texts texts) {
+        var parts = new LinkedHashMap<String, String>();
+        for (String part : List.of("formula", "invariant", "cost", "failures", "source"))
+            parts.put(part, texts.text("about." + part));
         show(html(parts));
     }
 

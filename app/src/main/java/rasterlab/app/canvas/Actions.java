@@ -2,21 +2,29 @@ package rasterlab.app.canvas;
 
 import java.awt.Insets;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Texts;
 
-/** The buttons below the inspector: undo, reset, copy. */
+/** The buttons below the inspector: undo, redo, reset, copy. */
 public final class Actions extends JPanel {
     private static final long serialVersionUID = 1L;
 
     /** Narrower than usual, so that the longest Russian text fits half the inspector. */
     private static final Insets MARGIN = new Insets(2, 4, 2, 4);
 
+    private static final List<String> REDO_KEYS = List.of("ctrl Y", "ctrl shift Z");
+
     private final transient Texts texts;
     private final Map<String, JButton> buttons = new HashMap<>();
+
+    private transient Optional<History<?>> history = Optional.empty();
 
     public Actions(Texts texts) {
         super(new MigLayout("insets 0 2 0 10, gap 6, wrap 2", "[grow,fill,50%][grow,fill,50%]"));
@@ -38,6 +46,31 @@ public final class Actions extends JPanel {
         buttons.put(key, button);
         boolean alone = key.equals("copyCommand") && getComponentCount() % 2 == 0;
         add(button, alone ? "span 2, wmin 0" : "wmin 0");
+    }
+
+    /** Adds buttons for undo and redo; {@link #refreshUndo} enables them. */
+    public void addUndo(History<?> changes) {
+        add("undo", changes::undo);
+        add("redo", changes::redo);
+        history = Optional.of(changes);
+    }
+
+    /** Binds the keys for undo and redo in a lab. */
+    public static void bindUndo(JComponent lab, History<?> changes) {
+        KeyBinding.within(lab, KeyStroke.getKeyStroke("ctrl Z"), changes::undo);
+        for (String key : REDO_KEYS)
+            KeyBinding.within(lab, KeyStroke.getKeyStroke(key), changes::redo);
+    }
+
+    /** Lets undo and redo be pressed where there is something to undo or redo. */
+    public void refreshUndo() {
+        enable("undo", history.filter(History::undoable).isPresent());
+        enable("redo", history.filter(History::redoable).isPresent());
+    }
+
+    /** Says something else of a button than its usual hint. */
+    public void hint(String key, String text) {
+        buttons.get(key).setToolTipText(text);
     }
 
     public void enable(String key, boolean enabled) {

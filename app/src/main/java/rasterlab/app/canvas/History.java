@@ -3,9 +3,11 @@ package rasterlab.app.canvas;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /**
- * Earlier choices of the user, newest first; a drag counts as one change.
+ * Earlier choices of the user, and those that were taken back; a drag counts as one change.
  *
  * @param <T> an immutable choice with {@code equals}
  */
@@ -13,32 +15,66 @@ public final class History<T> {
     private static final int REMEMBERED = 200;
 
     private final Deque<T> earlier = new ArrayDeque<>();
-    private boolean dragging;
+    private final Deque<T> takenBack = new ArrayDeque<>();
+    private final Supplier<T> present;
+    private final Consumer<T> show;
+    private Optional<T> dragStart = Optional.empty();
 
-    /** Remembers what is about to be changed, unless a drag is on. */
-    public void remember(T choice) {
-        if (dragging) return;
-        earlier.push(choice);
-        if (earlier.size() > REMEMBERED) earlier.removeLast();
+    /**
+     * @param present the choice of this moment
+     * @param show makes a choice the present one without {@link #remember}
+     */
+    public History(Supplier<T> present, Consumer<T> show) {
+        this.present = present;
+        this.show = show;
     }
 
-    public void beginDrag(T choice) {
-        remember(choice);
-        dragging = true;
+    /** Remembers what is about to be changed, unless a drag is on; nothing can be redone then. */
+    public void remember() {
+        if (dragStart.isEmpty()) remember(present.get());
+    }
+
+    public void beginDrag() {
+        if (dragStart.isEmpty()) dragStart = Optional.of(present.get());
     }
 
     /** Ends the drag; one that changed nothing is forgotten. */
-    public void endDrag(T choice) {
-        if (dragging && choice.equals(earlier.peek())) earlier.pop();
-        dragging = false;
+    public void endDrag() {
+        dragStart.filter(start -> !start.equals(present.get())).ifPresent(this::remember);
+        dragStart = Optional.empty();
     }
 
-    public boolean isEmpty() {
-        return earlier.isEmpty();
+    public boolean undoable() {
+        return !earlier.isEmpty() || dragStart.isPresent();
     }
 
-    /** Takes back the newest change: the choice before it. */
-    public Optional<T> undo() {
-        return Optional.ofNullable(earlier.poll());
+    public boolean redoable() {
+        return !takenBack.isEmpty() && dragStart.isEmpty();
+    }
+
+    /** Takes back the newest change; within a drag, what was dragged so far. */
+    public void undo() {
+        step(earlier, takenBack);
+    }
+
+    /** Makes the change again that was taken back last. */
+    public void redo() {
+        step(takenBack, earlier);
+    }
+
+    private void step(Deque<T> from, Deque<T> to) {
+        boolean dragging = dragStart.isPresent();
+        endDrag();
+        if (!from.isEmpty()) {
+            to.push(present.get());
+            show.accept(from.pop());
+        }
+        if (dragging) beginDrag();
+    }
+
+    private void remember(T choice) {
+        takenBack.clear();
+        earlier.push(choice);
+        if (earlier.size() > REMEMBERED) earlier.removeLast();
     }
 }

@@ -1,6 +1,5 @@
 package rasterlab.app.canvas;
 
-import java.text.DecimalFormatSymbols;
 import java.util.Locale;
 import java.util.function.DoubleConsumer;
 import javax.swing.JSpinner;
@@ -29,8 +28,7 @@ public final class NumberField extends JSpinner {
         super(new SpinnerNumberModel(low, low, high, step));
         this.changed = changed;
         setLocale(locale);
-        var editor = new NumberEditor(this, "0.#####");
-        editor.getFormat().setDecimalFormatSymbols(DecimalFormatSymbols.getInstance(locale));
+        var editor = new NumberEntry(this, "0.#####", locale);
         editor.getTextField().setColumns(4);
         editor.getTextField().setName(name + ".text");
         editor.getTextField().getAccessibleContext().setAccessibleName(said);

@@ -31,7 +31,7 @@ public final class NumberSlider extends JPanel {
             boolean logarithmic,
             int notches,
             DoubleConsumer changed) {
-        super(new MigLayout("insets 0, gap 6", "[grow,fill,0::][pref!,right]", "[center]"));
+        super(new MigLayout("insets 0 0 0 4, gap 6", "[grow,fill,0::][pref!,right]", "[center]"));
         this.least = least;
         this.most = most;
         this.logarithmic = logarithmic;

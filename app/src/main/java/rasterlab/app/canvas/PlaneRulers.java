@@ -15,6 +15,9 @@ final class PlaneRulers {
     /** Beyond so many lines the numbers are too far from 0 to be told apart in doubles. */
     private static final int MOST = 1000;
 
+    /** Share of the usual size down to which a number of the left margin is made smaller. */
+    private static final double SMALLEST = 0.65;
+
     private final PlaneMap map;
     private final Dimension view;
     private final StageColours colours;
@@ -114,15 +117,23 @@ final class PlaneRulers {
                 });
     }
 
-    /** One with a power of ten is written smaller where it is too long for the left margin. */
     private void paintRow(Graphics2D g, String number, int base) {
-        g.setFont(font);
-        int wide = g.getFontMetrics().stringWidth(number);
-        if (number.contains("·") && wide > Rulers.left() - 8)
-            g.setFont(font.deriveFont(font.getSize2D() * (Rulers.left() - 8) / wide));
+        g.setFont(fitting(number, g));
         String fitting = shortened(number, g.getFontMetrics());
         g.drawString(fitting, Rulers.left() - 6 - g.getFontMetrics().stringWidth(fitting), base);
         g.setFont(font);
+    }
+
+    /**
+     * The font, smaller where a number is too long for the left margin, as far as it can be read.
+     */
+    private Font fitting(String number, Graphics2D g) {
+        double least = number.contains("·") ? 1 : SMALLEST * font.getSize2D();
+        for (float size = font.getSize2D(); size >= least; size -= 0.5f) {
+            Font smaller = font.deriveFont(size);
+            if (g.getFontMetrics(smaller).stringWidth(number) <= Rulers.left() - 8) return smaller;
+        }
+        return font;
     }
 
     /** A number that fits the left margin: of a long one, the end, which is what changes. */

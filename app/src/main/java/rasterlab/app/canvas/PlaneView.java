@@ -168,7 +168,12 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
 
     /** What is in sight, without the rings around the points, as an SVG document. */
     public String svg() {
-        return SvgPicture.of(getWidth(), getHeight(), g -> frame().paint(g, () -> false));
+        return SvgPicture.of(getWidth(), getHeight(), this::draw);
+    }
+
+    /** Draws what {@link #svg} has. */
+    public void draw(Graphics2D g) {
+        frame().paint(g, () -> false);
     }
 
     private void showHandles() {

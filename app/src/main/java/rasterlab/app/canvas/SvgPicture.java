@@ -6,13 +6,31 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.util.function.Consumer;
+import javax.swing.JComponent;
 import org.apache.batik.dom.GenericDOMImplementation;
+import org.apache.batik.svggen.SVGGeneratorContext;
 import org.apache.batik.svggen.SVGGraphics2D;
 import org.apache.batik.svggen.SVGSyntax;
 
 /** Drawings as SVG documents. */
 public final class SvgPicture {
     private SvgPicture() {}
+
+    /**
+     * What a component draws in view units; its pictures keep each of the dots that they have on
+     * the component's screen.
+     */
+    public static String of(JComponent shown, Consumer<Graphics2D> drawing) {
+        double scale = DevicePixels.scale(shown);
+        return of(
+                DevicePixels.count(shown.getWidth(), scale),
+                DevicePixels.count(shown.getHeight(), scale),
+                g -> {
+                    g.scale(scale, scale);
+                    g.setFont(shown.getFont());
+                    drawing.accept(g);
+                });
+    }
 
     /**
      * @param width in pixels
@@ -22,7 +40,9 @@ public final class SvgPicture {
         var document =
                 GenericDOMImplementation.getDOMImplementation()
                         .createDocument(SVGSyntax.SVG_NAMESPACE_URI, SVGSyntax.SVG_SVG_TAG, null);
-        var graphics = new SVGGraphics2D(document);
+        var context = SVGGeneratorContext.createDefault(document);
+        context.setImageHandler(new PngInSvg());
+        var graphics = new SVGGraphics2D(context, false);
         graphics.setSVGCanvasSize(new Dimension(width, height));
         drawing.accept(graphics);
         var text = new StringWriter();

@@ -13,6 +13,7 @@ import rasterlab.app.outcome.PngFile;
 import rasterlab.app.perspective.PerspectiveChart;
 import rasterlab.app.perspective.Stretch;
 import rasterlab.app.precision.DepthPrecisionChart;
+import rasterlab.app.study.ChartLook;
 import rasterlab.app.visibility.GrowthChart;
 import rasterlab.engine.transform.PerspectiveAmount;
 import rasterlab.engine.visibility.depth.DepthPrecision;
@@ -50,8 +51,9 @@ record Chart(
                 new Chart(
                         "depth-precision",
                         Chart::depthPrecision,
-                        DepthPrecisionChart::svg,
-                        language -> PngFile.bytes(DepthPrecisionChart.image(language)),
+                        language -> DepthPrecisionChart.svg(language, ChartLook.PAPER),
+                        language ->
+                                PngFile.bytes(DepthPrecisionChart.image(language, ChartLook.PAPER)),
                         DepthPrecisionChart::csv),
                 new Chart(
                         "mach-bands",
@@ -62,8 +64,8 @@ record Chart(
                 new Chart(
                         "visibility-growth",
                         () -> growth(growth),
-                        growth::svg,
-                        language -> PngFile.bytes(growth.image(language)),
+                        language -> growth.svg(language, ChartLook.PAPER),
+                        language -> PngFile.bytes(growth.image(language, ChartLook.PAPER)),
                         growth::csv));
     }
 

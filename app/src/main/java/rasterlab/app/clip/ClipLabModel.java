@@ -22,7 +22,7 @@ import rasterlab.engine.study.Method;
 public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseable {
     private final ClipTopics topics;
     private final LatestOnly<ClipScene, ClipResults> clippings;
-    private final History<ClipChoice> history = new History<>();
+    private final History<ClipChoice> history = new History<>(() -> state().choice(), this::bring);
     private final List<Consumer<ClipLabState>> listeners = new ArrayList<>();
     private ClipLabState state;
 
@@ -34,7 +34,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
         this.topics = topics;
         ClipChoice first = ClipChoice.FIRST;
         ClipResults drawn = ClipResults.of(topics, first.scene());
-        state = new ClipLabState(first, drawn, resultOf(drawn), Grip.end(0, 0), false, 0);
+        state = new ClipLabState(first, drawn, resultOf(drawn), Grip.end(0, 0), 0);
         clippings =
                 new LatestOnly<>(
                         "clipping",
@@ -130,11 +130,11 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
     }
 
     public void beginDrag() {
-        history.beginDrag(state.choice());
+        history.beginDrag();
     }
 
     public void endDrag() {
-        history.endDrag(state.choice());
+        history.endDrag();
         publish(at(state.step()));
     }
 
@@ -158,13 +158,14 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
         edit(change.apply(state.choice().volume()));
     }
 
-    public void undo() {
-        history.undo()
-                .ifPresent(
-                        choice -> {
-                            boolean other = choice.mode() != state.choice().mode();
-                            clip(choice, state.arrangement() + (other ? 1 : 0));
-                        });
+    private void bring(ClipChoice choice) {
+        boolean other = choice.mode() != state.choice().mode();
+        clip(choice, state.arrangement() + (other ? 1 : 0));
+    }
+
+    /** What can be undone and redone. */
+    public History<ClipChoice> history() {
+        return history;
     }
 
     /** Back to the mode's first scene and method; can be undone. */
@@ -239,20 +240,13 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
 
     private void change(ClipChoice next, boolean arrange) {
         if (next.equals(state.choice()) && !arrange) return;
-        if (!next.equals(state.choice())) history.remember(state.choice());
+        if (!next.equals(state.choice())) history.remember();
         clip(next, state.arrangement() + (arrange ? 1 : 0));
     }
 
     private void clip(ClipChoice choice, int arrangement) {
         Grip selected = existing(choice.scene(), state.selected());
-        publish(
-                new ClipLabState(
-                        choice,
-                        state.results(),
-                        state.step(),
-                        selected,
-                        !history.isEmpty(),
-                        arrangement));
+        publish(new ClipLabState(choice, state.results(), state.step(), selected, arrangement));
         clippings.ask(choice.scene());
     }
 
@@ -271,32 +265,17 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
         int step = state.finished() ? last : Math.min(state.step(), last);
         publish(
                 new ClipLabState(
-                        state.choice(),
-                        results,
-                        step,
-                        state.selected(),
-                        !history.isEmpty(),
-                        state.arrangement()));
+                        state.choice(), results, step, state.selected(), state.arrangement()));
     }
 
     private ClipLabState at(int step) {
         return new ClipLabState(
-                state.choice(),
-                state.results(),
-                step,
-                state.selected(),
-                !history.isEmpty(),
-                state.arrangement());
+                state.choice(), state.results(), step, state.selected(), state.arrangement());
     }
 
     private ClipLabState selecting(Grip grip) {
         return new ClipLabState(
-                state.choice(),
-                state.results(),
-                state.step(),
-                grip,
-                !history.isEmpty(),
-                state.arrangement());
+                state.choice(), state.results(), state.step(), grip, state.arrangement());
     }
 
     private void publish(ClipLabState next) {

@@ -10,16 +10,10 @@ import java.util.Optional;
  * @param step 0 before the first step of the method, its number while it is looked at, one more
  *     than there are for the result
  * @param selected the point whose coordinates are shown
- * @param undoable whether there is something to undo
  * @param arrangement changes when the stage should show everything again
  */
 public record ClipLabState(
-        ClipChoice choice,
-        ClipResults results,
-        int step,
-        Grip selected,
-        boolean undoable,
-        int arrangement) {
+        ClipChoice choice, ClipResults results, int step, Grip selected, int arrangement) {
     /** Whether the result is shown. */
     public boolean finished() {
         return step > results.clipping().steps().size();

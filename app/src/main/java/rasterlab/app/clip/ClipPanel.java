@@ -4,12 +4,10 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
@@ -41,7 +39,7 @@ public final class ClipPanel extends LabPanel {
         inspector = new ClipInspector(model, texts);
         player = new StepPlayer(Texts.of("canvas", language), model, this::count);
         actions = new Actions(Texts.of("canvas", language));
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
         actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
@@ -49,7 +47,7 @@ public final class ClipPanel extends LabPanel {
                 "copyCommand",
                 () -> Copying.text(ClipCommand.of(model.state().choice().scene()), onFailure));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
         refresh();
@@ -81,7 +79,7 @@ public final class ClipPanel extends LabPanel {
         stage.refresh();
         inspector.refresh();
         player.refresh();
-        actions.enable("undo", model.state().undoable());
+        actions.refreshUndo();
     }
 
     private JPanel chips() {

@@ -79,6 +79,7 @@ public final class ExercisePanel extends LabPanel {
 
     private void keys() {
         editor.bind(KeyStroke.getKeyStroke("ctrl ENTER"), model::check);
+        editor.bind(KeyStroke.getKeyStroke("ctrl shift Z"), editor::redo);
         KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl ENTER"), model::check);
         KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::cancel);
     }

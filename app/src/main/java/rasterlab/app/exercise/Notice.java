@@ -1,6 +1,8 @@
 package rasterlab.app.exercise;
 
 import java.util.List;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /**
@@ -24,7 +26,11 @@ record Notice(String key, List<String> arguments) {
         return key.isEmpty();
     }
 
+    private Object[] said(Language language) {
+        return arguments.stream().map(each -> Complaints.said(language, each)).toArray();
+    }
+
     String in(Texts texts) {
-        return isEmpty() ? "" : texts.text("notice." + key, arguments.toArray());
+        return isEmpty() ? "" : texts.text("notice." + key, said(texts.language()));
     }
 }

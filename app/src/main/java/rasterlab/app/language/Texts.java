@@ -5,6 +5,7 @@ import java.text.MessageFormat;
 import java.util.Locale;
 import java.util.MissingResourceException;
 import java.util.ResourceBundle;
+import java.util.Set;
 
 /**
  * The texts of one package of the app in one language.
@@ -49,6 +50,11 @@ public final class Texts {
 
     public Locale locale() {
         return language.locale();
+    }
+
+    /** All keys, in no order. */
+    Set<String> keys() {
+        return bundle.keySet();
     }
 
     public boolean has(String key) {

@@ -74,7 +74,7 @@ final class CubeStage extends SelfDrawn {
 
     /** What is shown, as an SVG document. */
     String svg() {
-        return SvgPicture.of(getWidth(), getHeight(), this::paintAll);
+        return SvgPicture.of(this, this::paintAll);
     }
 
     private void paintAll(Graphics2D g) {

@@ -36,14 +36,14 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     private final LatestOnly<LightFrame, LightFrame.Drawn> pictures;
     private final Renderer renderer = new Renderer();
-    private final History<Chosen> history = new History<>();
+    private final History<Chosen> history = new History<>(this::chosen, this::show);
     private final List<Consumer<LightLabState>> listeners = new ArrayList<>();
     private Optional<Made> made = Optional.empty();
+    private Optional<LitSceneFile> saved = Optional.empty();
     private int width;
     private int height;
     private LightLabState state =
-            new LightLabState(
-                    LightChoice.first(), false, Optional.empty(), ColourChoice.first(), false);
+            new LightLabState(LightChoice.first(), false, Optional.empty(), ColourChoice.first());
 
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
@@ -63,6 +63,16 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         if (made.filter(last -> last.body().equals(body)).isEmpty())
             made = Optional.of(new Made(body, body.scene()));
         return frame.drawn(made.get().scene(), renderer::render, cancelled);
+    }
+
+    /** The file that the scene was saved into last. */
+    Optional<LitSceneFile> saved() {
+        return saved;
+    }
+
+    void keep(LitSceneFile file) {
+        saved = Optional.of(file);
+        publish(state.choice(), state.drawn());
     }
 
     LightLabState state() {
@@ -91,7 +101,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     void choose(UnaryOperator<LightChoice> change) {
         LightChoice next = change.apply(state.choice());
         if (next.equals(state.choice())) return;
-        history.remember(chosen());
+        history.remember();
         show(new Chosen(next, state.colours(), state.colour()));
     }
 
@@ -99,14 +109,14 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     void colour(UnaryOperator<ColourChoice> change) {
         ColourChoice next = change.apply(state.colour());
         if (next.equals(state.colour())) return;
-        history.remember(chosen());
+        history.remember();
         show(new Chosen(state.choice(), state.colours(), next));
     }
 
     /** Shows colour models instead of light, or light again. */
     public void showColours(boolean shown) {
         if (shown == state.colours()) return;
-        history.remember(chosen());
+        history.remember();
         show(new Chosen(state.choice(), shown, state.colour()));
     }
 
@@ -165,23 +175,24 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     void beginDrag() {
-        history.beginDrag(chosen());
+        history.beginDrag();
     }
 
     void endDrag() {
-        history.endDrag(chosen());
+        history.endDrag();
         publish(state.choice(), state.drawn());
     }
 
-    void undo() {
-        history.undo().ifPresent(this::show);
+    /** What can be undone and redone. */
+    public History<Chosen> history() {
+        return history;
     }
 
     /** Back to the first light and colour; can be undone. */
     void reset() {
         var first = new Chosen(LightChoice.first(), state.colours(), ColourChoice.first());
         if (first.equals(chosen())) return;
-        history.remember(chosen());
+        history.remember();
         show(first);
     }
 
@@ -218,9 +229,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     private void show(Chosen next) {
         boolean other = !next.light().equals(state.choice());
-        state =
-                new LightLabState(
-                        next.light(), next.colours(), state.drawn(), next.colour(), false);
+        state = new LightLabState(next.light(), next.colours(), state.drawn(), next.colour());
         publish(next.light(), state.drawn());
         if (other && width > 0) pictures.ask(new LightFrame(next.light(), width, height));
     }
@@ -230,9 +239,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     private void publish(LightChoice choice, Optional<LightFrame.Drawn> drawn) {
-        state =
-                new LightLabState(
-                        choice, state.colours(), drawn, state.colour(), !history.isEmpty());
+        state = new LightLabState(choice, state.colours(), drawn, state.colour());
         List.copyOf(listeners).forEach(listener -> listener.accept(state));
     }
 }

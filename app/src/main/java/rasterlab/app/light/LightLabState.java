@@ -8,11 +8,9 @@ import java.util.Optional;
  * @param colours whether colour models are shown instead of light
  * @param drawn the newest pictures, maybe of an earlier choice
  * @param colour the colour in all models
- * @param undoable whether there is something to undo
  */
 record LightLabState(
         LightChoice choice,
         boolean colours,
         Optional<LightFrame.Drawn> drawn,
-        ColourChoice colour,
-        boolean undoable) {}
+        ColourChoice colour) {}

@@ -3,11 +3,9 @@ package rasterlab.app.light;
 import java.awt.CardLayout;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.Shown;
@@ -34,6 +32,7 @@ public final class LightPanel extends LabPanel {
     private final transient ColourInspector colours;
     private final StepPlayer orbit;
     private final StepPlayer turning;
+    private final transient LitSceneSaving saving;
     private final Actions lightActions;
     private final Actions colourActions;
     private final transient Runnable unsubscribe;
@@ -56,6 +55,11 @@ public final class LightPanel extends LabPanel {
         lightActions = actions(canvas, () -> Copying.picture(stage, onFailure));
         colourActions = actions(canvas, () -> Copying.picture(cube, onFailure));
         lightActions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        saving = new LitSceneSaving(model, texts, this, onFailure);
+        lightActions.add("saveScene", saving::ask);
+        lightActions.add(
+                "copyCommand",
+                () -> saving.commands().ifPresent(lines -> Copying.text(lines, onFailure)));
         colourActions.add("copySvg", () -> Copying.svg(cube.svg(), onFailure));
         colourActions.add("copyCommand", () -> Copying.text(command(), onFailure));
         shown.add(new LabLayout(chips(), stage, light.column(), lightActions, orbit), LIGHT);
@@ -63,7 +67,7 @@ public final class LightPanel extends LabPanel {
                 new LabLayout(colourChips(), cube, colours.column(), colourActions, turning),
                 COLOURS);
         add(shown);
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        Actions.bindUndo(this, model.history());
         orbit.bindKeys(stage);
         turning.bindKeys(cube);
         unsubscribe = model.listen(state -> refresh());
@@ -72,7 +76,7 @@ public final class LightPanel extends LabPanel {
 
     private Actions actions(Texts canvas, Runnable copy) {
         var actions = new Actions(canvas);
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", copy);
         return actions;
@@ -156,13 +160,16 @@ public final class LightPanel extends LabPanel {
             cube.repaint();
             colours.refresh();
             turning.refresh();
-            colourActions.enable("undo", model.state().undoable());
+            colourActions.refreshUndo();
         } else {
             turning.stop();
             stage.repaint();
             light.refresh();
             orbit.refresh();
-            lightActions.enable("undo", model.state().undoable());
+            lightActions.refreshUndo();
+            boolean saved = saving.commands().isPresent();
+            lightActions.enable("copyCommand", saved);
+            lightActions.hint("copyCommand", texts.text(saved ? "copy.saved" : "copy.unsaved"));
         }
     }
 }

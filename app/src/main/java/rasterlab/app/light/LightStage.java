@@ -124,7 +124,7 @@ final class LightStage extends SelfDrawn implements Settling {
 
     /** What is shown, as an SVG document with the pictures in it. */
     String svg() {
-        return SvgPicture.of(getWidth(), getHeight(), this::paintAll);
+        return SvgPicture.of(this, this::paintAll);
     }
 
     private void paintAll(Graphics2D g) {

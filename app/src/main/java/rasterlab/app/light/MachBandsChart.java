@@ -5,7 +5,6 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.util.LinkedHashMap;
-import java.util.Locale;
 import java.util.Map;
 import java.util.StringJoiner;
 import org.knowm.xchart.XYChart;
@@ -17,7 +16,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.ChartPicture;
+import rasterlab.app.study.ChartLook;
 import rasterlab.engine.light.face.BrightnessProfile;
 import rasterlab.engine.light.face.MachBands;
 
@@ -53,15 +52,13 @@ public final class MachBandsChart {
     }
 
     public static BufferedImage image(Language language) {
-        return ChartPicture.image(
-                graphics ->
-                        chart(language).paint(graphics, ChartPicture.WIDTH, ChartPicture.HEIGHT));
+        return ChartLook.PAPER.image(
+                graphics -> chart(language).paint(graphics, ChartLook.WIDTH, ChartLook.HEIGHT));
     }
 
     public static byte[] svg(Language language) {
-        return ChartPicture.svg(
-                graphics ->
-                        chart(language).paint(graphics, ChartPicture.WIDTH, ChartPicture.HEIGHT));
+        return ChartLook.PAPER.svg(
+                graphics -> chart(language).paint(graphics, ChartLook.WIDTH, ChartLook.HEIGHT));
     }
 
     /** The points of the curves as comma-separated values. */
@@ -86,6 +83,7 @@ public final class MachBandsChart {
                         .xAxisTitle(texts.text("place"))
                         .yAxisTitle(texts.text("brightness"))
                         .build();
+        ChartLook.PAPER.style(chart.getStyler());
         style(chart.getStyler());
         int colour = 0;
         for (var profile : profiles().entrySet()) {
@@ -105,13 +103,7 @@ public final class MachBandsChart {
         styler.setXAxisMin(0.0).setXAxisMax((double) MachBands.FACETS);
         styler.setYAxisMin(0.0).setYAxisMax(1.0);
         styler.setLegendPosition(LegendPosition.InsideNW);
-        styler.setLocale(Locale.ROOT);
         styler.setXAxisDecimalPattern("#.##").setYAxisDecimalPattern("#.#");
-        styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
         styler.setLegendFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
-        styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
-        styler.setChartTitleBoxVisible(false);
-        styler.setChartBackgroundColor(Color.WHITE);
-        styler.setPlotBackgroundColor(Color.WHITE);
     }
 }

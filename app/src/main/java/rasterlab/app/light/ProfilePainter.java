@@ -15,9 +15,7 @@ import rasterlab.app.language.Texts;
 
 /** Brightness along the line by the three shadings, and what the eye makes of it. */
 final class ProfilePainter {
-    private static final int LEFT = 44;
     private static final int RIGHT = 14;
-    private static final int BOTTOM = 22;
 
     /** What the eye reports runs over by so much at most. */
     private static final double LEAST = -0.15;
@@ -43,7 +41,9 @@ final class ProfilePainter {
         g.setColor(colours.ground());
         g.fillRect(0, 0, width, height);
         int top = g.getFontMetrics().getHeight() + 12;
-        var box = new Rectangle2D.Double(LEFT, top, width - LEFT - RIGHT, height - top - BOTTOM);
+        int left = g.getFontMetrics().stringWidth("0.75") + 14;
+        int bottom = g.getFontMetrics().getHeight() + 6;
+        var box = new Rectangle2D.Double(left, top, width - left - RIGHT, height - top - bottom);
         if (box.width < 10 || box.height < 10) return;
         axes(box);
         boolean mach = drawn.choice().mach();

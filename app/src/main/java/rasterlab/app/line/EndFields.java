@@ -4,6 +4,7 @@ import javax.swing.JPanel;
 import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.NumberEntry;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.Segment;
 
@@ -39,7 +40,7 @@ final class EndFields extends JPanel {
                 new JSpinner(
                         new SpinnerNumberModel(
                                 (Number) 0, Integer.MIN_VALUE, Integer.MAX_VALUE, 1));
-        var editor = new JSpinner.NumberEditor(spinner, "0");
+        var editor = new NumberEntry(spinner, "0", texts.locale());
         editor.getTextField().setColumns(3);
         editor.getTextField().setName("end." + end + "." + axis + ".text");
         spinner.setEditor(editor);

@@ -27,7 +27,7 @@ import rasterlab.engine.study.Method;
 public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps, AutoCloseable {
     private final FigureTopics topics = new FigureTopics();
     private final LatestOnly<FigureScene, Answer> drawings;
-    private final History<FigureScene> history = new History<>();
+    private final History<FigureScene> history = new History<>(() -> state().scene(), this::bring);
     private final Map<LineMode, FigureScene> scenes = new EnumMap<>(LineMode.class);
     private final List<Consumer<FigureState>> listeners = new ArrayList<>();
     private FigureState state;
@@ -41,9 +41,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
             if (mode != LineMode.SEGMENT) scenes.put(mode, FigureScene.first(mode));
         FigureScene first = scenes.get(LineMode.CIRCLE);
         Answer drawn = answer(first);
-        state =
-                new FigureState(
-                        first, first, drawn.drawing, drawn.other, drawn.drawing.steps(), false, 0);
+        state = new FigureState(first, first, drawn.drawing, drawn.other, drawn.drawing.steps(), 0);
         drawings =
                 new LatestOnly<>(
                         "figure",
@@ -182,17 +180,21 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
     }
 
     void beginDrag() {
-        history.beginDrag(state.scene());
+        history.beginDrag();
     }
 
     void endDrag() {
-        history.endDrag(state.scene());
+        history.endDrag();
         publish(at(state.step()));
     }
 
-    public void undo() {
-        history.undo()
-                .ifPresent(scene -> draw(scene, arranged(scene.mode() != state.scene().mode())));
+    private void bring(FigureScene scene) {
+        draw(scene, arranged(scene.mode() != state.scene().mode()));
+    }
+
+    /** What can be undone and redone. */
+    public History<FigureScene> history() {
+        return history;
     }
 
     /** Back to the mode's first figure and method; can be undone. */
@@ -269,7 +271,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
 
     private void change(FigureScene next, boolean arrange) {
         if (next.equals(state.scene()) && !arrange) return;
-        if (!next.equals(state.scene())) history.remember(state.scene());
+        if (!next.equals(state.scene())) history.remember();
         draw(next, arranged(arrange));
     }
 
@@ -286,7 +288,6 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
                         state.drawing(),
                         state.other(),
                         state.step(),
-                        !history.isEmpty(),
                         arrangement));
         drawings.ask(scene);
     }
@@ -299,7 +300,6 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
                         answer.drawing,
                         answer.other,
                         answer.drawing.steps(),
-                        state.undoable(),
                         state.arrangement()));
     }
 
@@ -310,7 +310,6 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
                 state.drawing(),
                 state.other(),
                 step,
-                !history.isEmpty(),
                 state.arrangement());
     }
 

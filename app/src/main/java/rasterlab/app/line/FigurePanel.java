@@ -6,12 +6,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
@@ -46,7 +44,7 @@ final class FigurePanel extends LabPanel {
                         model,
                         () -> texts.text("count", model.step(), model.last()));
         actions = new Actions(Texts.of("canvas", language));
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
         actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
@@ -54,7 +52,7 @@ final class FigurePanel extends LabPanel {
                 "copyCommand",
                 () -> command().ifPresent(command -> Copying.text(command, onFailure)));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
         refresh();
@@ -89,7 +87,7 @@ final class FigurePanel extends LabPanel {
         stage.refresh();
         inspector.refresh();
         player.refresh();
-        actions.enable("undo", model.state().undoable());
+        actions.refreshUndo();
         actions.enable("copyCommand", command().isPresent());
     }
 

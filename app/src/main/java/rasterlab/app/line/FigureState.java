@@ -10,7 +10,6 @@ import java.util.Optional;
  * @param drawing by the chosen method
  * @param other by the second one, if one is compared
  * @param step pixels lit so far
- * @param undoable whether there is something to undo
  * @param arrangement changes when the stage should show everything again
  */
 public record FigureState(
@@ -19,7 +18,6 @@ public record FigureState(
         FigureDrawing drawing,
         Optional<FigureDrawing> other,
         int step,
-        boolean undoable,
         int arrangement) {
     /** Whether every pixel is lit, so that missing ones can be told. */
     boolean finished() {

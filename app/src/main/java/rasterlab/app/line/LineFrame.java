@@ -57,7 +57,11 @@ record LineFrame(
         return image;
     }
 
-    private void paint(Graphics2D g, BooleanSupplier cancelled) {
+    /**
+     * @param g in view units
+     * @throws CancellationException soon after {@code cancelled} says true
+     */
+    void paint(Graphics2D g, BooleanSupplier cancelled) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);

@@ -28,7 +28,9 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     private final Topic<LineRasterizer, Segment, PixelRecording> topic;
     private final LineChoice first;
     private final LatestOnly<Question, LineDrawings> drawings;
-    private final History<LineChoice> history = new History<>();
+    private final History<LineChoice> history =
+            new History<>(
+                    () -> state().choice(), choice -> draw(choice, state().arrangement() + 1));
     private final List<Consumer<LineLabState>> listeners = new ArrayList<>();
     private final FigureLabModel figures;
     private final List<Consumer<LineMode>> modeListeners = new ArrayList<>();
@@ -47,7 +49,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         figures = new FigureLabModel(events, onFailure);
         first = new LineChoice(FIRST_SEGMENT, firstMethod(), "");
         LineDrawings drawn = LineDrawings.of(topic, first);
-        state = new LineLabState(first, drawn, drawn.drawing().pixels(), false, 0);
+        state = new LineLabState(first, drawn, drawn.drawing().pixels(), 0);
         drawings =
                 new LatestOnly<>(
                         "line",
@@ -137,11 +139,11 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     }
 
     public void beginDrag() {
-        history.beginDrag(state.choice());
+        history.beginDrag();
     }
 
     public void endDrag() {
-        history.endDrag(state.choice());
+        history.endDrag();
         publish(at(state.step()));
     }
 
@@ -165,8 +167,9 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         change(state.choice().withComparison(method), false);
     }
 
-    public void undo() {
-        history.undo().ifPresent(choice -> draw(choice, state.arrangement() + 1));
+    /** What can be undone and redone. */
+    public History<LineChoice> history() {
+        return history;
     }
 
     /** Back to the first segment and method; can be undone. */
@@ -231,7 +234,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
 
     private void change(LineChoice next, boolean arrange) {
         if (next.equals(state.choice()) && !arrange) return;
-        if (!next.equals(state.choice())) history.remember(state.choice());
+        if (!next.equals(state.choice())) history.remember();
         draw(next, state.arrangement() + (arrange ? 1 : 0));
     }
 
@@ -249,7 +252,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     }
 
     private LineLabState state(LineChoice choice, LineDrawings drawn, int step, int arrangement) {
-        return new LineLabState(choice, drawn, step, !history.isEmpty(), arrangement);
+        return new LineLabState(choice, drawn, step, arrangement);
     }
 
     private void publish(LineLabState next) {

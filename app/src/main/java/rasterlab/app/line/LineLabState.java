@@ -8,11 +8,9 @@ import java.util.Optional;
  * @param choice the newest one
  * @param drawings the newest finished ones, maybe of an earlier choice
  * @param step pixels of the drawing lit so far, in [min(1, all), all]
- * @param undoable whether there is something to undo
  * @param arrangement changes when the stage should show the whole segment again
  */
-public record LineLabState(
-        LineChoice choice, LineDrawings drawings, int step, boolean undoable, int arrangement) {
+public record LineLabState(LineChoice choice, LineDrawings drawings, int step, int arrangement) {
     /** What the chosen method draws. */
     public LineDrawing drawing() {
         return drawings.drawing();

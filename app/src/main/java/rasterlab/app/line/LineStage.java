@@ -30,6 +30,7 @@ import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.Segment;
@@ -213,6 +214,11 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                 StageColours.now(),
                 UIManager.getFont("Label.font"),
                 LineNotes.about(state.drawings(), texts).orElse(""));
+    }
+
+    /** What is shown, without the rings around the ends, as an SVG document. */
+    String svg() {
+        return SvgPicture.of(getWidth(), getHeight(), g -> frame().paint(g, () -> false));
     }
 
     private void show(BufferedImage image) {

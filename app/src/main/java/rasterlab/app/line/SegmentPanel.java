@@ -1,11 +1,9 @@
 package rasterlab.app.line;
 
 import java.util.function.Consumer;
-import javax.swing.KeyStroke;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
@@ -40,14 +38,15 @@ final class SegmentPanel extends LabPanel {
                         model,
                         () -> texts.text("count", model.step(), model.last()));
         actions = new Actions(Texts.of("canvas", language));
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
+        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         actions.add(
                 "copyCommand",
                 () -> Copying.text(LineCommand.of(model.state().choice()), onFailure));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
         refresh();
@@ -76,7 +75,7 @@ final class SegmentPanel extends LabPanel {
         stage.refresh();
         inspector.refresh();
         player.refresh();
-        actions.enable("undo", model.state().undoable());
+        actions.refreshUndo();
     }
 
     private Chips chips() {

@@ -173,7 +173,7 @@ final class OpenGlInspector {
     private String reasons(OpenGlLabState state) {
         if (state.problem().isPresent()) {
             ImageProblem problem = state.problem().get();
-            return texts.text("problem." + problem.key(), problem.arguments().toArray());
+            return texts.text("problem." + problem.key(), problem.said(texts.language()));
         }
         if (state.missing().isPresent()) return texts.text("missing", state.missing().get());
         List<Deviations> named = Deviations.of(state.choice());

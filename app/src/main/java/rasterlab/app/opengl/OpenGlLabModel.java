@@ -35,7 +35,8 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     private final Executor events;
     private final LatestOnly<Question, Answer> pictures;
     private final LatestOnly<Path, ImageLoading> files;
-    private final History<GlChoice> history = new History<>();
+    private final History<GlChoice> history =
+            new History<>(() -> state().choice(), choice -> draw(choice, state().touched()));
     private final List<Consumer<OpenGlLabState>> listeners = new ArrayList<>();
     private final Images images = new Images();
     private final OffscreenGl offscreen = new OffscreenGl();
@@ -82,8 +83,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
                         Optional.empty(),
                         Optional.empty(),
                         Optional.empty(),
-                        Setting.SCENE,
-                        false);
+                        Setting.SCENE);
     }
 
     private int textureLimit() {
@@ -190,7 +190,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
             touch(touched);
             return;
         }
-        history.remember(state.choice());
+        history.remember();
         draw(next, touched);
     }
 
@@ -207,17 +207,18 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     }
 
     public void beginDrag() {
-        history.beginDrag(state.choice());
+        history.beginDrag();
     }
 
     public void endDrag() {
-        history.endDrag(state.choice());
+        history.endDrag();
         state = with(state.choice(), state.problem(), state.touched());
         tell();
     }
 
-    public void undo() {
-        history.undo().ifPresent(choice -> draw(choice, state.touched()));
+    /** What can be undone and redone. */
+    public History<GlChoice> history() {
+        return history;
     }
 
     /** Back to how the lab opens; can be undone. */
@@ -291,14 +292,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         List<GlCall> calls = List.of();
         if (width > 0) calls = FrameCalls.of(new GlFrame(choice, width, height, images.of(choice)));
         return new OpenGlLabState(
-                choice,
-                calls,
-                state.pictures(),
-                state.report(),
-                state.missing(),
-                problem,
-                touched,
-                !history.isEmpty());
+                choice, calls, state.pictures(), state.report(), state.missing(), problem, touched);
     }
 
     private void publish(
@@ -311,8 +305,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
                         report,
                         missing,
                         state.problem(),
-                        state.touched(),
-                        !history.isEmpty());
+                        state.touched());
         tell();
     }
 

@@ -17,7 +17,6 @@ import rasterlab.engine.raster.Raster;
  * @param missing why there is no OpenGL, if there is none
  * @param problem with an image that the user gave
  * @param touched the setting that was changed last
- * @param undoable whether there is something to undo
  */
 public record OpenGlLabState(
         GlChoice choice,
@@ -26,8 +25,7 @@ public record OpenGlLabState(
         Optional<GlReport> report,
         Optional<String> missing,
         Optional<ImageProblem> problem,
-        Setting touched,
-        boolean undoable) {
+        Setting touched) {
     /**
      * Pictures of one frame.
      *

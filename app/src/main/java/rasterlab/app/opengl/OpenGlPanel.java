@@ -2,12 +2,10 @@ package rasterlab.app.opengl;
 
 import java.util.function.Consumer;
 import javax.swing.JFileChooser;
-import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.Shown;
@@ -38,12 +36,13 @@ public final class OpenGlPanel extends LabPanel {
         inspector = new OpenGlInspector(model, texts, this::chooseImage);
         player = new StepPlayer(Texts.of("canvas", language), new Turntable(model), this::angle);
         actions = new Actions(Texts.of("canvas", language));
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
+        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         actions.add("copyCalls", () -> Copying.text(stage.log().program(), onFailure));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        Actions.bindUndo(this, model.history());
         player.bindKeys(stage.picture());
         unsubscribe = model.listen(state -> refresh());
         refresh();
@@ -83,7 +82,7 @@ public final class OpenGlPanel extends LabPanel {
         stage.refresh();
         inspector.refresh();
         player.refresh();
-        actions.enable("undo", model.state().undoable());
+        actions.refreshUndo();
     }
 
     private Chips chips() {

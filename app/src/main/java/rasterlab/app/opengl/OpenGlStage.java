@@ -22,7 +22,7 @@ import org.lwjgl.opengl.awt.AWTGLCanvas;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.Settling;
-import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
 /**
@@ -161,6 +161,11 @@ final class OpenGlStage extends JPanel implements Settling {
         return log;
     }
 
+    /** The fields as an SVG document: the pictures as pictures, the calls as text. */
+    String svg() {
+        return SvgPicture.of(this, this::print);
+    }
+
     private void resized() {
         if (openGl.getWidth() < 1 || openGl.getHeight() < 1) return;
         double scale = DevicePixels.scale(this);
@@ -245,6 +250,5 @@ final class OpenGlStage extends JPanel implements Settling {
                                                 .at((int) (at.x * scale), (int) (at.y * scale)))
                         .orElse(texts.text("stage.hint"));
         reading.setText(text);
-        reading.setForeground(pointed.isPresent() ? null : StageColours.now().axis());
     }
 }

@@ -1,11 +1,8 @@
 package rasterlab.app.perspective;
 
 import java.awt.BasicStroke;
-import java.awt.Color;
-import java.awt.Font;
 import java.awt.image.BufferedImage;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
@@ -15,7 +12,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.ChartPicture;
+import rasterlab.app.study.ChartLook;
 import rasterlab.engine.transform.PerspectiveAmount;
 import rasterlab.engine.transform.PerspectiveAmount.Sample;
 
@@ -38,15 +35,13 @@ public final class PerspectiveChart {
     }
 
     public static BufferedImage image(Language language) {
-        return ChartPicture.image(
-                graphics ->
-                        chart(language).paint(graphics, ChartPicture.WIDTH, ChartPicture.HEIGHT));
+        return ChartLook.PAPER.image(
+                graphics -> chart(language).paint(graphics, ChartLook.WIDTH, ChartLook.HEIGHT));
     }
 
     public static byte[] svg(Language language) {
-        return ChartPicture.svg(
-                graphics ->
-                        chart(language).paint(graphics, ChartPicture.WIDTH, ChartPicture.HEIGHT));
+        return ChartLook.PAPER.svg(
+                graphics -> chart(language).paint(graphics, ChartLook.WIDTH, ChartLook.HEIGHT));
     }
 
     /** The points of the curve as comma-separated values. */
@@ -70,6 +65,7 @@ public final class PerspectiveChart {
                         .xAxisTitle(texts.text("distance"))
                         .yAxisTitle(texts.text("gamma"))
                         .build();
+        ChartLook.PAPER.style(chart.getStyler());
         style(chart.getStyler());
         chart.addAnnotation(new StretchBands(texts, HIGHEST));
         XYSeries series =
@@ -86,12 +82,6 @@ public final class PerspectiveChart {
     private static void style(XYStyler styler) {
         styler.setXAxisMin(0.0).setXAxisMax(FARTHEST).setYAxisMin(0.0).setYAxisMax(HIGHEST);
         styler.setLegendVisible(false);
-        styler.setLocale(Locale.ROOT);
         styler.setXAxisDecimalPattern("#.#").setYAxisDecimalPattern("#.#");
-        styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
-        styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
-        styler.setChartTitleBoxVisible(false);
-        styler.setChartBackgroundColor(Color.WHITE);
-        styler.setPlotBackgroundColor(Color.WHITE);
     }
 }

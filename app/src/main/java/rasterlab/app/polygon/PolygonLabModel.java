@@ -23,7 +23,8 @@ import rasterlab.engine.study.Method;
 public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCloseable {
     private final PolygonTopics topics;
     private final LatestOnly<PolygonScene, PolygonResults> works;
-    private final History<PolygonChoice> history = new History<>();
+    private final History<PolygonChoice> history =
+            new History<>(() -> state().choice(), this::bring);
     private final List<Consumer<PolygonLabState>> listeners = new ArrayList<>();
     private PolygonLabState state;
 
@@ -35,7 +36,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
         this.topics = topics;
         PolygonChoice first = PolygonChoice.first();
         PolygonResults drawn = PolygonResults.of(topics, first.scene());
-        state = new PolygonLabState(first, drawn, resultOf(drawn), Grip.corner(0), false, 0);
+        state = new PolygonLabState(first, drawn, resultOf(drawn), Grip.corner(0), 0);
         works =
                 new LatestOnly<>(
                         "polygon work",
@@ -130,11 +131,11 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
     }
 
     public void beginDrag() {
-        history.beginDrag(state.choice());
+        history.beginDrag();
     }
 
     public void endDrag() {
-        history.endDrag(state.choice());
+        history.endDrag();
         publish(at(state.step()));
     }
 
@@ -182,13 +183,14 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
         return state.choice().scene().figure();
     }
 
-    public void undo() {
-        history.undo()
-                .ifPresent(
-                        choice -> {
-                            boolean other = choice.mode() != state.choice().mode();
-                            work(choice, state.arrangement() + (other ? 1 : 0));
-                        });
+    private void bring(PolygonChoice choice) {
+        boolean other = choice.mode() != state.choice().mode();
+        work(choice, state.arrangement() + (other ? 1 : 0));
+    }
+
+    /** What can be undone and redone. */
+    public History<PolygonChoice> history() {
+        return history;
     }
 
     /** Back to the mode's first scene and method; can be undone. */
@@ -270,20 +272,13 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
 
     private void change(PolygonChoice next, boolean arrange) {
         if (next.equals(state.choice()) && !arrange) return;
-        if (!next.equals(state.choice())) history.remember(state.choice());
+        if (!next.equals(state.choice())) history.remember();
         work(next, state.arrangement() + (arrange ? 1 : 0));
     }
 
     private void work(PolygonChoice choice, int arrangement) {
         Grip selected = existing(choice.scene().figure(), state.selected());
-        publish(
-                new PolygonLabState(
-                        choice,
-                        state.results(),
-                        state.step(),
-                        selected,
-                        !history.isEmpty(),
-                        arrangement));
+        publish(new PolygonLabState(choice, state.results(), state.step(), selected, arrangement));
         works.ask(choice.scene());
     }
 
@@ -299,32 +294,17 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
         int step = state.finished() ? last : Math.min(state.step(), last);
         publish(
                 new PolygonLabState(
-                        state.choice(),
-                        results,
-                        step,
-                        state.selected(),
-                        !history.isEmpty(),
-                        state.arrangement()));
+                        state.choice(), results, step, state.selected(), state.arrangement()));
     }
 
     private PolygonLabState at(int step) {
         return new PolygonLabState(
-                state.choice(),
-                state.results(),
-                step,
-                state.selected(),
-                !history.isEmpty(),
-                state.arrangement());
+                state.choice(), state.results(), step, state.selected(), state.arrangement());
     }
 
     private PolygonLabState selecting(Grip grip) {
         return new PolygonLabState(
-                state.choice(),
-                state.results(),
-                state.step(),
-                grip,
-                !history.isEmpty(),
-                state.arrangement());
+                state.choice(), state.results(), state.step(), grip, state.arrangement());
     }
 
     private void publish(PolygonLabState next) {

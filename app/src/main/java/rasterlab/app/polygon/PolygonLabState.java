@@ -6,16 +6,10 @@ package rasterlab.app.polygon;
  * @param results of the chosen scene, or of one before it while it is worked on
  * @param step 0 before anything is done, then one step after another, at last the result
  * @param selected the point whose coordinates are shown
- * @param undoable whether there is something to undo
  * @param arrangement changes when the stage should show everything again
  */
 public record PolygonLabState(
-        PolygonChoice choice,
-        PolygonResults results,
-        int step,
-        Grip selected,
-        boolean undoable,
-        int arrangement) {
+        PolygonChoice choice, PolygonResults results, int step, Grip selected, int arrangement) {
     /** Whether the result is shown. */
     public boolean finished() {
         return step > results.outcome().steps();

@@ -1,11 +1,9 @@
 package rasterlab.app.precision;
 
 import java.awt.BasicStroke;
-import java.awt.Color;
-import java.awt.Font;
+import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -18,7 +16,7 @@ import org.knowm.xchart.style.lines.SeriesLines;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.ChartPicture;
+import rasterlab.app.study.ChartLook;
 import rasterlab.app.study.MethodLook;
 import rasterlab.engine.visibility.depth.DepthPrecision;
 import rasterlab.engine.visibility.depth.DepthPrecision.Sample;
@@ -51,16 +49,16 @@ public final class DepthPrecisionChart {
         return DepthPrecision.samples(1);
     }
 
-    public static BufferedImage image(Language language) {
-        return ChartPicture.image(
-                graphics ->
-                        chart(language).paint(graphics, ChartPicture.WIDTH, ChartPicture.HEIGHT));
+    public static BufferedImage image(Language language, ChartLook paper) {
+        return paper.image(graphics -> paint(graphics, language, paper));
     }
 
-    public static byte[] svg(Language language) {
-        return ChartPicture.svg(
-                graphics ->
-                        chart(language).paint(graphics, ChartPicture.WIDTH, ChartPicture.HEIGHT));
+    public static byte[] svg(Language language, ChartLook paper) {
+        return paper.svg(graphics -> paint(graphics, language, paper));
+    }
+
+    private static void paint(Graphics2D graphics, Language language, ChartLook paper) {
+        chart(language, paper).paint(graphics, ChartLook.WIDTH, ChartLook.HEIGHT);
     }
 
     /** The marks as comma-separated values. */
@@ -79,7 +77,7 @@ public final class DepthPrecisionChart {
                                 "\r\n", "format,far/near,measured,predicted\r\n", "\r\n"));
     }
 
-    static XYChart chart(Language language) {
+    static XYChart chart(Language language, ChartLook paper) {
         Texts texts = Texts.of("precision", language);
         XYChart chart =
                 new XYChartBuilder()
@@ -87,13 +85,14 @@ public final class DepthPrecisionChart {
                         .xAxisTitle(texts.text("ratio"))
                         .yAxisTitle(texts.text("distance"))
                         .build();
+        paper.style(chart.getStyler());
         style(chart.getStyler());
-        chart.addAnnotation(new PrecisionNotes(texts, LOWEST, HIGHEST));
+        chart.addAnnotation(new PrecisionNotes(texts, paper, LOWEST, HIGHEST));
         Map<String, MethodLook> looks = MethodLook.of(DepthPrecision.FORMATS);
         List<Sample> lines = DepthPrecision.samples(LINE_PER_DECADE);
         List<Sample> marks = DepthPrecision.samples(MARKS_PER_DECADE);
-        looks.forEach((format, look) -> line(chart, look, of(format, lines)));
-        looks.forEach((format, look) -> marks(chart, look, of(format, marks)));
+        looks.forEach((format, look) -> line(chart, look.on(paper), of(format, lines)));
+        looks.forEach((format, look) -> marks(chart, look.on(paper), of(format, marks)));
         return chart;
     }
 
@@ -151,12 +150,6 @@ public final class DepthPrecisionChart {
         styler.setXAxisTickLabelsFormattingFunction(DepthPrecisionChart::power);
         styler.setYAxisTickLabelsFormattingFunction(DepthPrecisionChart::power);
         styler.setLegendPosition(LegendPosition.OutsideE);
-        styler.setLocale(Locale.ROOT);
-        styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
-        styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
-        styler.setChartTitleBoxVisible(false);
-        styler.setChartBackgroundColor(Color.WHITE);
-        styler.setPlotBackgroundColor(Color.WHITE);
         styler.setMarkerSize(11);
     }
 }

@@ -6,6 +6,7 @@ import java.awt.Graphics2D;
 import org.knowm.xchart.internal.chartpart.Annotation;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.ChartLook;
 
 /** What marks and lines are, and from where on a distance is longer than the depth itself. */
 final class PrecisionNotes extends Annotation {
@@ -14,6 +15,7 @@ final class PrecisionNotes extends Annotation {
     private static final int MARGIN = 10;
 
     private final Texts texts;
+    private final ChartLook paper;
     private final double bottom;
     private final double top;
 
@@ -21,9 +23,10 @@ final class PrecisionNotes extends Annotation {
      * @param bottom end of the distance axis
      * @param top its other end
      */
-    PrecisionNotes(Texts texts, double bottom, double top) {
+    PrecisionNotes(Texts texts, ChartLook paper, double bottom, double top) {
         super(false);
         this.texts = texts;
+        this.paper = paper;
         this.bottom = bottom;
         this.top = top;
     }
@@ -37,7 +40,7 @@ final class PrecisionNotes extends Annotation {
         graphics.setColor(new Color(band.getRed(), band.getGreen(), band.getBlue(), 30));
         graphics.fillRect(x, highest, getXAxisScreenValueForMax() - x, whole - highest);
         graphics.setFont(FONT);
-        graphics.setColor(Color.DARK_GRAY);
+        graphics.setColor(paper.note());
         graphics.drawString(texts.text("whole"), x + MARGIN, whole - MARGIN);
         int right = getXAxisScreenValueForMax() - MARGIN;
         int y = getYAxisScreenValue(bottom) - MARGIN;

@@ -13,6 +13,7 @@ import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.Copying;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 
 /** Says in one sentence what failed and keeps the details ready to be copied. */
@@ -57,7 +58,9 @@ final class ErrorDialog {
     private String sentence(Throwable failure) {
         String message = failure.getMessage();
         String reason = message == null || message.isBlank() ? failure.toString() : message;
-        return texts.text("error.sentence", reason.lines().findFirst().orElse(reason));
+        return texts.text(
+                "error.sentence",
+                Complaints.said(texts.language(), reason.lines().findFirst().orElse(reason)));
     }
 
     private static String details(Throwable failure) {

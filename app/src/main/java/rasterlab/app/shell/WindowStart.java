@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JOptionPane;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -52,7 +53,7 @@ public final class WindowStart {
     private static void tell(Component parent, Texts texts, String problem) {
         JOptionPane.showMessageDialog(
                 parent,
-                texts.text("settings.problem", problem),
+                texts.text("settings.problem", Complaints.said(texts.language(), problem)),
                 texts.text("settings.title"),
                 JOptionPane.WARNING_MESSAGE);
     }

@@ -39,7 +39,9 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
                     "",
                     new CurveOverlays(true, true, false));
     private final LatestOnly<CurveChoice, CurveDrawings> drawings;
-    private final History<CurveChoice> history = new History<>();
+    private final History<CurveChoice> history =
+            new History<>(
+                    () -> state().choice(), choice -> draw(choice, state().arrangement() + 1));
     private final List<Consumer<CurveLabState>> listeners = new ArrayList<>();
     private CurveLabState state;
 
@@ -91,11 +93,11 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
     }
 
     public void beginDrag() {
-        history.beginDrag(state.choice());
+        history.beginDrag();
     }
 
     public void endDrag() {
-        history.endDrag(state.choice());
+        history.endDrag();
         publish(state(state.choice(), state.drawings(), state.t(), state.arrangement()));
     }
 
@@ -144,8 +146,9 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
             publish(state(state.choice(), state.drawings(), next, state.arrangement()));
     }
 
-    public void undo() {
-        history.undo().ifPresent(choice -> draw(choice, state.arrangement() + 1));
+    /** What can be undone and redone. */
+    public History<CurveChoice> history() {
+        return history;
     }
 
     /** Back to how the lab opens; can be undone. */
@@ -211,7 +214,7 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
 
     private void change(CurveChoice next, boolean arrange) {
         if (next.equals(state.choice()) && !arrange) return;
-        if (!next.equals(state.choice())) history.remember(state.choice());
+        if (!next.equals(state.choice())) history.remember();
         draw(next, state.arrangement() + (arrange ? 1 : 0));
     }
 
@@ -232,7 +235,6 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
                 t,
                 CurveAt.of(drawn.choice().curves(), t),
                 reached(drawn.drawing().points(), t),
-                !history.isEmpty(),
                 arrangement);
     }
 

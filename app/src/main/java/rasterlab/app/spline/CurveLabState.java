@@ -8,7 +8,6 @@ package rasterlab.app.spline;
  * @param t where the construction is shown, in [0, 1] over all curves
  * @param at what is at t of the drawings' curves
  * @param step the last of the drawing's points whose t is not beyond; 0 where there is none
- * @param undoable whether there is something to undo
  * @param arrangement changes when the stage should show the whole curve again
  */
 public record CurveLabState(
@@ -17,7 +16,6 @@ public record CurveLabState(
         double t,
         CurveAt at,
         int step,
-        boolean undoable,
         int arrangement) {
     /** What the chosen method drew. */
     public CurveDrawing drawing() {

@@ -4,11 +4,9 @@ import java.awt.BorderLayout;
 import java.awt.geom.Rectangle2D;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
@@ -60,7 +58,7 @@ final class CurvePanel extends JPanel implements AutoCloseable {
                 new StepPlayer(
                         canvas, model, () -> texts.text("count", model.step(), model.last()));
         actions = new Actions(canvas);
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
         actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
@@ -68,7 +66,7 @@ final class CurvePanel extends JPanel implements AutoCloseable {
                 "copyCommand",
                 () -> Copying.text(CurveCommand.of(model.state().choice()), onFailure));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
         refresh();
@@ -102,7 +100,7 @@ final class CurvePanel extends JPanel implements AutoCloseable {
                 state.arrangement());
         inspector.refresh();
         player.refresh();
-        actions.enable("undo", state.undoable());
+        actions.refreshUndo();
     }
 
     private Chips chips() {

@@ -43,7 +43,9 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
                     topic.method("cubic").name(),
                     topic.method("monotone").name());
     private final LatestOnly<FunctionChoice, FunctionDrawings> drawings;
-    private final History<FunctionChoice> history = new History<>();
+    private final History<FunctionChoice> history =
+            new History<>(
+                    () -> state().choice(), choice -> find(choice, state().arrangement() + 1));
     private final List<Consumer<FunctionLabState>> listeners = new ArrayList<>();
     private FunctionLabState state;
     private boolean arranging;
@@ -54,9 +56,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
      */
     public FunctionLabModel(Executor events, Consumer<Throwable> onFailure) {
         FunctionDrawings found = FunctionDrawings.of(topic, first, () -> false);
-        state =
-                new FunctionLabState(
-                        first, found, found.drawing().steps().size(), FIRST_SHARE, false, 0);
+        state = new FunctionLabState(first, found, found.drawing().steps().size(), FIRST_SHARE, 0);
         drawings =
                 new LatestOnly<>(
                         "spline function",
@@ -135,11 +135,11 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
     }
 
     public void beginDrag() {
-        history.beginDrag(state.choice());
+        history.beginDrag();
     }
 
     public void endDrag() {
-        history.endDrag(state.choice());
+        history.endDrag();
         publish(at(state.step(), state.share()));
     }
 
@@ -175,8 +175,9 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
         if (next != state.share()) publish(at(state.step(), next));
     }
 
-    public void undo() {
-        history.undo().ifPresent(choice -> find(choice, state.arrangement() + 1));
+    /** What can be undone and redone. */
+    public History<FunctionChoice> history() {
+        return history;
     }
 
     /** Back to how the lab opens; can be undone. */
@@ -241,7 +242,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
 
     private void change(FunctionChoice next, boolean arrange) {
         if (next.equals(state.choice()) && !arrange) return;
-        if (!next.equals(state.choice())) history.remember(state.choice());
+        if (!next.equals(state.choice())) history.remember();
         find(next, state.arrangement() + (arrange ? 1 : 0));
     }
 
@@ -274,7 +275,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
             int step,
             double share,
             int arrangement) {
-        return new FunctionLabState(choice, found, step, share, !history.isEmpty(), arrangement);
+        return new FunctionLabState(choice, found, step, share, arrangement);
     }
 
     private void publish(FunctionLabState next) {

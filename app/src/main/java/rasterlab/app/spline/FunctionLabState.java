@@ -9,16 +9,10 @@ import java.util.Optional;
  * @param drawings the newest finished ones, maybe of an earlier choice
  * @param step steps of the method taken so far, from 0
  * @param share where the function is read, as a share of the way between the end knots
- * @param undoable whether there is something to undo
  * @param arrangement changes when the stage should show everything again
  */
 public record FunctionLabState(
-        FunctionChoice choice,
-        FunctionDrawings drawings,
-        int step,
-        double share,
-        boolean undoable,
-        int arrangement) {
+        FunctionChoice choice, FunctionDrawings drawings, int step, double share, int arrangement) {
     /** What the chosen method found. */
     public FunctionDrawing drawing() {
         return drawings.drawing();

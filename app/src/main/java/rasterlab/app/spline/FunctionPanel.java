@@ -6,11 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JPanel;
-import javax.swing.KeyStroke;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
@@ -66,14 +64,14 @@ final class FunctionPanel extends JPanel implements AutoCloseable {
                 new StepPlayer(
                         canvas, model, () -> texts.text("count", model.step(), model.last()));
         actions = new Actions(canvas);
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
         actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         actions.add(
                 "copyCommand", () -> Copying.text(FunctionCommand.of(model.state()), onFailure));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
         refresh();
@@ -108,7 +106,7 @@ final class FunctionPanel extends JPanel implements AutoCloseable {
                 state.arrangement());
         inspector.refresh();
         player.refresh();
-        actions.enable("undo", state.undoable());
+        actions.refreshUndo();
     }
 
     private List<Place> slopes(FunctionLabState state) {

@@ -4,6 +4,7 @@ import javax.swing.JPanel;
 import javax.swing.JSpinner;
 import javax.swing.SpinnerNumberModel;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.NumberEntry;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.SplineEnds;
 
@@ -34,7 +35,7 @@ final class SlopeFields extends JPanel {
 
     private JSpinner spinner(String key, Texts texts) {
         var spinner = new JSpinner(new SpinnerNumberModel(0.0, -1e100, 1e100, STEP));
-        var editor = new JSpinner.NumberEditor(spinner, "0.####");
+        var editor = new NumberEntry(spinner, "0.####", texts.locale());
         editor.getTextField().setColumns(4);
         editor.getTextField().setName(key + ".text");
         spinner.setEditor(editor);

@@ -137,10 +137,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         var colours = question.colours();
         XYChart chart =
                 StudyChart.chart(
-                        question.study(),
-                        new StudyWords(texts.language()),
-                        colours.ground(),
-                        colours.ink());
+                        question.study(), new StudyWords(texts.language()), ChartLook.on(colours));
         var places = new PointPlaces(StudyChart.points(question.study()));
         chart.addAnnotation(places);
         var image =

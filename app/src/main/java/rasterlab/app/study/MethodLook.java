@@ -39,10 +39,8 @@ public record MethodLook(Color colour, Marker marker) {
     }
 
     /** The same in a colour that stands out from the ground. */
-    MethodLook on(Color ground) {
-        return ground.equals(Color.WHITE)
-                ? this
-                : new MethodLook(MethodColours.edgeOn(ground, colour), marker);
+    public MethodLook on(ChartLook paper) {
+        return new MethodLook(paper.line(colour), marker);
     }
 
     private static Marker marker(int number) {

@@ -1,15 +1,12 @@
 package rasterlab.app.study;
 
 import java.awt.BasicStroke;
-import java.awt.Color;
-import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Collectors;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
@@ -26,44 +23,41 @@ public final class StudyChart {
 
     /** The chart as a picture. */
     public static BufferedImage image(Study study, Language language) {
-        return ChartPicture.image(graphics -> paint(study, new StudyWords(language), graphics));
+        return ChartLook.PAPER.image(graphics -> paint(study, new StudyWords(language), graphics));
     }
 
     /** The chart as an SVG document. */
     static byte[] svg(Study study, Language language) {
-        return ChartPicture.svg(graphics -> paint(study, new StudyWords(language), graphics));
+        return ChartLook.PAPER.svg(graphics -> paint(study, new StudyWords(language), graphics));
     }
 
     private static void paint(Study study, StudyWords words, Graphics2D graphics) {
         var note = LeftOutNote.of(study, words);
-        int height = ChartPicture.HEIGHT - note.height();
-        chart(study, words).paint(graphics, ChartPicture.WIDTH, height);
+        int height = ChartLook.HEIGHT - note.height();
+        chart(study, words).paint(graphics, ChartLook.WIDTH, height);
         note.paint(graphics, height);
     }
 
     static XYChart chart(Study study, StudyWords words) {
-        return chart(study, words, Color.WHITE, Color.BLACK);
+        return chart(study, words, ChartLook.PAPER);
     }
 
-    /**
-     * @param ground behind the chart
-     * @param ink of its words
-     */
-    static XYChart chart(Study study, StudyWords words, Color ground, Color ink) {
+    static XYChart chart(Study study, StudyWords words, ChartLook paper) {
         var costs = CostAxis.over(points(study));
         var errors = ErrorAxis.over(points(study));
-        var sizes = new SizeLabels(ground);
+        var sizes = new SizeLabels(paper.ground());
         XYChart chart = empty(study, words);
-        style(chart.getStyler(), ground, ink);
+        paper.style(chart.getStyler());
+        style(chart.getStyler());
         style(chart.getStyler(), costs, errors, words);
-        chart.addAnnotation(new ChartGrid(costs, errors, ink));
+        chart.addAnnotation(new ChartGrid(costs, errors, paper.ink()));
         List<String> methods =
                 study.measurements().stream().map(Measurement::method).distinct().toList();
         MethodLook.of(methods)
                 .forEach(
                         (method, look) -> {
                             for (List<Measurement> line : lines(method, points(study))) {
-                                add(chart, method, look.on(ground), line, errors);
+                                add(chart, method, look.on(paper), line, errors);
                                 label(sizes, look, line, errors);
                             }
                         });
@@ -92,17 +86,8 @@ public final class StudyChart {
         styler.setYAxisTickLabelsFormattingFunction(value -> errors.label(value, words.exact()));
     }
 
-    private static void style(XYStyler styler, Color ground, Color ink) {
+    private static void style(XYStyler styler) {
         styler.setLegendPosition(LegendPosition.OutsideE);
-        styler.setLocale(Locale.ROOT);
-        styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
-        styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
-        styler.setChartTitleBoxVisible(false);
-        styler.setChartBackgroundColor(ground);
-        styler.setPlotBackgroundColor(ground);
-        styler.setLegendBackgroundColor(ground);
-        styler.setChartFontColor(ink);
-        styler.setAxisTickLabelsColor(ink);
         styler.setPlotGridLinesVisible(false).setAxisTicksMarksVisible(false);
         styler.setMarkerSize(11);
     }

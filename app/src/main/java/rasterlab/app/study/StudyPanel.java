@@ -23,6 +23,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
@@ -202,7 +203,10 @@ public final class StudyPanel extends LabPanel {
             return;
         }
         JOptionPane.showMessageDialog(
-                this, failure.getMessage(), texts.text("save.title"), JOptionPane.WARNING_MESSAGE);
+                this,
+                Complaints.said(texts.language(), failure.getMessage()),
+                texts.text("save.title"),
+                JOptionPane.WARNING_MESSAGE);
     }
 
     private void refresh() {

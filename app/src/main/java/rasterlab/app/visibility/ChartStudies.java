@@ -7,9 +7,12 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.precision.DepthPrecisionChart;
+import rasterlab.app.study.ChartLook;
 
 /**
  * Charts counted in the background, with progress; what was counted is kept.
@@ -17,11 +20,11 @@ import rasterlab.app.precision.DepthPrecisionChart;
  * <p>Used on one thread, that of the executor it is given.
  */
 final class ChartStudies implements AutoCloseable {
-    /** A chart in a language. */
-    record Question(StageView view, Language language) {}
+    /** A chart in a language, on a stage in those colours. */
+    record Question(StageView view, Language language, StageColours colours) {}
 
     /** A finished chart. */
-    record Chart(Question asked, BufferedImage image) {}
+    record Chart(Question asked, BufferedImage image, Supplier<byte[]> svg) {}
 
     private final Executor events;
     private final LatestOnly<Question, Chart> work;
@@ -42,8 +45,7 @@ final class ChartStudies implements AutoCloseable {
     }
 
     /** Asks for a chart unless it is there or on its way. */
-    void ask(StageView view, Language language) {
-        var question = new Question(view, language);
+    void ask(Question question) {
         if (asked.equals(Optional.of(question))) return;
         asked = Optional.of(question);
         chart = Optional.empty();
@@ -83,9 +85,16 @@ final class ChartStudies implements AutoCloseable {
     }
 
     private Chart made(Question question, BooleanSupplier cancelled) {
+        var paper = ChartLook.on(question.colours());
+        Language language = question.language();
         if (question.view() == StageView.PRECISION)
-            return new Chart(question, DepthPrecisionChart.image(question.language()));
-        return new Chart(question, counted(cancelled).image(question.language()));
+            return new Chart(
+                    question,
+                    DepthPrecisionChart.image(language, paper),
+                    () -> DepthPrecisionChart.svg(language, paper));
+        GrowthChart counted = counted(cancelled);
+        return new Chart(
+                question, counted.image(language, paper), () -> counted.svg(language, paper));
     }
 
     /** Only the worker's thread comes here. */

@@ -1,6 +1,5 @@
 package rasterlab.app.visibility;
 
-import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -19,7 +18,7 @@ import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.XYStyler;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.ChartPicture;
+import rasterlab.app.study.ChartLook;
 import rasterlab.app.study.MethodLook;
 import rasterlab.engine.visibility.hidden.Growth;
 import rasterlab.engine.visibility.hidden.Growth.Axis;
@@ -27,8 +26,8 @@ import rasterlab.engine.visibility.hidden.Growth.Axis;
 /** Counted work of the visibility methods over faces and over pixels, all axes logarithmic. */
 public final class GrowthChart {
     private static final int TITLE = 40;
-    private static final int PANEL_WIDTH = ChartPicture.WIDTH / 2;
-    private static final int PANEL_HEIGHT = (ChartPicture.HEIGHT - TITLE) / 2;
+    private static final int PANEL_WIDTH = ChartLook.WIDTH / 2;
+    private static final int PANEL_HEIGHT = (ChartLook.HEIGHT - TITLE) / 2;
     private static final int ROW = 19;
 
     private final List<String> methods = Growth.methodNames();
@@ -67,12 +66,12 @@ public final class GrowthChart {
                 .orElseThrow(() -> new IllegalArgumentException("no growth of " + method));
     }
 
-    public BufferedImage image(Language language) {
-        return ChartPicture.image(graphics -> paint(graphics, language));
+    public BufferedImage image(Language language, ChartLook paper) {
+        return paper.image(graphics -> paint(graphics, language, paper));
     }
 
-    public byte[] svg(Language language) {
-        return ChartPicture.svg(graphics -> paint(graphics, language));
+    public byte[] svg(Language language, ChartLook paper) {
+        return paper.svg(graphics -> paint(graphics, language, paper));
     }
 
     /** All points as comma-separated values. */
@@ -96,13 +95,13 @@ public final class GrowthChart {
         return axis.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    private void paint(Graphics2D graphics, Language language) {
+    private void paint(Graphics2D graphics, Language language, ChartLook paper) {
         Texts texts = Texts.of("visibility", language);
-        graphics.setColor(Color.BLACK);
+        graphics.setColor(paper.ink());
         graphics.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
         String title = texts.text("growth.title");
         int width = graphics.getFontMetrics().stringWidth(title);
-        graphics.drawString(title, (ChartPicture.WIDTH - width) / 2, 26);
+        graphics.drawString(title, (ChartLook.WIDTH - width) / 2, 26);
         Axis[] axes = Axis.values();
         for (int i = 0; i < axes.length; i++) {
             var panel =
@@ -112,19 +111,20 @@ public final class GrowthChart {
                                     TITLE + i / 2 * PANEL_HEIGHT,
                                     PANEL_WIDTH,
                                     PANEL_HEIGHT);
-            chart(axes[i], texts).paint(panel, PANEL_WIDTH, PANEL_HEIGHT);
+            chart(axes[i], texts, paper).paint(panel, PANEL_WIDTH, PANEL_HEIGHT);
             panel.dispose();
         }
-        table(graphics, texts);
+        table(graphics, texts, paper);
     }
 
-    private XYChart chart(Axis axis, Texts texts) {
+    private XYChart chart(Axis axis, Texts texts, ChartLook paper) {
         XYChart chart =
                 new XYChartBuilder()
                         .title(texts.text("growth." + code(axis)))
                         .xAxisTitle(texts.text("growth." + code(axis) + ".axis"))
                         .yAxisTitle(texts.text("growth.work"))
                         .build();
+        paper.style(chart.getStyler());
         style(chart.getStyler());
         for (String method : methods) {
             Growth growth = growth(method, axis);
@@ -133,7 +133,7 @@ public final class GrowthChart {
                             method,
                             Arrays.stream(growth.sizes()).asDoubleStream().toArray(),
                             Arrays.stream(growth.work()).asDoubleStream().toArray());
-            MethodLook look = looks.get(method);
+            MethodLook look = looks.get(method).on(paper);
             series.setMarker(look.marker());
             series.setMarkerColor(look.colour());
             series.setLineColor(look.colour());
@@ -145,20 +145,16 @@ public final class GrowthChart {
         styler.setXAxisLogarithmic(true).setYAxisLogarithmic(true);
         styler.setLegendVisible(false);
         styler.setMarkerSize(5);
-        styler.setLocale(Locale.ROOT);
         styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
         styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
-        styler.setChartTitleBoxVisible(false);
-        styler.setChartBackgroundColor(Color.WHITE);
-        styler.setPlotBackgroundColor(Color.WHITE);
     }
 
     /** The exponents, in the corner that the three charts leave. */
-    private void table(Graphics2D graphics, Texts texts) {
+    private void table(Graphics2D graphics, Texts texts, ChartLook paper) {
         int left = PANEL_WIDTH + 40;
         int y = TITLE + PANEL_HEIGHT + 22;
         graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 13));
-        graphics.setColor(Color.BLACK);
+        graphics.setColor(paper.ink());
         graphics.drawString(texts.text("growth.exponents"), left, y);
         y += ROW;
         int column = 0;
@@ -167,14 +163,16 @@ public final class GrowthChart {
                     texts.text("growth." + code(axis) + ".short"), left + 150 + 105 * column++, y);
         for (String method : methods) {
             y += ROW;
-            graphics.setColor(looks.get(method).colour());
-            looks.get(method).marker().paint(graphics, left + 4, y - 5, 9);
-            graphics.setColor(Color.BLACK);
+            MethodLook look = looks.get(method).on(paper);
+            graphics.setColor(look.colour());
+            look.marker().paint(graphics, left + 4, y - 5, 9);
+            graphics.setColor(paper.ink());
             graphics.drawString(method, left + 16, y);
             column = 0;
             for (Axis axis : Axis.values())
                 graphics.drawString(
-                        String.format(Locale.ROOT, "%.2f", growth(method, axis).exponent()),
+                        String.format(texts.locale(), "%.2f", growth(method, axis).exponent())
+                                .replace('-', '−'),
                         left + 150 + 105 * column++,
                         y);
         }

@@ -1,11 +1,11 @@
 package rasterlab.app.visibility;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import rasterlab.app.canvas.ShellPath;
 import rasterlab.app.model.SceneText;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Cull;
@@ -46,8 +46,8 @@ final class VisibilityCommand {
         Raster shown = model.state().picture().map(Picture::raster).orElse(new Raster(800, 600));
         SceneChoice scene = choice.shown();
         words.addAll(List.of("./lab", "render"));
-        words.add(scene.file().map(VisibilityCommand::quoted).orElse(named(scene)));
-        scene.image().ifPresent(image -> add("--texture-image", quoted(image)));
+        words.add(scene.file().map(ShellPath::quoted).orElse(named(scene)));
+        scene.image().ifPresent(image -> add("--texture-image", ShellPath.quoted(image)));
         SphericalView camera = choice.camera();
         add("--visibility", method);
         add("--shading", choice.shading());
@@ -121,11 +121,5 @@ final class VisibilityCommand {
 
     private static String code(Mode mode) {
         return mode.name().toLowerCase(Locale.ROOT);
-    }
-
-    /** As a POSIX shell takes it. */
-    private static String quoted(Path file) {
-        String path = file.toString();
-        return path.matches("[\\w./-]+") ? path : "'" + path.replace("'", "'\\''") + "'";
     }
 }

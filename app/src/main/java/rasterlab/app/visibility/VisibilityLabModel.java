@@ -39,7 +39,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
     private final LatestOnly<PixelReport.Question, PixelReport> histories;
     private final LatestOnly<SceneFiles.Task, SceneFiles.Answer> files;
-    private final History<VisibilityChoice> history = new History<>();
+    private final History<VisibilityChoice> history =
+            new History<>(() -> state().choice(), this::draw);
     private final FrameTimes times = new FrameTimes();
     private final List<Consumer<VisibilityLabState>> listeners = new ArrayList<>();
     private final List<Method<Visibility>> methods = Renderer.visibilityMethods();
@@ -156,7 +157,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         if (next.equals(state.choice())) return;
         next.plain(2, 1); // Refuses unknown names before anything is remembered.
         if (!next.comparison().isEmpty()) next.plain(next.comparison(), 2, 1);
-        history.remember(state.choice());
+        history.remember();
         draw(next);
     }
 
@@ -200,16 +201,17 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     public void beginDrag() {
-        history.beginDrag(state.choice());
+        history.beginDrag();
     }
 
     public void endDrag() {
-        history.endDrag(state.choice());
+        history.endDrag();
         publish(state);
     }
 
-    public void undo() {
-        history.undo().ifPresent(this::draw);
+    /** What can be undone and redone. */
+    public History<VisibilityChoice> history() {
+        return history;
     }
 
     /** Back to the first scene, view and methods; can be undone. */
@@ -390,7 +392,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     private void publish(VisibilityLabState next) {
-        state = next.measured(times.median(), !history.isEmpty());
+        state = next.measured(times.median());
         List.copyOf(listeners).forEach(listener -> listener.accept(state));
     }
 }

@@ -17,7 +17,6 @@ import java.util.Optional;
  * @param problem why a file was not opened or saved, "" if nothing went wrong
  * @param medianNanos median time of the last pictures of the present method and size; 0 while there
  *     are too few
- * @param undoable whether there is something to undo
  */
 public record VisibilityLabState(
         VisibilityChoice choice,
@@ -30,8 +29,7 @@ public record VisibilityLabState(
         Optional<PixelReport> pixel,
         Optional<ChosenPixel> chosen,
         String problem,
-        long medianNanos,
-        boolean undoable) {
+        long medianNanos) {
     static VisibilityLabState of(VisibilityChoice first) {
         return new VisibilityLabState(
                 first,
@@ -44,8 +42,7 @@ public record VisibilityLabState(
                 Optional.empty(),
                 Optional.empty(),
                 "",
-                0,
-                false);
+                0);
     }
 
     VisibilityLabState with(VisibilityChoice next) {
@@ -102,10 +99,9 @@ public record VisibilityLabState(
         return draft.state();
     }
 
-    VisibilityLabState measured(long nanos, boolean undo) {
+    VisibilityLabState measured(long nanos) {
         var draft = new Draft(this);
         draft.medianNanos = nanos;
-        draft.undoable = undo;
         return draft.state();
     }
 
@@ -122,7 +118,6 @@ public record VisibilityLabState(
         private Optional<ChosenPixel> chosen;
         private String problem;
         private long medianNanos;
-        private boolean undoable;
 
         Draft(VisibilityLabState from) {
             choice = from.choice;
@@ -136,7 +131,6 @@ public record VisibilityLabState(
             chosen = from.chosen;
             problem = from.problem;
             medianNanos = from.medianNanos;
-            undoable = from.undoable;
         }
 
         VisibilityLabState state() {
@@ -151,8 +145,7 @@ public record VisibilityLabState(
                     pixel,
                     chosen,
                     problem,
-                    medianNanos,
-                    undoable);
+                    medianNanos);
         }
     }
 }

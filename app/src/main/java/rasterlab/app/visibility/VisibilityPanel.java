@@ -1,11 +1,9 @@
 package rasterlab.app.visibility;
 
 import java.util.function.Consumer;
-import javax.swing.KeyStroke;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
@@ -40,12 +38,13 @@ public final class VisibilityPanel extends LabPanel {
                         new DrawingSteps(model),
                         () -> new VisibilityReadings(model.state(), texts).timeline());
         actions = new Actions(Texts.of("canvas", language));
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
+        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         actions.add("copyCommand", () -> Copying.text(VisibilityCommand.of(model), onFailure));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         SceneRow.acceptFiles(stage, model, onFailure);
         Runnable noModel = model.listen(state -> refresh());
@@ -75,7 +74,7 @@ public final class VisibilityPanel extends LabPanel {
         stage.refresh();
         inspector.refresh();
         player.refresh();
-        actions.enable("undo", model.state().undoable());
+        actions.refreshUndo();
     }
 
     private Chips chips() {

@@ -15,6 +15,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Optional;
 import javax.accessibility.AccessibleRole;
@@ -26,7 +27,9 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.scene.Vase;
@@ -142,7 +145,11 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     /** Shows the model's present state. */
     void refresh() {
         VisibilityChoice choice = model.state().choice();
-        if (choice.view().isChart()) model.charts().ask(choice.view(), texts.language());
+        if (choice.view().isChart())
+            model.charts()
+                    .ask(
+                            new ChartStudies.Question(
+                                    choice.view(), texts.language(), StageColours.now()));
         counting.refresh(choice.view().isChart());
         pointed.setVisible(pointed.isVisible() && !choice.view().isChart());
         revalidate();
@@ -157,19 +164,31 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
+        paintAll(g);
+        g.dispose();
+        paintFocus((Graphics2D) graphics.create());
+    }
+
+    private void paintAll(Graphics2D g) {
         g.setColor(StageColours.now().ground());
         g.fillRect(0, 0, getWidth(), getHeight());
         VisibilityLabState state = model.state();
         if (state.choice().view().isChart()) paintChart(g);
         else paintPictures(g, state);
-        g.dispose();
-        paintFocus((Graphics2D) graphics.create());
+    }
+
+    /** The chart, or the pictures with what lies over them, as an SVG document. */
+    String svg() {
+        boolean charted = model.state().choice().view().isChart();
+        return model.charts()
+                .chart()
+                .filter(chart -> charted)
+                .map(chart -> new String(chart.svg().get(), StandardCharsets.UTF_8))
+                .orElseGet(() -> SvgPicture.of(this, this::paintAll));
     }
 
     /** As large as it fits, in the middle. */
     private void paintChart(Graphics2D g) {
-        g.setColor(Color.WHITE);
-        g.fillRect(0, 0, getWidth(), getHeight());
         Optional<ChartStudies.Chart> chart = model.charts().chart();
         if (chart.isEmpty()) return;
         var image = chart.get().image();
@@ -247,7 +266,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
             say(
                     new StageOverlay(g, 1),
                     g,
-                    texts.text("problem", problem),
+                    texts.text("problem", Complaints.said(texts.language(), problem)),
                     getWidth(),
                     getHeight() / 2);
     }

@@ -85,9 +85,9 @@ class ClipLabModelTest {
         for (int x = 0; x < 9; x++) model.move(Grip.end(1, 1), x, 4);
         model.endDrag();
         assertEquals(new Place(8, 4), model.state().choice().segments().segments().get(1).b());
-        model.undo();
+        model.history().undo();
         assertEquals(before, model.state().choice());
-        assertFalse(model.state().undoable());
+        assertFalse(model.history().undoable());
     }
 
     @Test
@@ -109,7 +109,7 @@ class ClipLabModelTest {
         model.reset();
         assertEquals(SegmentScene.first(), model.state().choice().segments());
         assertEquals(new Place(-9, 1), model.state().choice().polygon().subject().get(0));
-        model.undo();
+        model.history().undo();
         assertEquals("midpoint", model.state().choice().segments().method());
     }
 

@@ -146,9 +146,9 @@ class LightLabModelTest {
         for (int i = 0; i < 10; i++) grips.nudge(3, 1, 1);
         model.endDrag();
         assertNotEquals(before, model.state().choice());
-        model.undo();
+        model.history().undo();
         assertEquals(before, model.state().choice());
-        assertFalse(model.state().undoable());
+        assertFalse(model.history().undoable());
     }
 
     @Test
@@ -192,7 +192,7 @@ class LightLabModelTest {
         model.reset();
         assertEquals(LightChoice.first(), model.state().choice());
         assertEquals(ColourChoice.first(), model.state().colour());
-        model.undo();
+        model.history().undo();
         assertEquals(3, model.state().choice().lamps().size());
     }
 

@@ -157,7 +157,7 @@ class FigureLabModelTest {
         model.beginDrag();
         for (int x = 6; x < 12; x++) model.move(ArcFigure.RADIUS_X, x, 0);
         model.endDrag();
-        model.undo();
+        model.history().undo();
         assertEquals(circle, model.state().scene());
         model.reset();
         assertEquals(FigureScene.first(LineMode.CIRCLE), model.state().scene());

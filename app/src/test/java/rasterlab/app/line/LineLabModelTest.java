@@ -59,16 +59,16 @@ class LineLabModelTest {
         for (int x = 18; x < 30; x++) model.moveEnd(End.B, x, 4);
         model.endDrag();
         assertEquals(new Segment(2, 3, 29, 4), model.state().choice().segment());
-        model.undo();
+        model.history().undo();
         assertEquals(before, model.state().choice());
-        assertFalse(model.state().undoable());
+        assertFalse(model.history().undoable());
     }
 
     @Test
     void pressWithoutMovingIsNoChange() {
         model.beginDrag();
         model.endDrag();
-        assertFalse(model.state().undoable());
+        assertFalse(model.history().undoable());
     }
 
     @Test
@@ -216,7 +216,7 @@ class LineLabModelTest {
         LineChoice mine = model.state().choice();
         model.reset();
         assertEquals("bresenham", model.state().choice().method());
-        model.undo();
+        model.history().undo();
         assertEquals(mine, model.state().choice());
     }
 

@@ -85,7 +85,7 @@ class OpenGlLabModelTest {
                         IllegalArgumentException.class, () -> model.set(Setting.BLEND, "GL_DECAL"));
         assertTrue(refused.getMessage().contains("blend must be one of off"));
         assertEquals(GlChoice.first(), model.state().choice());
-        assertFalse(model.state().undoable());
+        assertFalse(model.history().undoable());
     }
 
     @Test
@@ -94,9 +94,9 @@ class OpenGlLabModelTest {
         for (int i = 0; i < 5; i++) model.move(choice -> choice.turned(10, 4));
         model.endDrag();
         assertEquals(83, model.state().choice().turn());
-        model.undo();
+        model.history().undo();
         assertEquals(GlChoice.first(), model.state().choice());
-        assertFalse(model.state().undoable());
+        assertFalse(model.history().undoable());
     }
 
     @Test

@@ -99,9 +99,9 @@ class PolygonLabModelTest {
         for (int x = 0; x < 9; x++) model.move(Grip.corner(1), x, 4);
         model.endDrag();
         assertEquals(new Place(8, 4), inside().corners().get(1));
-        model.undo();
+        model.history().undo();
         assertEquals(before, model.state().choice());
-        assertFalse(model.state().undoable());
+        assertFalse(model.history().undoable());
     }
 
     @Test

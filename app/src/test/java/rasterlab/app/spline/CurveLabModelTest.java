@@ -57,10 +57,10 @@ class CurveLabModelTest {
         for (int x = 100; x < 120; x++) model.move(1, x, 44);
         model.endDrag();
         assertEquals(new Place(119, 44), model.state().choice().points().get(1));
-        assertTrue(model.state().undoable());
-        model.undo();
+        assertTrue(model.history().undoable());
+        model.history().undo();
         assertEquals(before, model.state().choice());
-        assertFalse(model.state().undoable());
+        assertFalse(model.history().undoable());
     }
 
     @Test
@@ -69,7 +69,7 @@ class CurveLabModelTest {
         CurveChoice changed = model.state().choice();
         model.reset();
         assertEquals(CurveForm.BEZIER, model.state().choice().form());
-        model.undo();
+        model.history().undo();
         assertEquals(changed, model.state().choice());
     }
 

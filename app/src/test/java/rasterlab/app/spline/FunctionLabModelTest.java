@@ -55,7 +55,7 @@ class FunctionLabModelTest {
         model.endDrag();
         settle();
         assertEquals(new Place(3.38, 1), model.state().choice().knots().get(3));
-        model.undo();
+        model.history().undo();
         assertEquals(before, model.state().choice());
     }
 

@@ -15,9 +15,11 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Semaphore;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
@@ -150,9 +152,9 @@ class VisibilityLabModelTest {
         model.beginDrag();
         for (int i = 0; i < 20; i++) model.turn(0.01, 0.01);
         model.endDrag();
-        model.undo();
+        model.history().undo();
         assertEquals(before, model.state().choice());
-        assertFalse(model.state().undoable());
+        assertFalse(model.history().undoable());
     }
 
     @Test
@@ -162,7 +164,7 @@ class VisibilityLabModelTest {
                 IllegalArgumentException.class,
                 () -> model.choose(choice -> choice.withVisibility("nobody")));
         assertEquals(before, model.state().choice());
-        assertFalse(model.state().undoable());
+        assertFalse(model.history().undoable());
     }
 
     @Test
@@ -333,12 +335,34 @@ class VisibilityLabModelTest {
 
     @Test
     void countedChartIsShownAndACancelledOneIsNot() throws InterruptedException {
-        model.charts().ask(StageView.PRECISION, Language.ENGLISH);
+        model.charts().ask(asked(StageView.PRECISION, StageColours.LIGHT));
         settle();
         assertEquals(StageView.PRECISION, model.charts().chart().orElseThrow().asked().view());
-        model.charts().ask(StageView.GROWTH, Language.ENGLISH);
+        model.charts().ask(asked(StageView.GROWTH, StageColours.LIGHT));
         model.charts().cancel();
         settle();
         assertTrue(model.charts().chart().isEmpty(), "a chart that was given up is shown");
+    }
+
+    @Test
+    @DisplayName("a chart keeps the colours of the theme before")
+    void chartStandsOnTheGroundOfItsTheme() throws InterruptedException {
+        for (StageColours colours :
+                List.of(StageColours.DARK, StageColours.LIGHT, StageColours.PROJECTOR)) {
+            model.charts().ask(asked(StageView.PRECISION, colours));
+            settle();
+            var image = model.charts().chart().orElseThrow().image();
+            for (int corner : new int[] {0, image.getWidth() - 1})
+                assertEquals(
+                        colours.ground().getRGB(), image.getRGB(corner, 0), colours.toString());
+            assertEquals(
+                    colours.ground().getRGB(),
+                    image.getRGB(image.getWidth() / 3, image.getHeight() / 2 + 3),
+                    "the plot on " + colours);
+        }
+    }
+
+    private static ChartStudies.Question asked(StageView view, StageColours colours) {
+        return new ChartStudies.Question(view, Language.ENGLISH, colours);
     }
 }

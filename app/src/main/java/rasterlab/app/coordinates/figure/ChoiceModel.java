@@ -14,7 +14,7 @@ import rasterlab.app.canvas.Kept;
  */
 public abstract class ChoiceModel<C> implements Kept<C> {
     private final C first;
-    private final History<C> history = new History<>();
+    private final History<C> history = new History<>(this::choice, this::bring);
     private final List<Consumer<C>> listeners = new ArrayList<>();
     private C choice;
     private int arrangement;
@@ -26,10 +26,6 @@ public abstract class ChoiceModel<C> implements Kept<C> {
 
     public final C choice() {
         return choice;
-    }
-
-    public final boolean undoable() {
-        return !history.isEmpty();
     }
 
     /** Another number than before when the stage should show everything again. */
@@ -46,7 +42,7 @@ public abstract class ChoiceModel<C> implements Kept<C> {
     /** Between {@link #beginDrag} and {@link #endDrag} all changes are one for undo. */
     public final void change(C next) {
         if (next.equals(choice)) return;
-        history.remember(choice);
+        history.remember();
         show(next);
     }
 
@@ -62,17 +58,22 @@ public abstract class ChoiceModel<C> implements Kept<C> {
     }
 
     public final void beginDrag() {
-        history.beginDrag(choice);
+        history.beginDrag();
     }
 
     public final void endDrag() {
-        history.endDrag(choice);
+        history.endDrag();
         tell();
     }
 
-    public final void undo() {
+    private void bring(C next) {
         arrangement++;
-        history.undo().ifPresent(this::show);
+        show(next);
+    }
+
+    /** What can be undone and redone. */
+    public final History<C> history() {
+        return history;
     }
 
     /** Back to how the lab opens; can be undone. */
@@ -95,8 +96,7 @@ public abstract class ChoiceModel<C> implements Kept<C> {
     public final void bringBack(C kept) {
         C before = choice;
         try {
-            arrangement++;
-            show(kept);
+            bring(kept);
         } catch (RuntimeException e) {
             show(before);
             throw e;

@@ -1,11 +1,9 @@
 package rasterlab.app.coordinates.stack;
 
 import java.util.function.Consumer;
-import javax.swing.KeyStroke;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
@@ -18,6 +16,7 @@ public final class StackPanel extends LabCard {
     private static final long serialVersionUID = 1L;
 
     private final transient StackLabModel model;
+    private final transient Texts texts;
     private final StackStage stage;
     private final transient StackInspector inspector;
     private final StepPlayer player;
@@ -35,7 +34,7 @@ public final class StackPanel extends LabCard {
             Consumer<Throwable> onFailure) {
         this.model = model;
         setName("stack");
-        Texts texts = Texts.of("coordinates.stack", language);
+        texts = Texts.of("coordinates.stack", language);
         Texts canvas = Texts.of("canvas", language);
         stage = new StackStage(model, texts, onFailure);
         inspector =
@@ -47,18 +46,23 @@ public final class StackPanel extends LabCard {
                 new StepPlayer(
                         canvas, model, () -> texts.text("count", model.step(), model.last()));
         actions = new Actions(canvas);
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage.shown(), onFailure));
         actions.add("copySvg", () -> Copying.svg(stage.shown().svg(), onFailure));
-        add(new LabLayout(chips(texts), stage, inspector.column(), actions, player));
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        actions.add(
+                "copyCommand",
+                () ->
+                        CubeCommand.of(model.scene())
+                                .ifPresent(command -> Copying.text(command, onFailure)));
+        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(choice -> refresh());
         refresh();
     }
 
-    private Chips chips(Texts texts) {
+    private Chips chips() {
         var chips = new Chips(texts.text("programs"));
         for (StackProgram each : StackProgram.values())
             chips.add(
@@ -90,6 +94,9 @@ public final class StackPanel extends LabCard {
         stage.refresh();
         inspector.refresh();
         player.refresh();
-        actions.enable("undo", model.undoable());
+        actions.refreshUndo();
+        boolean drawn = !model.scene().cubes().isEmpty();
+        actions.enable("copyCommand", drawn);
+        actions.hint("copyCommand", texts.text(drawn ? "copy.cube" : "copy.none"));
     }
 }

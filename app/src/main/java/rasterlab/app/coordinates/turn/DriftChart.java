@@ -1,6 +1,7 @@
 package rasterlab.app.coordinates.turn;
 
 import java.awt.BasicStroke;
+import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.FontMetrics;
@@ -66,6 +67,12 @@ final class DriftChart extends SelfDrawn {
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
+        draw(g);
+        g.dispose();
+    }
+
+    /** Draws the chart, in view units. */
+    void draw(Graphics2D g) {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
@@ -75,9 +82,8 @@ final class DriftChart extends SelfDrawn {
         g.setColor(colours.ground());
         g.fillRect(0, 0, getWidth(), getHeight());
         paintGrid(g, colours);
-        drifts.forEach(each -> paintCurve(g, each));
+        drifts.forEach(each -> paintCurve(g, each, colours));
         paintNames(g, colours);
-        g.dispose();
     }
 
     /** Room for the longest of the methods' names. */
@@ -126,8 +132,8 @@ final class DriftChart extends SelfDrawn {
         g.drawString(said, (float) (x - g.getFontMetrics().stringWidth(said) / 2.0), (float) y);
     }
 
-    private void paintCurve(Graphics2D g, TurnScene.Drift drift) {
-        g.setColor(MethodColours.of(drift.method()));
+    private void paintCurve(Graphics2D g, TurnScene.Drift drift, StageColours colours) {
+        g.setColor(colour(drift, colours));
         g.setStroke(new BasicStroke(drift.method().equals(chosen) ? 3.2f : 1.8f));
         double beforeX = Double.NaN;
         double beforeY = Double.NaN;
@@ -139,6 +145,10 @@ final class DriftChart extends SelfDrawn {
             beforeX = x;
             beforeY = y;
         }
+    }
+
+    private static Color colour(TurnScene.Drift drift, StageColours colours) {
+        return MethodColours.edgeOn(colours.ground(), MethodColours.of(drift.method()));
     }
 
     private static double decade(double error) {
@@ -158,7 +168,7 @@ final class DriftChart extends SelfDrawn {
         for (TurnScene.Drift each : sorted) {
             double y = Math.min(end(each), lowest);
             lowest = y - apart;
-            g.setColor(MethodColours.of(each.method()));
+            g.setColor(colour(each, colours));
             g.setStroke(new BasicStroke(1.4f));
             g.draw(new Line2D.Double(x(DECADES), end(each), x(DECADES) + LEAD, y));
             g.setColor(colours.ink());

@@ -49,13 +49,13 @@ public final class TurnPanel extends LabCard {
                 new StepPlayer(
                         canvas, model, () -> texts.text("count", model.step(), model.last()));
         actions = new Actions(canvas);
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
-        actions.add("copySvg", () -> Copying.svg(stage.shown().svg(), onFailure));
+        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         actions.add("copyCommand", () -> Copying.text(TurnCommand.of(model.choice()), onFailure));
         add(new LabLayout(chips(texts), stage, inspector.column(), actions, player));
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        Actions.bindUndo(this, model.history());
         KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::cancel);
         player.bindKeys(stage);
         unsubscribe = model.listen(choice -> refresh());
@@ -96,6 +96,6 @@ public final class TurnPanel extends LabCard {
         stage.refresh();
         inspector.refresh();
         player.refresh();
-        actions.enable("undo", model.undoable());
+        actions.refreshUndo();
     }
 }

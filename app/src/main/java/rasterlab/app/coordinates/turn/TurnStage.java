@@ -1,6 +1,8 @@
 package rasterlab.app.coordinates.turn;
 
+import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.function.Consumer;
@@ -10,6 +12,7 @@ import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.coordinates.figure.Box;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.language.Texts;
@@ -68,8 +71,19 @@ final class TurnStage extends JPanel implements AutoCloseable {
         return way.getPreferredSize();
     }
 
-    PlaneView shown() {
-        return way;
+    /** The way and the chart, without the ring around the point, as an SVG document. */
+    String svg() {
+        return SvgPicture.of(
+                getWidth(),
+                getHeight(),
+                g -> {
+                    way.draw(at(way, g));
+                    chart.draw(at(chart, g));
+                });
+    }
+
+    private static Graphics2D at(Component part, Graphics2D g) {
+        return (Graphics2D) g.create(part.getX(), part.getY(), part.getWidth(), part.getHeight());
     }
 
     void focusPoint() {

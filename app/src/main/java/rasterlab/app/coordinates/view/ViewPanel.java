@@ -1,11 +1,9 @@
 package rasterlab.app.coordinates.view;
 
 import java.util.function.Consumer;
-import javax.swing.KeyStroke;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
@@ -49,7 +47,7 @@ public final class ViewPanel extends LabCard {
                         model,
                         () -> texts.text("space." + model.stage().space().code() + ".short"));
         actions = new Actions(canvas);
-        actions.add("undo", model::undo);
+        actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage.shown(), onFailure));
         actions.add("copySvg", () -> Copying.svg(stage.shown().svg(), onFailure));
@@ -57,7 +55,7 @@ public final class ViewPanel extends LabCard {
                 "copyCommand",
                 () -> Copying.text(ViewCommand.of(model.scene(), model.step()), onFailure));
         add(new LabLayout(chips(texts), stage, inspector.column(), actions, player));
-        KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl Z"), model::undo);
+        Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(choice -> refresh());
         refresh();
@@ -95,6 +93,6 @@ public final class ViewPanel extends LabCard {
         stage.refresh();
         inspector.refresh();
         player.refresh();
-        actions.enable("undo", model.undoable());
+        actions.refreshUndo();
     }
 }

@@ -124,9 +124,9 @@ class ListLabModelTest {
         assertEquals(List.of("TRANSL2D", "ROT2D", "SHEAR2D", "SCALE2D"), names());
         model.remove();
         assertEquals(List.of("TRANSL2D", "ROT2D", "SCALE2D"), names());
-        model.undo();
-        model.undo();
-        model.undo();
+        model.history().undo();
+        model.history().undo();
+        model.history().undo();
         assertEquals(List.of("TRANSL2D", "ROT2D", "SCALE2D"), names());
     }
 

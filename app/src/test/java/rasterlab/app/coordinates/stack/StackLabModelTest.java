@@ -96,7 +96,7 @@ class StackLabModelTest {
         model.goTo(1);
         model.set(0, 90);
         assertEquals(90, model.choice().commands().get(0).numbers().get(0));
-        model.undo();
+        model.history().undo();
         assertEquals(25, model.choice().commands().get(0).numbers().get(0));
         model.goTo(0);
         model.set(0, 90);

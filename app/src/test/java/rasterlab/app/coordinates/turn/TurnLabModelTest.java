@@ -121,7 +121,7 @@ class TurnLabModelTest {
         assertEquals(List.of(), scene.steps());
         assertTrue(model.operations().isEmpty());
         assertEquals(0, model.step());
-        model.undo();
+        model.history().undo();
         assertFalse(settled().drift().refused());
     }
 

@@ -197,9 +197,9 @@ class ViewLabModelTest {
         model.turn(0.1, 0.1);
         model.endDrag();
         assertEquals(-4, model.choice().number(ViewNumber.ANGLE_Y), 1e-9);
-        model.undo();
+        model.history().undo();
         assertEquals(before, model.choice());
-        assertFalse(model.undoable());
+        assertFalse(model.history().undoable());
     }
 
     @Test

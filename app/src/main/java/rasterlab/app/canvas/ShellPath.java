@@ -1,0 +1,14 @@
+package rasterlab.app.canvas;
+
+import java.nio.file.Path;
+
+/** Paths in commands that labs copy. */
+public final class ShellPath {
+    private ShellPath() {}
+
+    /** As a POSIX shell takes it. */
+    public static String quoted(Path file) {
+        String path = file.toString();
+        return path.matches("[\\w./-]+") ? path : "'" + path.replace("'", "'\\''") + "'";
+    }
+}

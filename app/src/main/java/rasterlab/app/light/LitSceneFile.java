@@ -1,0 +1,98 @@
+package rasterlab.app.light;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import rasterlab.app.canvas.ShellPath;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.WholeFile;
+import rasterlab.engine.light.LightTerm;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.transform.Projection;
+import rasterlab.engine.transform.SphericalView;
+import rasterlab.exercises.scene.SceneSource;
+import rasterlab.exercises.scene.SceneView;
+
+/**
+ * A scene in its light as a file, which {@code ./lab render} and the lab of hidden surfaces open.
+ *
+ * @param choice what was saved
+ */
+record LitSceneFile(Path file, LightChoice choice) {
+    /**
+     * Writes the scene; takes long for many faces.
+     *
+     * @throws Complaint if the file cannot be written
+     */
+    static LitSceneFile write(LightChoice choice, Path file) {
+        WholeFile.requireWritable(file);
+        RenderRequest request =
+                LitScene.request(choice, choice.body().scene(), ShadingMethod.PHONG, 1, 1);
+        var view =
+                new SceneView(
+                        new SceneSource.Inline(request.scene()),
+                        Optional.of(choice.camera()),
+                        Optional.of(Projection.PERSPECTIVE.code()),
+                        Optional.of(Renderer.PIPELINE),
+                        Optional.of(ShadingMethod.PHONG.code()),
+                        Optional.of(TextureMode.NONE.code()));
+        WholeFile.write(file, (view.write() + "\n").getBytes(StandardCharsets.UTF_8));
+        return new LitSceneFile(file, choice);
+    }
+
+    /** Whether the file holds what is shown now, from wherever it is seen. */
+    boolean holds(LightChoice now) {
+        return choice.body().equals(now.body())
+                && choice.zoom() == now.zoom()
+                && choice.material().equals(now.material())
+                && choice.lamps().equals(now.lamps())
+                && choice.ambient() == now.ambient()
+                && choice.reflection() == now.reflection()
+                && choice.localViewer() == now.localViewer()
+                && choice.twoSided() == now.twoSided();
+    }
+
+    /**
+     * The shell commands that draw the three pictures from the file, a line each.
+     *
+     * @param now held by the file
+     * @param width of a picture, in pixels
+     * @param height of a picture, in pixels
+     */
+    String commands(LightChoice now, int width, int height) {
+        return LightFrame.SHADINGS.stream()
+                .map(shading -> command(now, shading, width, height))
+                .collect(Collectors.joining("\n"));
+    }
+
+    private String command(LightChoice now, ShadingMethod shading, int width, int height) {
+        SphericalView eye = now.camera();
+        String terms =
+                now.terms().equals(LightTerm.all())
+                        ? ""
+                        : " --terms "
+                                + new TreeSet<>(now.terms())
+                                        .stream()
+                                                .map(LightTerm::code)
+                                                .collect(Collectors.joining(","));
+        return String.join(
+                " ",
+                List.of(
+                        "./lab render",
+                        ShellPath.quoted(file),
+                        "--shading",
+                        shading.code(),
+                        "--camera",
+                        eye.thetaRadians() + "," + eye.phiRadians() + "," + eye.rho(),
+                        "--size",
+                        width + "x" + height + terms,
+                        "--out",
+                        now.body().name() + "-" + shading.code() + ".png"));
+    }
+}

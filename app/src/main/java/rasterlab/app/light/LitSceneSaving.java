@@ -1,0 +1,92 @@
+package rasterlab.app.light;
+
+import java.awt.Component;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
+import javax.swing.JFileChooser;
+import javax.swing.JOptionPane;
+import javax.swing.SwingWorker;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Texts;
+import rasterlab.app.model.SceneText;
+import rasterlab.app.outcome.Complaint;
+
+/** Asks for a file, saves the lit scene there, and knows the commands that draw it from there. */
+final class LitSceneSaving {
+    private final LightLabModel model;
+    private final Texts texts;
+    private final Component parent;
+    private final Consumer<Throwable> onFailure;
+
+    /**
+     * @param parent of the dialogs
+     * @param onFailure told what saving threw besides a {@link Complaint}
+     */
+    LitSceneSaving(
+            LightLabModel model, Texts texts, Component parent, Consumer<Throwable> onFailure) {
+        this.model = model;
+        this.texts = texts;
+        this.parent = parent;
+        this.onFailure = onFailure;
+    }
+
+    /** The commands for the three pictures; empty where no file holds the scene. */
+    Optional<String> commands() {
+        LightChoice choice = model.state().choice();
+        return model.saved()
+                .filter(file -> file.holds(choice))
+                .flatMap(
+                        file ->
+                                model.state()
+                                        .drawn()
+                                        .map(d -> file.commands(choice, d.width(), d.height())));
+    }
+
+    void ask() {
+        var chooser = new JFileChooser();
+        chooser.setName("save.dialog");
+        chooser.setDialogTitle(texts.text("scene.save.title"));
+        LightChoice choice = model.state().choice();
+        chooser.setSelectedFile(new File(choice.body().name() + "-lit" + SceneText.EXTENSION));
+        if (chooser.showSaveDialog(parent) == JFileChooser.APPROVE_OPTION)
+            write(choice, named(chooser.getSelectedFile()));
+    }
+
+    private static Path named(File chosen) {
+        String path = chosen.getPath();
+        return Path.of(path.endsWith(SceneText.EXTENSION) ? path : path + SceneText.EXTENSION);
+    }
+
+    private void write(LightChoice choice, Path file) {
+        new SwingWorker<LitSceneFile, Void>() {
+            @Override
+            protected LitSceneFile doInBackground() {
+                return LitSceneFile.write(choice, file);
+            }
+
+            @Override
+            protected void done() {
+                try {
+                    model.keep(get());
+                } catch (ExecutionException e) {
+                    tell(e.getCause());
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+        }.execute();
+    }
+
+    private void tell(Throwable failure) {
+        if (failure instanceof Complaint)
+            JOptionPane.showMessageDialog(
+                    parent,
+                    Complaints.said(texts.language(), failure.getMessage()),
+                    texts.text("scene.save.title"),
+                    JOptionPane.WARNING_MESSAGE);
+        else onFailure.accept(failure);
+    }
+}

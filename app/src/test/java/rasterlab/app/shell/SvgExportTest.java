@@ -1,0 +1,46 @@
+package rasterlab.app.shell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JButton;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.language.Language;
+
+class SvgExportTest {
+    @Test
+    @DisplayName("a lab copies its stage as a picture only")
+    void whatIsCopiedAsAPictureIsCopiedAsADrawingToo() throws InterruptedException {
+        var failure = new AtomicReference<Throwable>();
+        OffscreenPainter.onEventThread(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    try (LabModels models = LabModels.first(failure::set);
+                            LabTabs tabs = LabTabs.create(models, Language.ENGLISH, failure::set)) {
+                        for (LabTab tab : tabs.all()) {
+                            List<String> buttons = buttons(tab.panel());
+                            assertEquals(
+                                    buttons.stream().filter("copyPicture"::equals).count(),
+                                    buttons.stream().filter("copySvg"::equals).count(),
+                                    tab.name() + ": " + buttons);
+                        }
+                    }
+                });
+        assertEquals(null, failure.get());
+    }
+
+    private static List<String> buttons(Container container) {
+        var found = new ArrayList<String>();
+        for (Component child : container.getComponents()) {
+            if (child instanceof JButton button && button.getName() != null)
+                found.add(button.getName());
+            if (child instanceof Container inner) found.addAll(buttons(inner));
+        }
+        return found;
+    }
+}

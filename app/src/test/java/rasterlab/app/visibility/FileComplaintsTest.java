@@ -1,0 +1,99 @@
+package rasterlab.app.visibility;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
+
+/** What the lab says in Russian of files that are broken. */
+class FileComplaintsTest {
+    /** Words that an English sentence of a reader has. */
+    private static final Pattern ENGLISH =
+            Pattern.compile(
+                    "\\b(a|the|must|needs?|got|is|are|was|to|at most|from|there|no|not|and|only)\\b");
+
+    @TempDir Path folder;
+
+    @ParameterizedTest(name = "the reason is told in English: {0}, {1}")
+    @CsvSource(
+            quoteCharacter = '`',
+            delimiter = '|',
+            value = {
+                "one.scene.json | {",
+                "one.scene.json | {\"version\": 1,, }",
+                "one.scene.json | {\"version\": 1, \"version\": 1}",
+                "one.scene.json | []",
+                "one.scene.json | {}",
+                "one.scene.json | {\"version\": 7}",
+                "one.scene.json | {\"version\": 1, \"colour\": 3}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"castle\"}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"projection\": \"round\"}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"shading\": \"x\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"texture\": \"x\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"visibility\": \"x\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"camera\": {\"theta\": \"x\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": {\"name\": \"\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": {\"name\": \"n\", \"vertices\": [[1, 2]]}}",
+                "one.obj | f 1 2 3",
+                "one.obj | v 1 2",
+                "one.obj | v 1 2 x",
+                "one.obj | v 1 2 3 4 5",
+                "one.obj | f 1 2",
+                "one.obj | curv 1 2",
+                "one.obj | vn 0 0 0",
+                "one.obj | s maybe",
+                "one.obj | usemtl gold",
+                "one.obj | mtllib gone.mtl",
+                "one.obj | # nothing",
+                "one.png | no picture",
+                "one.gif | no picture",
+            })
+    void brokenFileIsToldInRussian(String name, String content) throws IOException {
+        Path file = Files.writeString(folder.resolve(name), content);
+        assertRussian(SceneFiles.done(new SceneFiles.Task(file, Optional.empty())).problem());
+    }
+
+    @Test
+    @DisplayName("a file that is not there, or cannot be written, is told in English")
+    void fileOfNoUseIsToldInRussian() throws IOException {
+        for (String name : new String[] {"none.obj", "none.scene.json", "none.png"})
+            assertRussian(
+                    SceneFiles.done(new SceneFiles.Task(folder.resolve(name), Optional.empty()))
+                            .problem());
+        Path inNoFolder = folder.resolve("gone").resolve("one.scene.json");
+        assertRussian(
+                SceneFiles.done(
+                                new SceneFiles.Task(
+                                        inNoFolder, Optional.of(VisibilityChoice.first())))
+                        .problem());
+        byte[] half = new byte[60];
+        byte[] signature = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+        System.arraycopy(signature, 0, half, 0, signature.length);
+        Path broken = Files.write(folder.resolve("half.png"), half);
+        String said = SceneFiles.done(new SceneFiles.Task(broken, Optional.empty())).problem();
+        assertTrue(Complaints.said(Language.RUSSIAN, said).contains("рисунок"), said);
+        Path notText = folder.resolve("latin.scene.json");
+        Files.write(notText, "\u00e9".getBytes(StandardCharsets.ISO_8859_1));
+        assertRussian(SceneFiles.done(new SceneFiles.Task(notText, Optional.empty())).problem());
+    }
+
+    private void assertRussian(String problem) {
+        assertFalse(problem.isEmpty(), "nothing is wrong with the file");
+        String said = Complaints.said(Language.RUSSIAN, problem);
+        String words = said.replace(folder.toString(), "").replaceAll("(есть|известны) .*", "");
+        assertFalse(ENGLISH.matcher(words).find(), problem + " → " + said);
+        assertTrue(said.contains(folder.toString()), said);
+    }
+}

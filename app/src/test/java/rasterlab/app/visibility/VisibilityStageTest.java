@@ -1,0 +1,72 @@
+package rasterlab.app.visibility;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.Base64;
+import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.raster.Raster;
+
+class VisibilityStageTest {
+    private static final Pattern IMAGE = Pattern.compile("data:image/png;base64,([^\"]*)");
+
+    private final Renderer renderer = new Renderer();
+    private final VisibilityLabModel model =
+            new VisibilityLabModel(renderer::render, java.awt.EventQueue::invokeLater, this::fail);
+    private final VisibilityStage stage =
+            new VisibilityStage(model, Texts.of("visibility", Language.RUSSIAN));
+
+    private void fail(Throwable cause) {
+        throw new AssertionError(cause);
+    }
+
+    @AfterEach
+    void close() {
+        model.close();
+    }
+
+    @Test
+    @DisplayName("the drawing has another picture than the stage, or none of the names over it")
+    void drawingHasTheExactPictureAndWhatLiesOverIt() throws Exception {
+        model.choose(choice -> choice.withComparison("z16"));
+        OffscreenPainter.paint(stage, 240, 160);
+        String svg = stage.svg();
+        var images = IMAGE.matcher(svg);
+        assertTrue(images.find(), svg);
+        Raster picture = model.state().picture().orElseThrow().raster();
+        BufferedImage drawn = decoded(images.group(1));
+        assertEquals(picture.width(), drawn.getWidth());
+        for (int y = 0; y < picture.height(); y++)
+            for (int x = 0; x < picture.width(); x++)
+                assertEquals(picture.argb(x, y), drawn.getRGB(x, y), "pixel " + x + ", " + y);
+        assertTrue(images.find(), "the second picture");
+        assertTrue(svg.contains(">z16</text"), "the second method's name");
+    }
+
+    @Test
+    @DisplayName("a chart is copied as a picture made larger")
+    void chartIsDrawnByLinesAndText() throws InterruptedException {
+        model.choose(choice -> choice.withView(StageView.PRECISION));
+        stage.refresh();
+        OffscreenPainter.paint(stage, 240, 160);
+        String svg = stage.svg();
+        assertTrue(svg.contains(Texts.of("precision", Language.RUSSIAN).text("mark")), "a note");
+        assertTrue(!svg.contains("<image"), "an image");
+    }
+
+    private static BufferedImage decoded(String base64) throws IOException {
+        byte[] bytes = Base64.getMimeDecoder().decode(base64.replace("&#10;", ""));
+        return ImageIO.read(new ByteArrayInputStream(bytes));
+    }
+}
