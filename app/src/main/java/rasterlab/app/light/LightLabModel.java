@@ -143,7 +143,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         else light = TopicBodies.shown(topic + "/" + hazard, input, method);
         var next = new Chosen(light, colours, colour);
         if (next.equals(chosen())) return;
-        history.remember(chosen());
+        history.remember();
         show(next);
     }
 
