@@ -11,7 +11,7 @@ import rasterlab.engine.scene.VertexQuantity;
  * per thread.
  */
 final class PixelFill {
-    private final PixelBatch batch = new PixelBatch();
+    private final PixelBatch batch;
     private final RowWeights weights = new RowWeights();
     private final RowLoops loops;
     private final PixelSlopes slopes;
@@ -31,6 +31,7 @@ final class PixelFill {
 
     PixelFill(RowLoops loops) {
         this.loops = loops;
+        batch = new PixelBatch(loops);
         slopes = new PixelSlopes(batch, loops);
     }
 

@@ -5,6 +5,7 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
+import rasterlab.engine.lanes.Lanes;
 
 /**
  * Eight pixels at a time, each computed as {@link PlainLoops} computes it.
@@ -24,6 +25,11 @@ final class VectorLoops implements RowLoops {
             IntVector.fromArray(INTS, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
 
     private final VectorRows rows = new VectorRows();
+
+    @Override
+    public Lanes lanes() {
+        return Lanes.EIGHT;
+    }
 
     @Override
     public void scan(TriangleScan scan) {
@@ -121,5 +127,24 @@ final class VectorLoops implements RowLoops {
     public void fill(PixelBatch batch, float[] to, int first, float value) {
         FloatVector values = FloatVector.broadcast(FLOATS, value);
         for (int i = first; i < batch.count; i += LANES) values.intoArray(to, i);
+    }
+
+    @Override
+    public void pack(PixelBatch batch, float[] red, float[] green, float[] blue) {
+        for (int i = 0; i < batch.count; i += LANES)
+            level(red, i)
+                    .lanewise(VectorOperators.LSHL, 16)
+                    .or(level(green, i).lanewise(VectorOperators.LSHL, 8))
+                    .or(level(blue, i))
+                    .or(0xFF000000)
+                    .intoArray(batch.argb, i);
+    }
+
+    /** The nearest level in the lowest bits, as {@link SmoothFill#argb} finds it. */
+    private static IntVector level(float[] share, int i) {
+        return FloatVector.fromArray(FLOATS, share, i)
+                .mul(255)
+                .add(SmoothFill.ROUND)
+                .reinterpretAsInts();
     }
 }
