@@ -59,7 +59,7 @@ final class VectorLoops implements RowLoops {
                 VectorMask<Float> nearer =
                         here.compare(VectorOperators.LT, there)
                                 .and(k.compare(VectorOperators.LT, n));
-                there.blend(here, nearer).intoArray(depth, from + done);
+                IntVector before = IntVector.fromArray(INTS, argb, from + done);
                 IntVector red = reds.add(colors.red + done * colors.stepRed);
                 IntVector green = greens.add(colors.green + done * colors.stepGreen);
                 IntVector blue = blues.add(colors.blue + done * colors.stepBlue);
@@ -68,9 +68,8 @@ final class VectorLoops implements RowLoops {
                                 .or(green.lanewise(VectorOperators.LSHR, 8).and(0xFF00))
                                 .or(blue.lanewise(VectorOperators.LSHR, 16))
                                 .or(0xFF000000);
-                IntVector.fromArray(INTS, argb, from + done)
-                        .blend(color, nearer.cast(INTS))
-                        .intoArray(argb, from + done);
+                there.blend(here, nearer).intoArray(depth, from + done);
+                before.blend(color, nearer.cast(INTS)).intoArray(argb, from + done);
             }
         }
     }
