@@ -52,6 +52,7 @@ final class Frame {
         if (!(surface instanceof Surface.PerPixel pixels))
             return isColor(quantity) && quantity != VertexQuantity.ALPHA;
         if (!pixels.colors().wants().contains(quantity)) return false;
+        if (quantity == VertexQuantity.ALPHA && pixels.blending().early()) return false;
         if (!isColor(quantity)) mesh.values(quantity);
         return true;
     }

@@ -23,6 +23,9 @@ final class PixelFill {
     private int count;
     private int firstFlat;
 
+    /** Whether an alpha is wanted that counts for nothing. */
+    private boolean opaque;
+
     /** Depths of nothing, as large as the largest picture without a depth test. */
     private float[] nothing = {};
 
@@ -43,6 +46,7 @@ final class PixelFill {
         blending = surface.blending();
         batch.begin(colors);
         slopes.begin(frame, colors);
+        opaque = blending.early() && colors.wants().contains(VertexQuantity.ALPHA);
         count = frame.attributeCount;
         firstFlat = count;
         for (int k = count - 1; k >= 0; k--) {
@@ -152,6 +156,7 @@ final class PixelFill {
         for (int i = 0; i < n; i++) w[i] = 1 / w[i];
         for (int k = 0; k < firstFlat; k++) if (!affine[k]) multiply(values[k], w, n);
         slopes.divide(values, n);
+        if (opaque) Arrays.fill(batch.values(VertexQuantity.ALPHA), 0, n, 1);
         colors.color(batch);
         if (blending.early()) write(n);
         else blend(n);
