@@ -11,6 +11,8 @@ import rasterlab.engine.scene.VertexQuantity;
  * per thread.
  */
 final class PixelFill {
+    private static final int FEW = 4;
+
     private final PixelBatch batch;
     private final RowWeights weights = new RowWeights();
     private final RowLoops loops;
@@ -130,7 +132,7 @@ final class PixelFill {
         float qa = v.nearness[scan.a];
         float qb = v.nearness[scan.b];
         float qc = v.nearness[scan.c];
-        loops.between(batch, batch.nearness, first, qa, qb - qa, qc - qa);
+        between(batch.nearness, first, qa, qb - qa, qc - qa);
         if (fromBehind || scan.fromBehind) {
             fromBehind = true;
             Arrays.fill(batch.fromBehind, first, batch.count, scan.fromBehind);
@@ -139,13 +141,19 @@ final class PixelFill {
             float a = v.attributes[k][scan.a] * (affine[k] ? 1 : qa);
             float b = v.attributes[k][scan.b] * (affine[k] ? 1 : qb) - a;
             float c = v.attributes[k][scan.c] * (affine[k] ? 1 : qc) - a;
-            loops.between(batch, values[k], first, a, b, c);
+            between(values[k], first, a, b, c);
         }
         for (int k = firstFlat; k < count; k++) {
             float value = v.attributes[k][third];
             loops.fill(batch, values[k], first, value);
         }
         slopes.interpolate(scan, v, first);
+    }
+
+    /** A few pixels are not worth a call of loops in lanes. */
+    private void between(float[] to, int first, float a, float b, float c) {
+        if (batch.count - first < FEW) PlainLoops.interpolate(batch, to, first, a, b, c);
+        else loops.between(batch, to, first, a, b, c);
     }
 
     /** Divides, colours and writes what waits. */

@@ -91,6 +91,10 @@ final class PlainLoops implements RowLoops {
 
     @Override
     public void between(PixelBatch batch, float[] to, int first, float a, float b, float c) {
+        interpolate(batch, to, first, a, b, c);
+    }
+
+    static void interpolate(PixelBatch batch, float[] to, int first, float a, float b, float c) {
         for (int i = first; i < batch.count; i++)
             to[i] = a + batch.weightB[i] * b + batch.weightC[i] * c;
     }
