@@ -15,8 +15,10 @@ final class TexelBlock {
     private static final int HALVES = 0x00800080;
     private static final int LEVELS = 0x00FF00FF;
 
-    /** How near the coarser level is, in 256ths; anything for one level. */
-    final int[] coarser = new int[SIZE];
+    /** λ in 256ths: its lowest eight bits say how near the coarser level is. */
+    final int[] lambda = new int[SIZE];
+
+    private final int[] coarser = new int[SIZE];
 
     private final Corners fine = new Corners();
     private final Corners coarse = new Corners();
@@ -57,6 +59,7 @@ final class TexelBlock {
         fine.mix(n);
         if (two) {
             coarse.mix(n);
+            for (int i = 0; i < n; i++) coarser[i] = lambda[i] & WHOLE - 1;
             spread(n, fine.leftBelow, coarse.leftBelow, coarser);
             spread(n, fine.rightBelow, coarse.rightBelow, coarser);
         }

@@ -9,7 +9,6 @@ import java.util.EnumSet;
 import java.util.Set;
 import rasterlab.engine.pipeline.triangle.PixelBatch;
 import rasterlab.engine.pipeline.triangle.PixelColors;
-import rasterlab.engine.pipeline.triangle.PixelLevels;
 import rasterlab.engine.scene.VertexQuantity;
 
 /** Pixels have the colours and alpha of the surface under them, to the nearest level. */
@@ -23,12 +22,6 @@ public final class ColoredPixels implements PixelColors {
 
     @Override
     public void color(PixelBatch batch) {
-        PixelLevels.pack(
-                batch.count,
-                batch.values(RED),
-                batch.values(GREEN),
-                batch.values(BLUE),
-                batch.values(ALPHA),
-                batch.argb);
+        batch.pack(batch.values(RED), batch.values(GREEN), batch.values(BLUE), batch.values(ALPHA));
     }
 }

@@ -95,8 +95,8 @@ public final class TexturedPixels implements PixelColors {
             return;
         }
         if (matrix.isPresent()) matrix.get().transform(batch.count, s, t);
-        if (filter == TextureFilter.LINEAR) sampler.linear(batch.count, s, t, texel);
-        else sampler.nearest(batch.count, s, t, texel);
+        if (filter == TextureFilter.LINEAR) sampler.linear(batch.lanes(), batch.count, s, t, texel);
+        else sampler.nearest(batch.lanes(), batch.count, s, t, texel);
     }
 
     private void lookTrilinear(PixelBatch batch, float[] s, float[] t, int[] texel) {
@@ -112,6 +112,6 @@ public final class TexturedPixels implements PixelColors {
         int width = sampler.texture().width();
         int height = sampler.texture().height();
         DetailLevel.squareSteps(batch.count, sRight, tRight, sDown, tDown, width, height);
-        sampler.trilinear(batch.count, s, t, sRight, texel);
+        sampler.trilinear(batch.lanes(), batch.count, s, t, sRight, texel);
     }
 }

@@ -60,6 +60,7 @@ final class Binner {
         top = Math.max(top, 0);
         bottom = Math.min(bottom, frame.out.height());
         if (top >= bottom || Math.max(left, 0) >= Math.min(right, frame.out.width())) return;
+        v.need(a, b, c);
         add(name, top / TriangleScan.ROWS, (bottom - 1) / TriangleScan.ROWS, chunk);
     }
 

@@ -101,7 +101,7 @@ public final class DistantLight implements VertexColors, PixelColors {
         channel(n, 0, diffuse, highlight, x);
         channel(n, 1, diffuse, highlight, y);
         channel(n, 2, diffuse, highlight, z);
-        PixelLevels.pack(n, x, y, z, batch.argb);
+        batch.pack(x, y, z);
     }
 
     /** Replaces places by the vectors h, not of length 1. */

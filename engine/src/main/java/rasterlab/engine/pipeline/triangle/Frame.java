@@ -22,6 +22,9 @@ final class Frame {
     /** Whether a triangle has one colour only, that of its third vertex. */
     boolean flatColors;
 
+    /** Whether a triangle may have to be clipped: its vertices need attributes at once. */
+    boolean clips;
+
     /** Whether each band is cleared before it is drawn, and to what. */
     boolean clears;
 
@@ -41,6 +44,7 @@ final class Frame {
             if (needs(quantity)) attribute[attributeCount++] = quantity;
         flatColors = vertexColors() instanceof Surface.Flat;
         vertices.ensure(mesh.vertexCount(), attributeCount);
+        clips = false;
         bands = (out.height() + TriangleScan.ROWS - 1) / TriangleScan.ROWS;
     }
 
@@ -48,6 +52,7 @@ final class Frame {
         if (!(surface instanceof Surface.PerPixel pixels))
             return isColor(quantity) && quantity != VertexQuantity.ALPHA;
         if (!pixels.colors().wants().contains(quantity)) return false;
+        if (quantity == VertexQuantity.ALPHA && pixels.blending().early()) return false;
         if (!isColor(quantity)) mesh.values(quantity);
         return true;
     }

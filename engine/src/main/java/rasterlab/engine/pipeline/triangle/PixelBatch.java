@@ -4,6 +4,7 @@ import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.Map;
 import java.util.Set;
+import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.scene.VertexQuantity;
 
 /**
@@ -14,6 +15,7 @@ public final class PixelBatch {
     /** The most pixels of a batch. */
     public static final int SIZE = 512;
 
+    private final RowLoops loops;
     private final Map<VertexQuantity, float[]> values = new EnumMap<>(VertexQuantity.class);
     private final Map<VertexQuantity, float[]> right = new EnumMap<>(VertexQuantity.class);
     private final Map<VertexQuantity, float[]> down = new EnumMap<>(VertexQuantity.class);
@@ -48,6 +50,18 @@ public final class PixelBatch {
 
     /** Out: the colours, 0xAARRGGBB. */
     public final int[] argb = new int[SIZE];
+
+    /**
+     * @param loops those of the thread whose batch this is
+     */
+    PixelBatch(RowLoops loops) {
+        this.loops = loops;
+    }
+
+    /** How many numbers are computed at a time. */
+    public Lanes lanes() {
+        return loops.lanes();
+    }
 
     /** Forgets what waits and makes room for what those colours want. */
     void begin(PixelColors colors) {
@@ -88,5 +102,21 @@ public final class PixelBatch {
             throw new IllegalArgumentException(
                     "the slope of " + quantity + " was not asked for by wantsSlopes()");
         return slopes.get(quantity);
+    }
+
+    /**
+     * Makes the pixels' colours of shares, each channel's nearest level, opaque.
+     *
+     * @param red 0 to 1, or beyond by no more than some ulps, as the others; one of the batch's own
+     *     arrays, as the others
+     */
+    public void pack(float[] red, float[] green, float[] blue) {
+        loops.pack(this, red, green, blue);
+    }
+
+    /** The same with an alpha. */
+    public void pack(float[] red, float[] green, float[] blue, float[] alpha) {
+        loops.pack(this, red, green, blue);
+        PixelLevels.setAlpha(count, alpha, argb);
     }
 }

@@ -8,7 +8,7 @@ public interface PixelColors {
     /**
      * What is wanted of a pixel: {@code X, Y, Z} in eye space; the normal in eye space, of any
      * length above 0; texture coordinates as the mesh has them; colours of the vertices, 0 to 1, as
-     * {@link Surface.PerPixel#under} makes them.
+     * {@link Surface.PerPixel#under} makes them, but alpha is 1 where nothing depends on it.
      */
     Set<VertexQuantity> wants();
 

@@ -11,7 +11,9 @@ import rasterlab.engine.scene.VertexQuantity;
  * per thread.
  */
 final class PixelFill {
-    private final PixelBatch batch = new PixelBatch();
+    private static final int FEW = 4;
+
+    private final PixelBatch batch;
     private final RowWeights weights = new RowWeights();
     private final RowLoops loops;
     private final PixelSlopes slopes;
@@ -23,6 +25,9 @@ final class PixelFill {
     private int count;
     private int firstFlat;
 
+    /** Whether an alpha is wanted that counts for nothing. */
+    private boolean opaque;
+
     /** Depths of nothing, as large as the largest picture without a depth test. */
     private float[] nothing = {};
 
@@ -31,6 +36,7 @@ final class PixelFill {
 
     PixelFill(RowLoops loops) {
         this.loops = loops;
+        batch = new PixelBatch(loops);
         slopes = new PixelSlopes(batch, loops);
     }
 
@@ -42,6 +48,7 @@ final class PixelFill {
         blending = surface.blending();
         batch.begin(colors);
         slopes.begin(frame, colors);
+        opaque = blending.early() && colors.wants().contains(VertexQuantity.ALPHA);
         count = frame.attributeCount;
         firstFlat = count;
         for (int k = count - 1; k >= 0; k--) {
@@ -125,7 +132,7 @@ final class PixelFill {
         float qa = v.nearness[scan.a];
         float qb = v.nearness[scan.b];
         float qc = v.nearness[scan.c];
-        loops.between(batch, batch.nearness, first, qa, qb - qa, qc - qa);
+        between(batch.nearness, first, qa, qb - qa, qc - qa);
         if (fromBehind || scan.fromBehind) {
             fromBehind = true;
             Arrays.fill(batch.fromBehind, first, batch.count, scan.fromBehind);
@@ -134,13 +141,19 @@ final class PixelFill {
             float a = v.attributes[k][scan.a] * (affine[k] ? 1 : qa);
             float b = v.attributes[k][scan.b] * (affine[k] ? 1 : qb) - a;
             float c = v.attributes[k][scan.c] * (affine[k] ? 1 : qc) - a;
-            loops.between(batch, values[k], first, a, b, c);
+            between(values[k], first, a, b, c);
         }
         for (int k = firstFlat; k < count; k++) {
             float value = v.attributes[k][third];
             loops.fill(batch, values[k], first, value);
         }
         slopes.interpolate(scan, v, first);
+    }
+
+    /** A few pixels are not worth a call of loops in lanes. */
+    private void between(float[] to, int first, float a, float b, float c) {
+        if (batch.count - first < FEW) PlainLoops.interpolate(batch, to, first, a, b, c);
+        else loops.between(batch, to, first, a, b, c);
     }
 
     /** Divides, colours and writes what waits. */
@@ -151,6 +164,7 @@ final class PixelFill {
         for (int i = 0; i < n; i++) w[i] = 1 / w[i];
         for (int k = 0; k < firstFlat; k++) if (!affine[k]) multiply(values[k], w, n);
         slopes.divide(values, n);
+        if (opaque) Arrays.fill(batch.values(VertexQuantity.ALPHA), 0, n, 1);
         colors.color(batch);
         if (blending.early()) write(n);
         else blend(n);

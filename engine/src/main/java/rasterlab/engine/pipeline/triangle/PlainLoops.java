@@ -1,9 +1,15 @@
 package rasterlab.engine.pipeline.triangle;
 
 import java.util.Arrays;
+import rasterlab.engine.lanes.Lanes;
 
 /** One pixel after the other. */
 final class PlainLoops implements RowLoops {
+    @Override
+    public Lanes lanes() {
+        return Lanes.ONE;
+    }
+
     @Override
     public void scan(TriangleScan scan) {
         scan.scan();
@@ -85,6 +91,10 @@ final class PlainLoops implements RowLoops {
 
     @Override
     public void between(PixelBatch batch, float[] to, int first, float a, float b, float c) {
+        interpolate(batch, to, first, a, b, c);
+    }
+
+    static void interpolate(PixelBatch batch, float[] to, int first, float a, float b, float c) {
         for (int i = first; i < batch.count; i++)
             to[i] = a + batch.weightB[i] * b + batch.weightC[i] * c;
     }
@@ -92,5 +102,10 @@ final class PlainLoops implements RowLoops {
     @Override
     public void fill(PixelBatch batch, float[] to, int first, float value) {
         Arrays.fill(to, first, batch.count, value);
+    }
+
+    @Override
+    public void pack(PixelBatch batch, float[] red, float[] green, float[] blue) {
+        PixelLevels.pack(batch.count, red, green, blue, batch.argb);
     }
 }

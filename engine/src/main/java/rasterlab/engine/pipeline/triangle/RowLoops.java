@@ -12,6 +12,9 @@ interface RowLoops {
         return lanes.part(RowLoops.class, PlainLoops::new, "VectorLoops");
     }
 
+    /** How many pixels are computed at a time. */
+    Lanes lanes();
+
     /** Finds each row's pixels, as {@link TriangleScan#scan} does. */
     void scan(TriangleScan scan);
 
@@ -40,4 +43,7 @@ interface RowLoops {
 
     /** Writes a number for the batch's pixels from {@code first} on. */
     void fill(PixelBatch batch, float[] to, int first, float value);
+
+    /** Packs the colours of a batch as {@link PixelLevels} does. */
+    void pack(PixelBatch batch, float[] red, float[] green, float[] blue);
 }

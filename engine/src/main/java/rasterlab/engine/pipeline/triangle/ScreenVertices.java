@@ -4,6 +4,9 @@ import java.util.Arrays;
 
 /** Vertices on the picture, one array for each quantity; grows and never shrinks. */
 final class ScreenVertices {
+    /** Successive vertices whose attributes are needed together or not at all. */
+    static final int GROUP = 32;
+
     /** Steps of 1/256 pixel; see {@link Subpixels}. */
     int[] x = new int[0];
 
@@ -24,6 +27,15 @@ final class ScreenVertices {
      */
     float[][] attributes = new float[0][];
 
+    /** For each group, whether a triangle in sight has one of its vertices. */
+    boolean[] needed = new boolean[0];
+
+    void need(int a, int b, int c) {
+        needed[a / GROUP] = true;
+        needed[b / GROUP] = true;
+        needed[c / GROUP] = true;
+    }
+
     /** Makes room; what was there stays. */
     void ensure(int vertices, int attributeCount) {
         if (attributes.length < attributeCount) {
@@ -38,6 +50,7 @@ final class ScreenVertices {
         depth = Arrays.copyOf(depth, room);
         nearness = Arrays.copyOf(nearness, room);
         code = Arrays.copyOf(code, room);
+        needed = new boolean[room / GROUP + 1];
         for (int k = 0; k < attributes.length; k++)
             attributes[k] = Arrays.copyOf(attributes[k], room);
     }

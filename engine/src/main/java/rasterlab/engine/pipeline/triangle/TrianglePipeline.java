@@ -9,16 +9,19 @@ import rasterlab.engine.scene.TriangleMesh;
 /**
  * Draws triangle meshes by depth, on several threads, the same picture bit for bit on any number.
  *
- * <p>One frame at a time: vertices by blocks, triangles by chunks, pixels by bands of 32 rows; each
- * stage begins when the one before has ended. A chunk is sorted into bands by one thread and a band
- * drawn by one thread in the mesh's order, so no result depends on which thread was first. After
- * the first frame nothing is allocated until a larger mesh or picture comes.
+ * <p>One frame at a time: vertices by blocks, triangles by chunks, what triangles in sight want of
+ * their vertices by blocks, pixels by bands of 32 rows; each stage begins when the one before has
+ * ended; where a triangle may be clipped, which needs all of its vertices, the second comes third.
+ * A chunk is sorted into bands by one thread and a band drawn by one thread in the mesh's order, so
+ * no result depends on which thread was first. After the first frame nothing is allocated until a
+ * larger mesh or picture comes.
  */
 public final class TrianglePipeline implements AutoCloseable {
     private final WorkerTeam team;
     private final Worker[] workers;
     private final Frame frame = new Frame();
     private final WorkerTeam.Task vertexTask = this::vertices;
+    private final WorkerTeam.Task attributeTask = this::attributes;
     private final WorkerTeam.Task binTask = this::bin;
     private final WorkerTeam.Task bandTask = this::band;
     private TriangleChunk[] chunks = new TriangleChunk[0];
@@ -102,14 +105,23 @@ public final class TrianglePipeline implements AutoCloseable {
             chunks = Arrays.copyOf(chunks, chunkCount);
             for (int k = had; k < chunkCount; k++) chunks[k] = new TriangleChunk();
         }
-        team.run(vertexTask, VertexStage.blocks(mesh));
+        int blocks = VertexStage.blocks(mesh);
+        team.run(vertexTask, blocks);
+        Arrays.fill(frame.vertices.needed, frame.clips);
+        if (frame.clips) team.run(attributeTask, blocks);
         team.run(binTask, chunkCount);
+        if (!frame.clips) team.run(attributeTask, blocks);
         team.run(bandTask, frame.bands);
     }
 
     private void vertices(int block, int worker) {
         checkCancelled();
-        workers[worker].vertices.run(frame, block);
+        workers[worker].vertices.place(frame, block);
+    }
+
+    private void attributes(int block, int worker) {
+        checkCancelled();
+        workers[worker].vertices.fill(frame, block);
     }
 
     private void bin(int chunk, int worker) {

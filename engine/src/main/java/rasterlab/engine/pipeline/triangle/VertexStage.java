@@ -5,7 +5,8 @@ import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
 /**
- * Vertices: world → eye → clip → pixels, and their colours, a block at a time.
+ * Vertices a block at a time: all of them world → clip → pixels; then what the surface wants, world
+ * → eye and their colours, of those that triangles in sight have.
  *
  * <p>The loops over whole arrays are as plain as they are so that the compiler turns them into
  * vector instructions. One per thread.
@@ -29,10 +30,28 @@ final class VertexStage {
                 + matrix[12 + column];
     }
 
-    void run(Frame frame, int index) {
+    /** Finds the places of a block of vertices on the picture. */
+    void place(Frame frame, int index) {
         int from = index * VertexBlock.SIZE;
         block.count = Math.min(VertexBlock.SIZE, frame.mesh.vertexCount() - from);
         project(frame, from);
+    }
+
+    /** Finds the attributes of those groups of a block's vertices that are needed. */
+    void fill(Frame frame, int index) {
+        int end = Math.min((index + 1) * VertexBlock.SIZE, frame.mesh.vertexCount());
+        int from = index * VertexBlock.SIZE;
+        while (from < end) {
+            int to = from;
+            while (to < end && frame.vertices.needed[to / ScreenVertices.GROUP])
+                to += ScreenVertices.GROUP;
+            if (to > from) fill(frame, from, Math.min(to, end));
+            from = to + ScreenVertices.GROUP;
+        }
+    }
+
+    private void fill(Frame frame, int from, int end) {
+        block.count = end - from;
         toEye(frame, from);
         keepPlaces(frame, from);
         if (frame.hasColors()) color(frame, from);
@@ -48,11 +67,12 @@ final class VertexStage {
         transform(matrix, 2, x, y, z, from, clipZ);
         transform(matrix, 3, x, y, z, from, clipW);
         ScreenVertices out = frame.vertices;
-        divide(from, frame.subpixels, out);
+        int any = divide(from, frame.subpixels, out);
         double[][] planes = frame.view.worldPlanes();
         if (planes.length > 0)
             for (int i = from; i < from + block.count; i++)
-                out.code[i] |= (short) ClipCode.ofUser(planes, x[i], y[i], z[i]);
+                any |= out.code[i] |= (short) ClipCode.ofUser(planes, x[i], y[i], z[i]);
+        if (ClipCode.mustClip(any)) frame.clips = true;
     }
 
     private void transform(
@@ -65,7 +85,9 @@ final class VertexStage {
             out[i] = x[from + i] * perX + y[from + i] * perY + z[from + i] * perZ + shift;
     }
 
-    private void divide(int from, Subpixels subpixels, ScreenVertices out) {
+    /** Returns what some vertex has of a {@link ClipCode}. */
+    private int divide(int from, Subpixels subpixels, ScreenVertices out) {
+        int any = 0;
         for (int i = 0; i < block.count; i++) {
             float x = clipX[i];
             float y = clipY[i];
@@ -77,12 +99,15 @@ final class VertexStage {
                             && Math.abs(z) <= w
                             && w >= ClipCode.SMALLEST_W;
             double nearness = 1.0 / w;
-            out.code[from + i] = seen ? 0 : (short) ClipCode.of(x, y, z, w);
+            int code = seen ? 0 : ClipCode.of(x, y, z, w);
+            any |= code;
+            out.code[from + i] = (short) code;
             out.x[from + i] = subpixels.x(x * nearness);
             out.y[from + i] = subpixels.y(y * nearness);
             out.depth[from + i] = (float) (0.5 + 0.5 * (z * nearness));
             out.nearness[from + i] = (float) nearness;
         }
+        return any;
     }
 
     private void toEye(Frame frame, int from) {

@@ -2,6 +2,7 @@ package rasterlab.engine.pipeline.triangle;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.Arrays;
 import java.util.Random;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.Test;
@@ -18,7 +19,9 @@ class ClipperTest {
         for (int seed = 0; seed < 2000; seed++) {
             var frame = new Frame();
             frame.begin(pair(new Random(seed)), view, surface, out);
-            new VertexStage().run(frame, 0);
+            new VertexStage().place(frame, 0);
+            Arrays.fill(frame.vertices.needed, true);
+            new VertexStage().fill(frame, 0);
             var one = new Clipper().clip(frame, 0, 1, 2);
             var other = new Clipper().clip(frame, 1, 0, 3);
             assertEquals(0, least(one, other), "seed " + seed);

@@ -16,7 +16,7 @@ final class Coverage {
         var out = new DepthRaster(width, height);
         var frame = new Frame();
         frame.begin(mesh, view, new Surface.Flat(VertexColors.own()), out);
-        for (int k = 0; k < VertexStage.blocks(mesh); k++) new VertexStage().run(frame, k);
+        for (int k = 0; k < VertexStage.blocks(mesh); k++) new VertexStage().place(frame, k);
         var coverage = new Coverage(width * height);
         for (int k = 0; k < Binner.chunks(mesh.triangleCount()); k++) {
             var chunk = new TriangleChunk();

@@ -20,7 +20,7 @@ class DistantLightTest {
     @CsvSource({"1", "2", "31", "32", "200"})
     void pixelsAreWithinOneLevelOfTheFormula(int shininess) {
         var light = new DistantLight(TO_LIGHT, RGB, 0.2, 0.5, shininess);
-        var batch = new PixelBatch();
+        var batch = new PixelBatch(new PlainLoops());
         batch.begin(light);
         batch.count = PixelBatch.SIZE;
         for (VertexQuantity quantity : light.wants())

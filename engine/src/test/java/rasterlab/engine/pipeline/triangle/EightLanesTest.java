@@ -13,7 +13,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.EightLanes;
 import rasterlab.engine.pipeline.surface.ColoredPixels;
+import rasterlab.engine.pipeline.surface.TextureFilter;
+import rasterlab.engine.pipeline.surface.TexturedPixels;
 import rasterlab.engine.scene.TriangleMesh;
+import rasterlab.engine.texture.Texture;
+import rasterlab.engine.texture.TextureEnvironment;
+import rasterlab.engine.texture.TextureSampler;
+import rasterlab.engine.texture.Wrap;
 
 /** The picture of eight lanes beside that of one, bit for bit. */
 class EightLanesTest {
@@ -28,7 +34,18 @@ class EightLanesTest {
                     new Surface.PerPixel(new ColoredPixels()).with(Blending.GLASS),
                     new Surface.PerPixel(new ColoredPixels())
                             .over(new Surface.Flat(VertexColors.own()))
-                            .with(Blending.OVER.dropBelow(90)));
+                            .with(Blending.OVER.dropBelow(90)),
+                    textured(TextureFilter.NEAREST),
+                    textured(TextureFilter.LINEAR),
+                    textured(TextureFilter.MIPMAP));
+
+    private static Surface textured(TextureFilter filter) {
+        int[] argb = new Random(1983).ints(64 * 32).toArray();
+        var texture = Texture.of(64, 32, 4, argb);
+        var sampler = new TextureSampler(texture, Wrap.REPEAT, Wrap.REPEAT);
+        var mode = TextureEnvironment.of(TextureEnvironment.Mode.MODULATE, texture);
+        return new Surface.PerPixel(new TexturedPixels(sampler, filter, mode, new ColoredPixels()));
+    }
 
     @BeforeAll
     static void needEight() {
@@ -67,6 +84,7 @@ class EightLanesTest {
         float[] corners = new float[6 * TRIANGLES];
         float[] depth = new float[3 * TRIANGLES];
         float[][] color = new float[4][3 * TRIANGLES];
+        float[][] st = new float[2][3 * TRIANGLES];
         int[] triangles = new int[3 * TRIANGLES];
         for (int t = 0; t < TRIANGLES; t++) {
             float reach = (float) Math.exp(random.nextDouble() * Math.log(3 * width + 50));
@@ -81,10 +99,12 @@ class EightLanesTest {
                 depth[v] = 0.05f + random.nextFloat() * 0.9f;
                 triangles[v] = v;
                 for (float[] channel : color) channel[v] = random.nextFloat();
+                for (float[] axis : st) axis[v] = 6 * random.nextFloat() - 3;
             }
         }
         return PixelSpace.mesh(corners, depth, triangles)
-                .withColors(color[0], color[1], color[2], color[3]);
+                .withColors(color[0], color[1], color[2], color[3])
+                .withTexture(st[0], st[1]);
     }
 
     /** What is written back there may be stale: the next band is another thread's. */

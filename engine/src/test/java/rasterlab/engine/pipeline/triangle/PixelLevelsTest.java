@@ -26,7 +26,8 @@ class PixelLevelsTest {
     void eachChannelIsRoundedOnItsOwn() {
         int[] expected = new int[COUNT];
         for (int i = 0; i < COUNT; i++) expected[i] = expected(i, shares[3][i]);
-        PixelLevels.pack(COUNT, shares[0], shares[1], shares[2], shares[3], argb);
+        PixelLevels.pack(COUNT, shares[0], shares[1], shares[2], argb);
+        PixelLevels.setAlpha(COUNT, shares[3], argb);
         for (int i = 0; i < COUNT; i++) assertEquals(expected[i], argb[i], "colour " + i);
     }
 

@@ -5,6 +5,7 @@ import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
+import rasterlab.engine.lanes.Lanes;
 
 /**
  * Eight pixels at a time, each computed as {@link PlainLoops} computes it.
@@ -24,6 +25,11 @@ final class VectorLoops implements RowLoops {
             IntVector.fromArray(INTS, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
 
     private final VectorRows rows = new VectorRows();
+
+    @Override
+    public Lanes lanes() {
+        return Lanes.EIGHT;
+    }
 
     @Override
     public void scan(TriangleScan scan) {
@@ -53,7 +59,7 @@ final class VectorLoops implements RowLoops {
                 VectorMask<Float> nearer =
                         here.compare(VectorOperators.LT, there)
                                 .and(k.compare(VectorOperators.LT, n));
-                there.blend(here, nearer).intoArray(depth, from + done);
+                IntVector before = IntVector.fromArray(INTS, argb, from + done);
                 IntVector red = reds.add(colors.red + done * colors.stepRed);
                 IntVector green = greens.add(colors.green + done * colors.stepGreen);
                 IntVector blue = blues.add(colors.blue + done * colors.stepBlue);
@@ -62,9 +68,8 @@ final class VectorLoops implements RowLoops {
                                 .or(green.lanewise(VectorOperators.LSHR, 8).and(0xFF00))
                                 .or(blue.lanewise(VectorOperators.LSHR, 16))
                                 .or(0xFF000000);
-                IntVector.fromArray(INTS, argb, from + done)
-                        .blend(color, nearer.cast(INTS))
-                        .intoArray(argb, from + done);
+                there.blend(here, nearer).intoArray(depth, from + done);
+                before.blend(color, nearer.cast(INTS)).intoArray(argb, from + done);
             }
         }
     }
@@ -121,5 +126,24 @@ final class VectorLoops implements RowLoops {
     public void fill(PixelBatch batch, float[] to, int first, float value) {
         FloatVector values = FloatVector.broadcast(FLOATS, value);
         for (int i = first; i < batch.count; i += LANES) values.intoArray(to, i);
+    }
+
+    @Override
+    public void pack(PixelBatch batch, float[] red, float[] green, float[] blue) {
+        for (int i = 0; i < batch.count; i += LANES)
+            level(red, i)
+                    .lanewise(VectorOperators.LSHL, 16)
+                    .or(level(green, i).lanewise(VectorOperators.LSHL, 8))
+                    .or(level(blue, i))
+                    .or(0xFF000000)
+                    .intoArray(batch.argb, i);
+    }
+
+    /** The nearest level in the lowest bits, as {@link SmoothFill#argb} finds it. */
+    private static IntVector level(float[] share, int i) {
+        return FloatVector.fromArray(FLOATS, share, i)
+                .mul(255)
+                .add(SmoothFill.ROUND)
+                .reinterpretAsInts();
     }
 }

@@ -1,0 +1,172 @@
+package rasterlab.engine.pipeline.triangle;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Arrays;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.RepeatedTest;
+import org.junit.jupiter.api.RepetitionInfo;
+import rasterlab.engine.lanes.Lanes;
+import rasterlab.engine.pipeline.EightLanes;
+import rasterlab.engine.scene.VertexQuantity;
+
+/** Each loop of eight lanes beside the plain one, bit for bit. */
+class RowLoopsTest {
+    private static final int WIDTH = 40;
+
+    private RowLoops eight;
+    private final RowLoops one = RowLoops.of(Lanes.ONE);
+    private Random random;
+    private int seed;
+
+    @BeforeEach
+    void needEight(RepetitionInfo repetition) {
+        EightLanes.assumeThere();
+        eight = RowLoops.of(Lanes.EIGHT);
+        seed = repetition.getCurrentRepetition();
+        random = new Random(seed);
+    }
+
+    private static PixelBatch batch(RowLoops loops) {
+        var batch = new PixelBatch(loops);
+        batch.begin(
+                new PixelColors() {
+                    @Override
+                    public Set<VertexQuantity> wants() {
+                        return Set.of(
+                                VertexQuantity.RED, VertexQuantity.GREEN, VertexQuantity.BLUE);
+                    }
+
+                    @Override
+                    public void color(PixelBatch pixels) {}
+                });
+        return batch;
+    }
+
+    private float[] shares(int count) {
+        float[] shares = new float[count];
+        for (int i = 0; i < count; i++) shares[i] = random.nextFloat();
+        return shares;
+    }
+
+    /** Spans of every length that end at the band's end or some pixels before it. */
+    @RepeatedTest(40)
+    void collectTheSamePixelsUpToTheBandsEnd() {
+        for (int n = 1; n < 30; n++)
+            for (int after = 0; after < 20; after++) {
+                String what = "seed %d, %d pixels, %d after them".formatted(seed, n, after);
+                boolean early = random.nextBoolean();
+                float[] depth = shares(random.nextInt(20) + n + after);
+                if (random.nextBoolean()) Arrays.fill(depth, random.nextInt(2));
+                var scan = new TriangleScan();
+                scan.end = depth.length;
+                int cell = depth.length - after - n;
+                var weights = weights();
+                int waiting = random.nextInt(5);
+                var expected = batch(one);
+                var actual = batch(eight);
+                expected.count = actual.count = waiting;
+                float[] depthOfOne = depth.clone();
+                one.collect(depthOfOne, scan, weights, cell, 3, n, early, expected);
+                eight.collect(depth, scan, weights, cell, 3, n, early, actual);
+                assertEquals(expected.count, actual.count, what);
+                assertArrayEquals(depthOfOne, depth, what);
+                int count = expected.count;
+                for (int i = waiting; i < count; i++) {
+                    assertEquals(expected.cell[i], actual.cell[i], what);
+                    assertEquals(expected.weightB[i], actual.weightB[i], what);
+                    assertEquals(expected.weightC[i], actual.weightC[i], what);
+                    if (!early) assertEquals(expected.depth[i], actual.depth[i], what);
+                }
+            }
+    }
+
+    private RowWeights weights() {
+        var weights = new RowWeights();
+        weights.z = random.nextFloat();
+        weights.stepZ = (random.nextFloat() - 0.5f) / 20;
+        weights.rowB = random.nextFloat();
+        weights.rowC = random.nextFloat();
+        weights.toB = random.nextFloat() / 30;
+        weights.toC = -random.nextFloat() / 30;
+        return weights;
+    }
+
+    /** Triangles whose lowest rows end at the picture's end, which is the band's. */
+    @RepeatedTest(40)
+    void drawTheSameRowsUpToTheBandsEnd() {
+        for (int after = 0; after < 20; after++) {
+            var expected = new DepthRaster(WIDTH, TriangleScan.ROWS);
+            var actual = new DepthRaster(WIDTH, TriangleScan.ROWS);
+            var v = corner(WIDTH - after);
+            var scan = new TriangleScan();
+            scan.load(v, 0, 1, 2, expected, 0);
+            scan.scan();
+            var colors = new LinearColors();
+            colors.load(scan, v);
+            one.linear(expected, scan, colors);
+            eight.linear(actual, scan, colors);
+            EightLanes.assertSame(expected, actual, "seed %d, %d after".formatted(seed, after));
+        }
+    }
+
+    /** A triangle with a right angle in the band's last row, left of a column. */
+    private ScreenVertices corner(int right) {
+        var v = new ScreenVertices();
+        v.ensure(3, 3);
+        v.x[0] = v.x[1] = right * Subpixels.ONE;
+        v.x[2] = (right - 1 - random.nextInt(right)) * Subpixels.ONE;
+        v.y[0] = -random.nextInt(9) * Subpixels.ONE;
+        v.y[1] = v.y[2] = TriangleScan.ROWS * Subpixels.ONE;
+        for (int k = 0; k < 3; k++) {
+            v.depth[k] = random.nextFloat();
+            for (float[] channel : v.attributes) channel[k] = random.nextInt(256);
+        }
+        return v;
+    }
+
+    @RepeatedTest(40)
+    void interpolateAndPackTheSameNumbers() {
+        var expected = batch(one);
+        var actual = batch(eight);
+        int first = random.nextInt(20);
+        expected.count = actual.count = first + random.nextInt(PixelBatch.SIZE - first + 1);
+        float[] b = shares(PixelBatch.ROOM);
+        float[] c = shares(PixelBatch.ROOM);
+        for (var each : new PixelBatch[] {expected, actual}) {
+            System.arraycopy(b, 0, each.weightB, 0, b.length);
+            System.arraycopy(c, 0, each.weightC, 0, c.length);
+        }
+        float[] corners = shares(6);
+        float[][] expectedRgb = rgb(one, expected, first, corners);
+        float[][] actualRgb = rgb(eight, actual, first, corners);
+        for (int k = 0; k < 3; k++)
+            for (int i = 0; i < expected.count; i++)
+                assertEquals(
+                        expectedRgb[k][i],
+                        actualRgb[k][i],
+                        "seed %d, channel %d, pixel %d".formatted(seed, k, i));
+        expected.pack(expectedRgb[0], expectedRgb[1], expectedRgb[2]);
+        actual.pack(actualRgb[0], actualRgb[1], actualRgb[2]);
+        assertArrayEquals(
+                Arrays.copyOf(expected.argb, expected.count),
+                Arrays.copyOf(actual.argb, expected.count),
+                "seed " + seed);
+    }
+
+    /** Two channels between the corners, the third one number. */
+    private static float[][] rgb(RowLoops loops, PixelBatch batch, int first, float[] corners) {
+        float[][] rgb = {
+            batch.values(VertexQuantity.RED),
+            batch.values(VertexQuantity.GREEN),
+            batch.values(VertexQuantity.BLUE)
+        };
+        loops.between(batch, rgb[0], first, corners[0] / 3, corners[1] / 3, corners[2] / 3);
+        loops.between(batch, rgb[1], first, corners[3] / 3, corners[4] / 3, corners[5] / 3);
+        loops.fill(batch, rgb[2], first, corners[0]);
+        return rgb;
+    }
+}

@@ -1,0 +1,136 @@
+package rasterlab.engine.texture;
+
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorMask;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * Eight places at a time, each looked up as {@link PlainTexels} looks it up; the last few one by
+ * one. Eight may reach beyond the places of a level into those of the next one, whose turn comes
+ * later.
+ */
+final class VectorTexels implements TexelLoops {
+    private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
+    private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
+    private static final int LANES = FLOATS.length();
+
+    private final PlainTexels plain = new PlainTexels();
+
+    /** A multiple of 2⁻²², from −1/2 to 1/2, congruent to a coordinate of moderate size. */
+    private static FloatVector rest(float[] coordinate, int i) {
+        FloatVector whole = FloatVector.fromArray(FLOATS, coordinate, i).add(ROUND).sub(ROUND);
+        return FloatVector.fromArray(FLOATS, coordinate, i).sub(whole);
+    }
+
+    /** The whole number below is found by rounding, which may have gone up. */
+    private static IntVector texel(float[] coordinate, int i, int last) {
+        FloatVector place = rest(coordinate, i).mul(last + 1);
+        FloatVector whole = place.add(ROUND).sub(ROUND);
+        VectorMask<Float> up = whole.compare(VectorOperators.GT, place);
+        return whole.sub(1, up).add(ROUND).reinterpretAsInts().and(last);
+    }
+
+    @Override
+    public void nearest(
+            RepeatedLevel level, float[] s, float[] t, int[] texel, int first, int end) {
+        int lastColumn = level.lastColumn();
+        int lastRow = level.lastRow();
+        int i = first;
+        for (; i + LANES <= end; i += LANES) {
+            texel(t, i, lastRow)
+                    .lanewise(VectorOperators.LSHL, level.across())
+                    .or(texel(s, i, lastColumn))
+                    .intoArray(texel, i);
+        }
+        lookUp(level.argb(), texel, first, i);
+        plain.nearest(level, s, t, texel, i, end);
+    }
+
+    /** Replaces numbers of texels by the texels. */
+    private static void lookUp(int[] texels, int[] number, int first, int end) {
+        for (int i = first; i < end; i++) number[i] = texels[number[i]];
+    }
+
+    @Override
+    public void levels(int n, float[] squaredStep, int from, int highest, int[] lambda) {
+        int i = 0;
+        for (; i + LANES <= n; i += LANES) {
+            IntVector bits =
+                    FloatVector.fromArray(FLOATS, squaredStep, from + i).reinterpretAsInts();
+            FloatVector rest =
+                    bits.and((1 << FRACTION_BITS) - 1)
+                            .or(EXPONENT << FRACTION_BITS)
+                            .reinterpretAsFloats()
+                            .sub(1);
+            FloatVector exponent =
+                    bits.lanewise(VectorOperators.LSHR, FRACTION_BITS)
+                            .add(ROUND_BITS - EXPONENT)
+                            .reinterpretAsFloats()
+                            .sub(ROUND);
+            rest.mul(BEND)
+                    .add(SLOPE)
+                    .mul(rest)
+                    .add(exponent)
+                    .mul(WHOLE / 2)
+                    .add(ROUND)
+                    .reinterpretAsInts()
+                    .sub(ROUND_BITS)
+                    .min(highest)
+                    .max(0)
+                    .intoArray(lambda, i);
+        }
+        PlainTexels.levels(i, n, squaredStep, from, highest, lambda);
+    }
+
+    /** As {@link PlainTexels} has it. */
+    private static IntVector place(float[] coordinate, int i, int side) {
+        return rest(coordinate, i)
+                .add(STEPS)
+                .reinterpretAsInts()
+                .and((1 << BITS) - 1)
+                .add(HALF_PART >>> side)
+                .lanewise(VectorOperators.LSHR, BITS - PARTS - side)
+                .sub(WHOLE / 2);
+    }
+
+    @Override
+    public void gather(
+            RepeatedLevel level,
+            float[] s,
+            float[] t,
+            int from,
+            int first,
+            int end,
+            int n,
+            TexelBlock.Corners out) {
+        int[] texels = level.argb();
+        int perRow = level.across();
+        int perColumn = level.up();
+        int lastColumn = level.lastColumn();
+        int lastRow = level.lastRow();
+        int i = first;
+        for (; i < end && i + LANES <= n; i += LANES) {
+            IntVector x = place(s, from + i, perRow);
+            IntVector y = place(t, from + i, perColumn);
+            x.and(WHOLE - 1).intoArray(out.toRight, i);
+            y.and(WHOLE - 1).intoArray(out.up, i);
+            IntVector column = x.lanewise(VectorOperators.ASHR, PARTS);
+            IntVector row = y.lanewise(VectorOperators.ASHR, PARTS);
+            IntVector left = column.and(lastColumn);
+            IntVector right = column.add(1).and(lastColumn);
+            IntVector below = row.and(lastRow).lanewise(VectorOperators.LSHL, perRow);
+            IntVector above = row.add(1).and(lastRow).lanewise(VectorOperators.LSHL, perRow);
+            below.or(left).intoArray(out.leftBelow, i);
+            below.or(right).intoArray(out.rightBelow, i);
+            above.or(left).intoArray(out.leftAbove, i);
+            above.or(right).intoArray(out.rightAbove, i);
+        }
+        lookUp(texels, out.leftBelow, first, i);
+        lookUp(texels, out.rightBelow, first, i);
+        lookUp(texels, out.leftAbove, first, i);
+        lookUp(texels, out.rightAbove, first, i);
+        plain.gather(level, s, t, from, i, end, n, out);
+    }
+}
