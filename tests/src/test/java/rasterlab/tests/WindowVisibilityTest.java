@@ -6,15 +6,22 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import javax.swing.AbstractButton;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JTable;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
+import org.assertj.swing.fixture.JFileChooserFixture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -147,6 +154,39 @@ class WindowVisibilityTest extends WindowHarness {
                 GuiActionRunner.execute(() -> window.comboBox("view").target().getSelectedIndex()));
         window.comboBox("view").selectItem(3);
         await("the chart is there", () -> colours("stage").size() > 20);
+    }
+
+    /** Keeping is what Enter answers, and leads back to the dialog. */
+    @Test
+    void savedSceneReplacesAFileOnlyIfThatIsSaid() throws Exception {
+        Path file = folder.resolve("mine.scene.json");
+        Files.writeString(file, "mine");
+        saveTo(folder.resolve("mine"));
+        window.optionPane().pressAndReleaseKeys(KeyEvent.VK_ENTER);
+        JFileChooserFixture dialog = window.fileChooser("save.dialog");
+        assertEquals("mine", Files.readString(file));
+        dialog.fileNameTextBox().pressAndReleaseKeys(KeyEvent.VK_ESCAPE);
+        saveTo(file);
+        window.optionPane().buttonWithText("Replace").pressAndReleaseKeys(KeyEvent.VK_SPACE);
+        await("the scene is in the file", () -> text(file).contains("\"vase\""));
+        assertEquals("", state().problem());
+    }
+
+    /** By the keyboard, for dialogs are not where a mouse would look for them. */
+    private void saveTo(Path file) {
+        GuiActionRunner.execute(
+                () -> EventQueue.invokeLater(() -> ((AbstractButton) named("save")).doClick()));
+        JFileChooserFixture dialog = window.fileChooser("save.dialog");
+        dialog.fileNameTextBox().setText(file.toString());
+        dialog.fileNameTextBox().pressAndReleaseKeys(KeyEvent.VK_ENTER);
+    }
+
+    private static String text(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     @Test

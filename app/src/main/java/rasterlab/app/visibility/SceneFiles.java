@@ -2,6 +2,7 @@ package rasterlab.app.visibility;
 
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -21,7 +22,10 @@ import rasterlab.exercises.scene.SceneView;
 /** Scenes, models and textures from files, and views of scenes into files. */
 final class SceneFiles {
     /** What is opened by the ends of their names, lower-case. */
-    static final String MODEL = ".obj";
+    static final List<String> ENDINGS =
+            List.of(SceneText.EXTENSION, ".obj", ".png", ".jpg", ".jpeg");
+
+    private static final String MODEL = ".obj";
 
     private SceneFiles() {}
 

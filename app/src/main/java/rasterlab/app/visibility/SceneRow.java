@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
-import javax.swing.JFileChooser;
 import javax.swing.JPanel;
 import javax.swing.TransferHandler;
 import net.miginfocom.swing.MigLayout;
@@ -44,28 +43,16 @@ final class SceneRow extends JPanel {
     }
 
     private void open() {
-        var chooser = new JFileChooser();
-        chooser.setName("open.dialog");
-        if (chooser.showOpenDialog(top()) == JFileChooser.APPROVE_OPTION)
-            model.open(chooser.getSelectedFile().toPath());
+        new SceneChooser(texts).toOpen(top()).ifPresent(model::open);
     }
 
     private void save() {
-        var chooser = new JFileChooser();
-        chooser.setName("save.dialog");
-        chooser.setSelectedFile(new File(fileName()));
-        if (chooser.showSaveDialog(top()) == JFileChooser.APPROVE_OPTION)
-            model.save(named(chooser.getSelectedFile()));
+        new SceneChooser(texts).toSave(top(), fileName()).ifPresent(model::save);
     }
 
     private String fileName() {
         String name = model.state().choice().scene();
         return name.replaceFirst("(\\.scene)?\\.[a-zA-Z]+$", "") + SceneText.EXTENSION;
-    }
-
-    private static Path named(File chosen) {
-        String path = chosen.getPath();
-        return Path.of(path.endsWith(SceneText.EXTENSION) ? path : path + SceneText.EXTENSION);
     }
 
     private Component top() {
