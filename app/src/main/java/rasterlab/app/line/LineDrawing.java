@@ -1,6 +1,9 @@
 package rasterlab.app.line;
 
+import java.util.List;
+import java.util.Optional;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.CoverageLine;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
@@ -12,16 +15,24 @@ import rasterlab.engine.study.Topic;
  *
  * <p>Of a segment with more than {@link #LIMIT} pixels only the first ones are drawn and compared.
  *
- * @param difference of all pixels, lit or not yet lit
+ * @param difference of all pixels, lit or not yet lit; of covered ones by their coverage
  * @param marks the wrong ones, step by step
- * @param deviation how far all pixels are from the exact line
+ * @param deviation how far all pixels are from the exact line, of covered ones those covered by at
+ *     least a half
+ * @param coverage of the pixels, where the method covers them in part
  */
 public record LineDrawing(
         String method,
         LineTrace trace,
         PixelDifference difference,
         LineMarks marks,
-        Deviation deviation) {
+        Deviation deviation,
+        Optional<Covered> coverage) {
+    /**
+     * @param worst the largest difference of a pixel's coverage from the exact one, in levels
+     */
+    public record Covered(Coverage drawn, int worst) {}
+
     /** The most pixels that the lab draws of a segment. */
     public static final int LIMIT = 4096;
 
@@ -34,14 +45,30 @@ public record LineDrawing(
             String method,
             Segment segment,
             PixelRecording exact) {
-        LineTrace trace = LineTrace.of(topic.method(method).implementation(), segment, LIMIT);
+        LineRasterizer rasterizer = topic.method(method).implementation();
+        LineTrace trace = LineTrace.of(rasterizer, segment, LIMIT);
+        Deviation deviation = topic.compare(segment, exact, trace.pixels());
+        if (rasterizer instanceof CoverageLine shaded && trace.pixels().size() > 0)
+            return covered(method, shaded, segment, exact, trace, deviation);
         PixelDifference difference = PixelDifference.of(exact, trace.pixels());
-        return new LineDrawing(
-                method,
-                trace,
-                difference,
-                LineMarks.of(difference, trace.pixels()),
-                topic.compare(segment, exact, trace.pixels()));
+        LineMarks marks = LineMarks.of(difference, trace.pixels());
+        return new LineDrawing(method, trace, difference, marks, deviation, Optional.empty());
+    }
+
+    private static LineDrawing covered(
+            String name,
+            CoverageLine method,
+            Segment segment,
+            PixelRecording nearest,
+            LineTrace trace,
+            Deviation deviation) {
+        Coverage exact = Coverage.exact(segment, nearest);
+        Coverage drawn = Coverage.of(method, segment, LIMIT);
+        PixelDifference difference = drawn.differenceFrom(exact);
+        LineMarks marks =
+                LineMarks.of(difference, drawn.pixels(), drawn.steps(), trace.pixels().size());
+        var covered = new Covered(drawn, drawn.worst(exact));
+        return new LineDrawing(name, trace, difference, marks, deviation, Optional.of(covered));
     }
 
     /** Number of pixels drawn, at most {@link #LIMIT}. */
@@ -57,5 +84,15 @@ public record LineDrawing(
     /** Row of the pixel that step {@code step} lit, counted from 1. */
     public int y(int step) {
         return trace.pixels().y(step - 1);
+    }
+
+    /** The pixels that step {@code step} lit, counted from 1; one wholly where none is covered. */
+    List<Coverage.Shade> shades(int step) {
+        return coverage.map(covered -> covered.drawn().at(step))
+                .orElseGet(
+                        () ->
+                                List.of(
+                                        new Coverage.Shade(
+                                                step, x(step), y(step), CoverageLine.FULL)));
     }
 }

@@ -23,8 +23,10 @@ final class LineInspector {
     private final MethodChooser method;
     private final MethodChooser comparison;
     private final JLabel pixel;
+    private final JLabel coverage;
     private final JLabel decision;
     private final JLabel decided;
+    private final JLabel compared;
     private final JLabel missing;
     private final JLabel extra;
     private final JLabel worst;
@@ -50,10 +52,14 @@ final class LineInspector {
 
         column.heading("heading.step");
         pixel = column.value("pixel");
+        coverage = column.value("coverage");
         decision = column.value("decision");
         decided = column.value("decided");
 
         column.heading("heading.wrong");
+        compared = column.value("compared");
+        compared.setText(texts.text("compared.coverage"));
+        compared.setToolTipText(texts.text("compared.coverage.hint"));
         missing = column.value("missing");
         missing.setIcon(new PixelMarkIcon(PixelMark.MISSING));
         extra = column.value("extra");
@@ -79,6 +85,10 @@ final class LineInspector {
         a.refresh();
         b.refresh();
         pixel.setText(readings.pixel());
+        boolean covered = state.drawing().coverage().isPresent();
+        column.showRow(coverage, covered);
+        column.showRow(compared, covered);
+        coverage.setText(readings.coverage());
         decision.setText(readings.decision());
         decided.setText(readings.decided());
         missing.setText(readings.missing());

@@ -15,32 +15,45 @@ import rasterlab.engine.raster.PixelSet;
  */
 public final class LineMarks {
     private final PixelRecording pixels;
+
+    /** The step that lit each pixel, counted from 1. */
+    private final int[] steps;
+
+    private final int last;
     private final PixelSet missing;
 
-    /** The steps that lit an extra pixel for the first time, counted from 1, ascending. */
-    private final int[] extraSteps;
+    /** Those of the pixels that are extra and were not lit before, ascending. */
+    private final int[] extra;
 
-    private LineMarks(PixelRecording pixels, PixelSet missing, int[] extraSteps) {
+    private LineMarks(PixelRecording pixels, int[] steps, int last, PixelSet missing, int[] extra) {
         this.pixels = pixels;
+        this.steps = steps;
+        this.last = last;
         this.missing = missing;
-        this.extraSteps = extraSteps;
+        this.extra = extra;
     }
 
     /**
      * @param pixels what the method lit, in order
      */
     static LineMarks of(PixelDifference difference, PixelRecording pixels) {
+        int last = pixels.size();
+        return of(difference, pixels, IntStream.rangeClosed(1, last).toArray(), last);
+    }
+
+    /**
+     * @param steps the step that lit each pixel, counted from 1, ascending
+     * @param last step
+     */
+    static LineMarks of(PixelDifference difference, PixelRecording pixels, int[] steps, int last) {
         Set<Point> unseen = new HashSet<>();
-        PixelSet extra = difference.extra();
-        for (int i = 0; i < extra.size(); i++) unseen.add(new Point(extra.x(i), extra.y(i)));
-        int[] steps =
-                IntStream.rangeClosed(1, pixels.size())
-                        .filter(
-                                step ->
-                                        unseen.remove(
-                                                new Point(pixels.x(step - 1), pixels.y(step - 1))))
+        PixelSet wrong = difference.extra();
+        for (int i = 0; i < wrong.size(); i++) unseen.add(new Point(wrong.x(i), wrong.y(i)));
+        int[] extra =
+                IntStream.range(0, pixels.size())
+                        .filter(i -> unseen.remove(new Point(pixels.x(i), pixels.y(i))))
                         .toArray();
-        return new LineMarks(pixels, difference.missing(), steps);
+        return new LineMarks(pixels, steps, last, difference.missing(), extra);
     }
 
     public int missingCount(int step) {
@@ -48,7 +61,7 @@ public final class LineMarks {
     }
 
     public int extraCount(int step) {
-        return (int) IntStream.of(extraSteps).takeWhile(lit -> lit <= step).count();
+        return (int) IntStream.of(extra).takeWhile(lit -> steps[lit] <= step).count();
     }
 
     public void missing(int step, Pixels out) {
@@ -57,10 +70,10 @@ public final class LineMarks {
     }
 
     public void extra(int step, Pixels out) {
-        for (int lit : extraSteps) if (lit <= step) out.plot(pixels.x(lit - 1), pixels.y(lit - 1));
+        for (int lit : extra) if (steps[lit] <= step) out.plot(pixels.x(lit), pixels.y(lit));
     }
 
     private boolean finished(int step) {
-        return step == pixels.size();
+        return step == last;
     }
 }

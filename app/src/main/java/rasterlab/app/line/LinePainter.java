@@ -70,7 +70,22 @@ final class LinePainter {
         if (cancelled.getAsBoolean()) throw new CancellationException("a newer frame is asked for");
     }
 
+    /** Coverage is opacity, of a colour that stands out from the ground where it is whole. */
+    private void paintCoverage(LineDrawing drawing, int step, double inset) {
+        Color whole = MethodColours.edgeOn(colours.ground(), MethodColours.of(drawing.method()));
+        for (Coverage.Shade shade : drawing.coverage().orElseThrow().drawn().shades()) {
+            if (shade.step() > step) return;
+            requireUse();
+            g.setColor(new Color(whole.getRed(), whole.getGreen(), whole.getBlue(), shade.level()));
+            g.fill(square(shade.x(), shade.y(), inset));
+        }
+    }
+
     private void paintPixels(LineDrawing drawing, int step) {
+        if (drawing.coverage().isPresent()) {
+            paintCoverage(drawing, step, grid.cell() >= 6 ? 1 : 0);
+            return;
+        }
         Color fill = MethodColours.of(drawing.method());
         Color edge = MethodColours.edgeOn(colours.ground(), fill);
         double gap = grid.cell() >= 6 ? 1 : 0;
@@ -93,6 +108,10 @@ final class LinePainter {
 
     /** The second method's pixels as smaller squares inside the first one's. */
     private void paintOther(LineDrawing other, int step) {
+        if (other.coverage().isPresent()) {
+            paintCoverage(other, step, grid.cell() * 0.28);
+            return;
+        }
         Color fill = MethodColours.of(other.method());
         Color edge = MethodColours.inkOn(fill);
         double inset = grid.cell() * 0.28;
@@ -124,12 +143,12 @@ final class LinePainter {
         g.draw(line);
     }
 
-    /** A frame around the pixel that the last step lit. */
+    /** A frame around each pixel that the last step lit. */
     private void paintCurrent(LineDrawing drawing, int step) {
         if (grid.cell() < 6) return;
         g.setColor(colours.ink());
         g.setStroke(new BasicStroke(2f));
-        g.draw(square(drawing.x(step), drawing.y(step), 0));
+        for (Coverage.Shade shade : drawing.shades(step)) g.draw(square(shade.x(), shade.y(), 0));
     }
 
     private Rectangle2D square(int pixelX, int pixelY, double inset) {

@@ -1,6 +1,7 @@
 package rasterlab.app.line;
 
 import java.text.NumberFormat;
+import java.util.stream.Collectors;
 import rasterlab.app.language.Texts;
 
 /** The live numbers of a state as the inspector writes them. */
@@ -14,9 +15,20 @@ final class LineReadings {
     }
 
     String pixel() {
-        return state.step() == 0
-                ? "–"
-                : "(" + drawing().x(state.step()) + ", " + drawing().y(state.step()) + ")";
+        if (state.step() == 0) return "–";
+        return drawing().shades(state.step()).stream()
+                .map(shade -> "(" + shade.x() + ", " + shade.y() + ")")
+                .collect(Collectors.joining(", "));
+    }
+
+    /** How much the step covered of each of its pixels. */
+    String coverage() {
+        if (state.step() == 0) return "–";
+        return texts.text(
+                "coverage.levels",
+                drawing().shades(state.step()).stream()
+                        .map(shade -> Integer.toString(shade.level()))
+                        .collect(Collectors.joining(", ")));
     }
 
     /** The decision variable and which pixel it is about. */
@@ -75,6 +87,8 @@ final class LineReadings {
 
     private String worst(LineDrawing drawing) {
         if (drawing.pixels() == 0) return "–";
+        if (drawing.coverage().isPresent())
+            return texts.text("worst.levels", drawing.coverage().get().worst());
         NumberFormat format = NumberFormat.getInstance(texts.locale());
         format.setMaximumFractionDigits(3);
         return texts.text("worst.pixels", format.format(drawing.deviation().worst()));

@@ -5,16 +5,21 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
 import java.awt.Font;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.StageColours;
@@ -60,6 +65,44 @@ class LineStageTest {
             int y = (int) ((60 + 20 * 6 + 6) * scale);
             assertEquals(BLUE, image.getRGB(x, y), "scale " + scale);
         }
+    }
+
+    @ParameterizedTest(name = "coverage is painted as whole blocks: {0}")
+    @MethodSource("grounds")
+    void coverageIsOpacity(StageColours colours) throws InterruptedException {
+        model.chooseMethod("wu");
+        model.show(new Segment(0, 0, 11, 4));
+        model.settle();
+        LineDrawings drawn = model.state().drawings();
+        BufferedImage image =
+                new LineFrame(
+                                drawn,
+                                drawn.drawing().pixels(),
+                                new PixelGrid(100, 60, 20),
+                                500,
+                                300,
+                                1,
+                                colours,
+                                new Font(Font.SANS_SERIF, Font.PLAIN, 13),
+                                "")
+                        .painted(() -> false);
+        Color ground = new Color(image.getRGB(100 + 20 * 9 + 6, 60 + 20 * 8 + 6));
+        Color most = new Color(image.getRGB(100 + 20 * 3 - 7, 60 + 20 + 7));
+        Color less = new Color(image.getRGB(100 + 20 * 4 + 7, 60 + 20 - 7));
+        Color least = new Color(image.getRGB(100 + 20 * 3 - 7, 60 + 20 * 2 + 7));
+        double[] contrasts = {
+            MethodColours.contrast(most, ground),
+            MethodColours.contrast(less, ground),
+            MethodColours.contrast(least, ground)
+        };
+        String said = Arrays.toString(contrasts);
+        assertTrue(contrasts[0] >= 2.2, said);
+        assertTrue(contrasts[0] > contrasts[1] && contrasts[1] > contrasts[2], said);
+        assertTrue(contrasts[2] > 1.02, said);
+    }
+
+    static Stream<StageColours> grounds() {
+        return Stream.of(StageColours.LIGHT, StageColours.DARK);
     }
 
     @Test
