@@ -165,7 +165,7 @@ class WindowVisibilityTest extends WindowHarness {
         window.optionPane().pressAndReleaseKeys(KeyEvent.VK_ENTER);
         JFileChooserFixture dialog = window.fileChooser("save.dialog");
         assertEquals("mine", Files.readString(file));
-        dialog.fileNameTextBox().pressAndReleaseKeys(KeyEvent.VK_ESCAPE);
+        GuiActionRunner.execute(() -> dialog.target().cancelSelection());
         saveTo(file);
         window.optionPane().buttonWithText("Replace").pressAndReleaseKeys(KeyEvent.VK_SPACE);
         await("the scene is in the file", () -> text(file).contains("\"vase\""));

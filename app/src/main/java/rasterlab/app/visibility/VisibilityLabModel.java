@@ -216,7 +216,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Back to the first scene, view and methods; can be undone. */
     public void reset() {
-        publish(state.choosing(Optional.empty()).withProblem(""));
+        publish(state.choosing(Optional.empty()));
         choose(choice -> VisibilityChoice.first());
     }
 
@@ -224,7 +224,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     void goTo(int step) {
         int next = step >= lastStep() ? Frame.ALL : Math.max(0, step);
         if (next == state.step()) return;
-        publish(state.at(next));
+        publish(state.at(next).withProblem(""));
         if (width > 0) pictures.ask(frame(state.choice()));
     }
 

@@ -14,7 +14,8 @@ import java.util.Optional;
  * @param step how many of them are made
  * @param pixel what happened at the chosen pixel; empty while that is found out
  * @param chosen the chosen pixel
- * @param problem why a file was not opened or saved, "" if nothing went wrong
+ * @param problem why a file was not opened or saved, "" if nothing went wrong or something was
+ *     changed since
  * @param medianNanos median time of the last pictures of the present method and size; 0 while there
  *     are too few
  */
@@ -45,9 +46,15 @@ public record VisibilityLabState(
                 0);
     }
 
+    /** Whether wrong pixels are marked: they are told of pictures that are drawn to the end. */
+    boolean marked() {
+        return choice.view() == StageView.COLOURS && step == Frame.ALL;
+    }
+
     VisibilityLabState with(VisibilityChoice next) {
         var draft = new Draft(this);
         draft.choice = next;
+        if (!next.equals(choice)) draft.problem = "";
         draft.difference = Optional.empty();
         draft.otherDifference = Optional.empty();
         draft.pixel = Optional.empty();
@@ -90,6 +97,7 @@ public record VisibilityLabState(
         var draft = new Draft(this);
         draft.pixel = Optional.empty();
         draft.chosen = next;
+        draft.problem = "";
         return draft.state();
     }
 

@@ -220,7 +220,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
             boolean second) {
         double scale = DevicePixels.scale(this);
         double left = second ? secondLeft(picture, scale) : 0;
-        boolean marked = state.choice().view() == StageView.COLOURS;
+        boolean marked = state.marked();
         var over = (Graphics2D) g.create();
         over.translate(left, 0);
         DevicePixels.paint(
@@ -268,7 +268,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
                     g,
                     texts.text("problem", Complaints.said(texts.language(), problem)),
                     getWidth(),
-                    getHeight() / 2);
+                    getHeight() - pointed.getPreferredSize().height - 16);
     }
 
     private static void say(
