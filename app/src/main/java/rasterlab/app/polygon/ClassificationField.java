@@ -125,6 +125,22 @@ final class ClassificationField {
                 && first(column, row) != second(column, row);
     }
 
+    /** How many points both judge. */
+    long judged() {
+        long judged = 0;
+        for (byte verdict : verdicts)
+            if ((verdict & (FIRST_REFUSES | SECOND_REFUSES)) == 0) judged++;
+        return judged;
+    }
+
+    /** How many points both judge, and differently. */
+    long differing() {
+        long differing = 0;
+        for (int row = 0; row < rows; row++)
+            for (int column = 0; column < columns; column++) if (differ(column, row)) differing++;
+        return differing;
+    }
+
     private boolean has(int column, int row, byte bit) {
         return (verdicts[row * columns + column] & bit) != 0;
     }

@@ -2,14 +2,16 @@ package rasterlab.app.polygon;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.geom.Ellipse2D;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
+import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Texts;
 import rasterlab.engine.polygon.ExactMembership;
 import rasterlab.engine.polygon.Membership;
 import rasterlab.engine.polygon.Points;
@@ -29,14 +31,18 @@ record InsidePicture(
         InsideAnswer answer,
         String other,
         int step,
-        Locale locale)
+        Texts texts)
         implements PlanePicture {
     private static final double MARK = 18;
+
+    /** View units below the line of words at the lower edge. */
+    private static final int EDGE = 14;
 
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
         var strokes = new Strokes(g, map, colours);
-        var field = new FieldPainter(g, map, colours, field(g, map, cancelled));
+        ClassificationField judged = field(g, map, cancelled);
+        var field = new FieldPainter(g, map, colours, judged);
         Color first = MethodColours.of(method);
         field.paintInside(first);
         strokes.outline(figure.corners(), colours.ink(), 1.6f);
@@ -46,6 +52,25 @@ record InsidePicture(
                 exact ? MethodColours.VERMILLION : MethodColours.of(other));
         paintPoints(g, map, colours);
         if (step > 0 && step <= answer.steps()) paintStep(strokes, colours);
+        count(g, judged, colours);
+    }
+
+    /** How many of the points in sight are wrong, at the lower edge. */
+    private void count(Graphics2D g, ClassificationField field, StageColours colours) {
+        String said =
+                texts.text(
+                        other.isEmpty() ? "field.wrong" : "field.differ",
+                        field.differing(),
+                        field.judged());
+        Rectangle view = g.getClipBounds();
+        Color ground = colours.ground();
+        Plates.plate(
+                g,
+                said,
+                (int) view.getCenterX() - g.getFontMetrics().stringWidth(said) / 2,
+                view.y + view.height - EDGE,
+                new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 225),
+                colours.ink());
     }
 
     private ClassificationField field(Graphics2D g, PlaneMap map, BooleanSupplier cancelled) {
@@ -90,7 +115,7 @@ record InsidePicture(
         if (side.from() == side.to()) strokes.dashed(point, from, colours.focus());
         else strokes.line(from, to, colours.focus(), 4);
         var middle = new Place((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
-        strokes.words(PolygonReadings.value(side.value(), locale), middle, 0, 0);
+        strokes.words(PolygonReadings.value(side.value(), texts.locale()), middle, 0, 0);
     }
 
     /** Where the ray to the right is beyond all corners. */

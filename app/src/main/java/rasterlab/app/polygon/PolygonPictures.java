@@ -1,13 +1,13 @@
 package rasterlab.app.polygon;
 
 import java.util.List;
-import java.util.Locale;
 import rasterlab.app.canvas.PlanePicture;
+import rasterlab.app.language.Texts;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 
 /** The pictures of outcomes. */
-record PolygonPictures(PolygonTopics topics, Locale locale) {
+record PolygonPictures(PolygonTopics topics, Texts texts) {
     /** A method beside the exact answer. */
     PlanePicture of(PolygonScene scene, Outcome outcome, int step) {
         Figure figure = scene.figure();
@@ -62,7 +62,7 @@ record PolygonPictures(PolygonTopics topics, Locale locale) {
                 answer,
                 other,
                 step,
-                locale);
+                texts);
     }
 
     private static PixelRecording recording(Runs runs) {

@@ -155,7 +155,15 @@ final class PolygonReadings {
 
     private String count(long items) {
         if (outcome.ending() == Outcome.Ending.REFUSED) return NONE;
+        if (outcome.answer() instanceof InsideAnswer answer)
+            return judged("items.at", "items.points", items, answer);
         return texts.text("items." + scene.mode().code(), items);
+    }
+
+    /** These count the figure's points; the picture tells about all others. */
+    private String judged(String ofOne, String ofMore, long wrong, InsideAnswer answer) {
+        int points = answer.exact().size();
+        return points == 1 ? texts.text(ofOne, wrong) : texts.text(ofMore, wrong, points);
     }
 
     String worst() {
@@ -173,6 +181,12 @@ final class PolygonReadings {
     private String other(Outcome second) {
         if (second.ending() != Outcome.Ending.ENDED)
             return texts.text("ending." + second.ending().name().toLowerCase(Locale.ROOT));
+        if (second.answer() instanceof InsideAnswer answer)
+            return judged(
+                    "other.judged",
+                    "other.points",
+                    second.deviation().missing() + second.deviation().extra(),
+                    answer);
         return texts.text("other.wrong", second.deviation().missing(), second.deviation().extra());
     }
 

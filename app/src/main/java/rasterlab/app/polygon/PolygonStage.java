@@ -36,7 +36,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
     PolygonStage(PolygonLabModel model, Texts texts, Consumer<Throwable> onFailure) {
         this.model = model;
         this.texts = texts;
-        pictures = new PolygonPictures(model.topics(), texts.locale());
+        pictures = new PolygonPictures(model.topics(), texts);
         setLayout(cards);
         setOpaque(false);
         plane = pair(PlaneAxes.GEOMETRY, onFailure);

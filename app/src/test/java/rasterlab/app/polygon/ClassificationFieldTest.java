@@ -34,14 +34,6 @@ class ClassificationFieldTest {
                 () -> false);
     }
 
-    private static long differing(ClassificationField field) {
-        long count = 0;
-        for (int row = 0; row < field.rows(); row++)
-            for (int column = 0; column < field.columns(); column++)
-                if (field.differ(column, row)) count++;
-        return count;
-    }
-
     @Test
     void pointsCoverTheViewAndLieOnAPowerOfTwo() {
         PlaneMap map = map(0, 0, 12, 8);
@@ -56,18 +48,18 @@ class ClassificationFieldTest {
 
     @Test
     void boundaryFailuresOfTheSignMethodAreSeen() {
-        long wrong = differing(field(map(0, 0, 12, 8), 0, TRIANGLE, "sign-double"));
+        long wrong = field(map(0, 0, 12, 8), 0, TRIANGLE, "sign-double").differing();
         assertTrue(wrong > 50, wrong + " points differ");
-        assertEquals(0, differing(field(map(0, 0, 12, 8), 0, TRIANGLE, "robust")));
+        assertEquals(0, field(map(0, 0, 12, 8), 0, TRIANGLE, "robust").differing());
     }
 
     @Test
     void overflowFillsThePlaneWithWrongAnswers() {
         Points large = Points.of(-60000, -60000, 62000, -58000, 1000, 64000);
         PlaneMap map = map(-70000, -70000, 140000, 140000);
-        long wrong = differing(field(map, 1, large, "sign-int"));
+        long wrong = field(map, 1, large, "sign-int").differing();
         assertTrue(wrong > 500, wrong + " points differ");
-        assertEquals(0, differing(field(map, 1, large, "half-plane")));
+        assertEquals(0, field(map, 1, large, "half-plane").differing());
     }
 
     @Test
@@ -96,5 +88,14 @@ class ClassificationFieldTest {
         assertThrows(
                 CancellationException.class,
                 () -> ClassificationField.of(map(0, 0, 12, 8), VIEW, 0, judge, judge, () -> true));
+    }
+
+    @Test
+    void pointsThatAMethodRefusesAreNotCounted() {
+        ClassificationField whole = field(map(0, 0, 12, 8), 1, TRIANGLE, "sign-int");
+        assertEquals((long) whole.columns() * whole.rows(), whole.judged());
+        ClassificationField between = field(map(0, 0, 12, 8), 0, TRIANGLE, "sign-int");
+        assertTrue(between.judged() > 0, "no point is judged");
+        assertTrue(between.judged() < (long) between.columns() * between.rows());
     }
 }

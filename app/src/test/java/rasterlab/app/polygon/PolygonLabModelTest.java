@@ -13,6 +13,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.contract.FillRule;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
@@ -224,6 +226,26 @@ class PolygonLabModelTest {
         assertTrue(((InsideAnswer) outcome().answer()).isWrong(0));
         model.move(Grip.POINT, 4, 2);
         assertFalse(((InsideAnswer) outcome().answer()).isWrong(0));
+    }
+
+    @Test
+    void numbersSayThatTheyAreAboutThePointAlone() {
+        model.compareWith("robust");
+        settle();
+        assertEquals(List.of("at P", "not at P", "right at P"), numbers(Language.ENGLISH));
+        assertEquals(List.of("в P", "в P — нет", "в P верно"), numbers(Language.RUSSIAN));
+        model.show(PolygonMode.TRIANGLE, "past-2-15");
+        settle();
+        int points = inside().points().size();
+        String some = "[0-9]+ of " + points + " points";
+        String one = "(not )?at P";
+        for (String said : numbers(Language.ENGLISH).subList(0, 2))
+            assertTrue(said.matches(points == 1 ? one : some), said);
+    }
+
+    private List<String> numbers(Language language) {
+        var readings = new PolygonReadings(model.state(), Texts.of("polygon", language));
+        return List.of(readings.missing(), readings.extra(), readings.other());
     }
 
     @Test

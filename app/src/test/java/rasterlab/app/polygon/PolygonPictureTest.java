@@ -10,7 +10,6 @@ import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.HashSet;
-import java.util.Locale;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -22,6 +21,8 @@ import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
 
 @Timeout(120)
@@ -30,7 +31,8 @@ class PolygonPictureTest {
     private static final int HEIGHT = 200;
 
     private final PolygonTopics topics = new PolygonTopics();
-    private final PolygonPictures pictures = new PolygonPictures(topics, Locale.ENGLISH);
+    private final PolygonPictures pictures =
+            new PolygonPictures(topics, Texts.of("polygon", Language.ENGLISH));
 
     private PolygonScene scene(PolygonMode mode, String hazard, String method, String second) {
         PolygonScene first = PolygonScene.first(mode).withMethod(method).withComparison(second);
