@@ -23,8 +23,15 @@ public final class Copying {
         put(new StringSelection(text), onFailure);
     }
 
-    /** Copies what a component shows, at the screen's own resolution. */
+    /**
+     * Copies what a component shows, at the screen's own resolution, without what serves the mouse
+     * and the keyboard.
+     */
     public static void picture(JComponent shown, Consumer<Throwable> onFailure) {
+        put(new PictureSelection(drawn(shown)), onFailure);
+    }
+
+    static BufferedImage drawn(JComponent shown) {
         double scale = DevicePixels.scale(shown);
         var picture =
                 new BufferedImage(
@@ -33,9 +40,9 @@ public final class Copying {
                         BufferedImage.TYPE_INT_RGB);
         var g = picture.createGraphics();
         g.scale(scale, scale);
-        shown.paint(g);
+        shown.print(g);
         g.dispose();
-        put(new PictureSelection(picture), onFailure);
+        return picture;
     }
 
     /** Copies an SVG document, as a drawing to those who know SVG and as text to all. */

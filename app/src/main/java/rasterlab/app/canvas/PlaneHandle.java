@@ -95,10 +95,10 @@ final class PlaneHandle extends SelfDrawn {
         StageColours colours = StageColours.now();
         Shape ring = ring(Math.min(getWidth(), getHeight()) - 6);
         g.setColor(colours.ground());
-        g.setStroke(new BasicStroke(isFocusOwner() ? 5.5f : 4.5f));
+        g.setStroke(new BasicStroke(showsFocus() ? 5.5f : 4.5f));
         g.draw(ring);
-        g.setColor(isFocusOwner() ? colours.focus() : colours.ink());
-        g.setStroke(new BasicStroke(isFocusOwner() ? 3.5f : 2f));
+        g.setColor(showsFocus() ? colours.focus() : colours.ink());
+        g.setStroke(new BasicStroke(showsFocus() ? 3.5f : 2f));
         g.draw(ring);
         g.dispose();
     }

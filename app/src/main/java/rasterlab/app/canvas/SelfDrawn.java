@@ -14,6 +14,11 @@ public abstract class SelfDrawn extends JComponent {
         this.role = role;
     }
 
+    /** Whether it has the keyboard and should say so, which no copied picture does. */
+    protected final boolean showsFocus() {
+        return isFocusOwner() && !isPaintingForPrint();
+    }
+
     @Override
     public AccessibleContext getAccessibleContext() {
         if (accessibleContext == null)

@@ -1,5 +1,6 @@
 package rasterlab.app.canvas;
 
+import java.awt.Graphics;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
@@ -15,6 +16,12 @@ public final class ZoomButtons extends JPanel {
         add(button("zoom.out", "−", texts, farther));
         add(button("zoom.in", "+", texts, nearer));
         add(button("zoom.fit", "□", texts, everything));
+    }
+
+    /** They are on the screen only, in no copied picture. */
+    @Override
+    public void paint(Graphics g) {
+        if (!isPaintingForPrint()) super.paint(g);
     }
 
     private static JButton button(String key, String sign, Texts texts, Runnable action) {

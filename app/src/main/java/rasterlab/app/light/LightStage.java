@@ -143,7 +143,7 @@ final class LightStage extends SelfDrawn implements Settling {
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
         paintAll(g);
-        if (isFocusOwner()) {
+        if (showsFocus()) {
             g.setColor(StageColours.now().focus());
             g.setStroke(new BasicStroke(2));
             g.drawRect(1, 1, getWidth() - 2, getHeight() - 2);

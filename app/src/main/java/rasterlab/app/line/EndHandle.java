@@ -87,10 +87,10 @@ final class EndHandle extends SelfDrawn {
                         ? new Ellipse2D.Double(3, 3, size, size)
                         : new RoundRectangle2D.Double(3.5, 3.5, size - 1, size - 1, 6, 6);
         g.setColor(colours.ground());
-        g.setStroke(new BasicStroke(isFocusOwner() ? 5.5f : 4.5f));
+        g.setStroke(new BasicStroke(showsFocus() ? 5.5f : 4.5f));
         g.draw(ring);
-        g.setColor(isFocusOwner() ? colours.focus() : colours.ink());
-        g.setStroke(new BasicStroke(isFocusOwner() ? 3.5f : 2f));
+        g.setColor(showsFocus() ? colours.focus() : colours.ink());
+        g.setStroke(new BasicStroke(showsFocus() ? 3.5f : 2f));
         g.draw(ring);
         g.dispose();
     }

@@ -62,7 +62,7 @@ final class PicturePane extends SelfDrawn {
         if (shown.isPresent())
             g.drawImage(shown.get().image(), 0, 0, getWidth(), getHeight(), null);
         else say(g, otherwise.get());
-        if (isFocusOwner()) focus(g);
+        if (showsFocus()) focus(g);
         g.dispose();
     }
 

@@ -178,7 +178,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         if (painted.isPresent()) paint(g, painted.get());
         else paintHint(g);
         g.setColor(UIManager.getColor("Component.borderColor"));
-        if (isFocusOwner()) g.setColor(StageColours.now().focus());
+        if (showsFocus()) g.setColor(StageColours.now().focus());
         g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
         g.dispose();
     }

@@ -311,7 +311,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
 
     /** Blue between two white lines, so that it is seen on any picture. */
     private void paintFocus(Graphics2D g) {
-        if (isFocusOwner()) {
+        if (showsFocus()) {
             g.setColor(Color.WHITE);
             g.setStroke(new BasicStroke(4));
             g.drawRect(2, 2, getWidth() - 4, getHeight() - 4);
