@@ -6,6 +6,7 @@ import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
@@ -72,8 +73,10 @@ record PlaneFrame(
             inner.clipRect(
                     Rulers.left(), Rulers.top(), width - Rulers.left(), height - Rulers.top());
         else inner.clipRect(0, 0, width, height);
-        picture.paint(inner, map, colours, cancelled);
-        paintPoints(inner);
+        List<Label> labels = labels(inner);
+        picture.leaving(labels.stream().map(Label::place).toList())
+                .paint(inner, map, colours, cancelled);
+        paintPoints(inner, labels);
         if (!note.isEmpty()) Plates.sentence(inner, note, width, colours);
         inner.dispose();
         g.setStroke(new BasicStroke(1f));
@@ -85,17 +88,39 @@ record PlaneFrame(
         g.fillRect(0, 0, width, height);
     }
 
-    private void paintPoints(Graphics2D g) {
-        g.setFont(font.deriveFont(Font.BOLD));
+    /** A point's label, where its plate lies. */
+    private record Label(String text, Rectangle place) {}
+
+    private List<Label> labels(Graphics2D g) {
+        FontMetrics metrics = g.getFontMetrics(font.deriveFont(Font.BOLD));
         double middleX = points.stream().mapToDouble(p -> map.viewX(p.x())).average().orElse(0);
         double middleY = points.stream().mapToDouble(p -> map.viewY(p.y())).average().orElse(0);
-        for (PlanePoint point : points) {
-            double x = map.viewX(point.x());
-            double y = map.viewY(point.y());
-            if (!(x > -100 && x < width + 100 && y > -100 && y < height + 100)) continue;
-            dot(g, x, y);
-            label(g, point.label(), x, y, x - middleX, y - middleY);
-        }
+        return points.stream()
+                .filter(point -> inSight(point) && !point.label().isEmpty())
+                .map(point -> label(point, metrics, middleX, middleY))
+                .toList();
+    }
+
+    private boolean inSight(PlanePoint point) {
+        double x = map.viewX(point.x());
+        double y = map.viewY(point.y());
+        return x > -100 && x < width + 100 && y > -100 && y < height + 100;
+    }
+
+    private void paintPoints(Graphics2D g, List<Label> labels) {
+        g.setFont(font.deriveFont(Font.BOLD));
+        for (PlanePoint point : points)
+            if (inSight(point)) dot(g, map.viewX(point.x()), map.viewY(point.y()));
+        Color ground = colours.ground();
+        var plate = new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 190);
+        for (Label label : labels)
+            Plates.plate(
+                    g,
+                    label.text,
+                    label.place.x + 4,
+                    label.place.y + 1 + g.getFontMetrics().getAscent(),
+                    plate,
+                    colours.ink());
     }
 
     private void dot(Graphics2D g, double x, double y) {
@@ -104,11 +129,13 @@ record PlaneFrame(
     }
 
     /** Beside the point, on the side away from the middle of all points. */
-    private void label(Graphics2D g, String label, double x, double y, double dx, double dy) {
-        if (label.isEmpty()) return;
+    private Label label(PlanePoint point, FontMetrics metrics, double middleX, double middleY) {
+        double x = map.viewX(point.x());
+        double y = map.viewY(point.y());
+        double dx = x - middleX;
+        double dy = y - middleY;
         double length = Math.max(1e-9, Math.hypot(dx, dy));
-        FontMetrics metrics = g.getFontMetrics();
-        int wide = metrics.stringWidth(label);
+        int wide = metrics.stringWidth(point.label());
         double away =
                 Math.min(
                         (AWAY + wide / 2.0) / Math.abs(dx / length),
@@ -120,13 +147,14 @@ record PlaneFrame(
                 Math.abs(fitting - left) > AWAY / 2
                         ? y - AWAY
                         : y + dy / length * away + metrics.getAscent() / 2.0 - 1;
-        Color ground = colours.ground();
-        Plates.plate(
-                g,
-                label,
-                (int) fitting,
-                (int) Math.max(Rulers.top() + metrics.getAscent() + 4, Math.min(height - 8, base)),
-                new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 190),
-                colours.ink());
+        int top = Rulers.top() + metrics.getAscent() + 4;
+        int baseline = (int) Math.max(top, Math.min(height - 8, base));
+        return new Label(
+                point.label(),
+                new Rectangle(
+                        (int) fitting - 4,
+                        baseline - metrics.getAscent() - 1,
+                        wide + 8,
+                        metrics.getHeight() + 1));
     }
 }

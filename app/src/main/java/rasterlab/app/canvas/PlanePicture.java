@@ -1,6 +1,8 @@
 package rasterlab.app.canvas;
 
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 
@@ -19,5 +21,14 @@ public interface PlanePicture {
     /** Whether grid, rulers and read-out belong to it: not where the plane is a view of space. */
     default boolean ruled() {
         return true;
+    }
+
+    /**
+     * The same picture with what may stand elsewhere out of the labels' way.
+     *
+     * @param labels places of the view
+     */
+    default PlanePicture leaving(List<Rectangle> labels) {
+        return this;
     }
 }

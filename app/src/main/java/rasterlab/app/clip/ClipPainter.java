@@ -7,6 +7,7 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
@@ -39,16 +40,25 @@ final class ClipPainter {
     private final Color first;
     private final Color second;
     private final InView inView;
+    private final List<Rectangle> labels;
 
     /**
      * @param other name of a second method, "" for none
+     * @param labels where no region's code may stand
      */
-    ClipPainter(Graphics2D g, PlaneMap map, StageColours colours, String method, String other) {
+    ClipPainter(
+            Graphics2D g,
+            PlaneMap map,
+            StageColours colours,
+            String method,
+            String other,
+            List<Rectangle> labels) {
         this.g = g;
         this.map = map;
         this.colours = colours;
         first = MethodColours.of(method);
         second = MethodColours.of(other);
+        this.labels = labels;
         inView = new InView(map, g.getClipBounds());
     }
 
@@ -155,13 +165,19 @@ final class ClipPainter {
         Font label = g.getFont();
         g.setFont(label.deriveFont(label.getSize2D() * LARGER));
         FontMetrics metrics = g.getFontMetrics();
-        int wide = metrics.stringWidth(region.words());
         g.setColor(MethodColours.mix(colours.ground(), colours.axis(), 0.75));
-        if (right - left >= wide + 4 && bottom - top >= metrics.getHeight())
-            g.drawString(
-                    region.words(),
-                    (float) ((left + right - wide) / 2),
-                    (float) ((top + bottom + metrics.getAscent()) / 2 - 2));
+        var seen = new Rectangle2D.Double(left + 2, top, right - left - 4, bottom - top);
+        CodePlace.of(
+                        seen,
+                        metrics.stringWidth(region.words()),
+                        metrics.getAscent() + metrics.getDescent(),
+                        labels)
+                .ifPresent(
+                        place ->
+                                g.drawString(
+                                        region.words(),
+                                        (float) place.getX(),
+                                        (float) place.getY() + metrics.getAscent()));
         g.setFont(label);
     }
 

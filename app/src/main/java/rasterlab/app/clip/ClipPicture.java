@@ -1,6 +1,7 @@
 package rasterlab.app.clip;
 
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -14,11 +15,14 @@ import rasterlab.app.canvas.StageColours;
  *
  * @param method whose colour is what is left
  * @param other a second method whose colour is what it alone left, "" for none
+ * @param labels where no region's code may stand
  */
-record ClipPicture(List<Drawn> drawn, String method, String other, boolean ruled)
+record ClipPicture(
+        List<Drawn> drawn, String method, String other, boolean ruled, List<Rectangle> labels)
         implements PlanePicture {
     ClipPicture {
         drawn = List.copyOf(drawn);
+        labels = List.copyOf(labels);
     }
 
     /** The chosen method beside the exact answer, or beside the second method. */
@@ -82,11 +86,17 @@ record ClipPicture(List<Drawn> drawn, String method, String other, boolean ruled
         else if (scene instanceof PolygonScene polygon)
             drawn = PolygonDrawing.of(polygon, clipping, step, wrong);
         else drawn = VolumeDrawing.of((VolumeScene) scene, clipping, step, wrong, locale);
-        return new ClipPicture(drawn, clipping.method(), other, scene.mode() != ClipMode.VOLUME);
+        return new ClipPicture(
+                drawn, clipping.method(), other, scene.mode() != ClipMode.VOLUME, List.of());
     }
 
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
-        new ClipPainter(g, map, colours, method, other).paint(drawn, cancelled);
+        new ClipPainter(g, map, colours, method, other, labels).paint(drawn, cancelled);
+    }
+
+    @Override
+    public ClipPicture leaving(List<Rectangle> places) {
+        return new ClipPicture(drawn, method, other, ruled, places);
     }
 }

@@ -8,7 +8,10 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.DevicePixels;
@@ -16,6 +19,7 @@ import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.contract.Pixels;
 import rasterlab.engine.line.Segment;
 
 /**
@@ -96,23 +100,48 @@ record LineFrame(
         return (int) Math.round(Math.max(from, Math.min(to - size, view - size / 2.0)));
     }
 
-    /** The ends' letters and coordinates, outside the segment. */
+    /** The ends' letters and coordinates. */
     private void paintLetters(Graphics2D g) {
         Segment segment = drawings.choice().segment();
         FontMetrics metrics = g.getFontMetrics();
+        var within =
+                new Rectangle(
+                        Rulers.left() + 3,
+                        Rulers.top() + 4,
+                        width - Rulers.left() - 8,
+                        height - Rulers.top() - 11);
+        List<Rectangle2D> seen = marked();
+        for (End end : End.values()) seen.add(around(end, segment, grid, width, height));
         for (End end : End.values()) {
             String text = end + " (" + end.x(segment) + ", " + end.y(segment) + ")";
-            Rectangle handle = around(end, segment, grid, width, height);
-            int wide = metrics.stringWidth(text);
-            int x = handle.x + (handle.width - wide) / 2;
-            boolean above = (end == End.A) == (segment.y0() <= segment.y1());
-            int y = above ? handle.y - 8 : handle.y + handle.height + metrics.getAscent() + 6;
-            plate(
-                    g,
-                    text,
-                    Math.max(Rulers.left() + 8, Math.min(width - wide - 10, x)),
-                    Math.max(Rulers.top() + metrics.getAscent() + 6, Math.min(height - 10, y)));
+            Rectangle place =
+                    EndLabels.place(
+                            metrics.stringWidth(text) + 10,
+                            metrics.getHeight() + 3,
+                            around(end, segment, grid, width, height),
+                            (end == End.A) == (segment.y0() <= segment.y1()),
+                            within,
+                            seen);
+            plate(g, text, place.x + 5, place.y + 2 + metrics.getAscent());
+            seen.add(place);
         }
+    }
+
+    /** The squares of the pixels in sight that bear a mark. */
+    private List<Rectangle2D> marked() {
+        var stage = new Rectangle(width, height);
+        var marked = new ArrayList<Rectangle2D>();
+        double size = Math.max(7, grid.cell());
+        Pixels square =
+                (x, y) -> {
+                    var each =
+                            new Rectangle2D.Double(
+                                    grid.viewX(x) - size / 2, grid.viewY(y) - size / 2, size, size);
+                    if (stage.intersects(each)) marked.add(each);
+                };
+        drawings.drawing().marks().missing(step, square);
+        drawings.drawing().marks().extra(step, square);
+        return marked;
     }
 
     /** A sentence in the middle of the stage's upper edge, wrapped to its width. */
