@@ -44,12 +44,7 @@ final class LabPictures implements TourPart {
                             models -> models.polygon().chooseMode(PolygonMode.SEED)),
                     new Shot("clip", "clip", models -> {}),
                     new Shot("visibility", "visibility", models -> {}),
-                    new Shot(
-                            "order",
-                            "visibility",
-                            models ->
-                                    models.visibility()
-                                            .compare("cyclic-overlap", "painter", "newell")),
+                    new Shot("order", "visibility", LabPictures::showOrder),
                     new Shot("light", "light", models -> models.light().drawNormals(true)),
                     new Shot("colours", "light", models -> models.light().showColours(true)),
                     new Shot("spline", "spline", models -> {}),
@@ -102,6 +97,12 @@ final class LabPictures implements TourPart {
         models.line().chooseMethod("bresenham-textbook");
         models.clip().chooseMethod("cohen-sutherland-textbook");
         models.clip().compareWith("cohen-sutherland");
+    }
+
+    /** No order of whole boards is right; the list has the order in which they were drawn. */
+    private static void showOrder(LabModels models) {
+        models.visibility().compare("cyclic-overlap", "painter", "newell");
+        models.visibility().watchSteps(true);
     }
 
     private static void showParametricEllipse(LabModels models) {

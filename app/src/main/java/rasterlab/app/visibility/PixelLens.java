@@ -49,6 +49,7 @@ final class PixelLens extends SelfDrawn {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         Optional<Compared> compared = at.second() ? state.otherDifference() : state.difference();
+        if (!state.choice().difference()) compared = Optional.empty();
         paint(g, at, picture.get().raster(), compared);
         g.dispose();
     }

@@ -19,7 +19,7 @@ import rasterlab.engine.transform.SphericalView;
  * @param zoom picture scale as a multiple of the scene's own, {@value #SMALLEST} to {@value
  *     #LARGEST}
  * @param edges whether faces get edges, where the method draws any
- * @param difference whether the exact picture is compared
+ * @param difference whether wrong pixels are marked
  * @param view what the stage shows
  * @param drawing whether the timeline goes through the method's steps; otherwise the scene turns
  * @param look all the rest
@@ -169,6 +169,14 @@ public record VisibilityChoice(
         var draft = new Draft(this);
         draft.look = suited(other, shown);
         return draft.choice();
+    }
+
+    /**
+     * Whether wrong pixels are counted for it: where they are marked, and else as long as the eye
+     * stays, for counting is slower than turning.
+     */
+    boolean isCounted(VisibilityChoice before) {
+        return difference || camera.equals(before.camera) && zoom == before.zoom;
     }
 
     /** The picture without edges, which are no matter of visibility. */

@@ -313,7 +313,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         histories.cancel();
         if (width == 0) return;
         pictures.ask(frame(choice));
-        compared = Optional.of(choice).filter(VisibilityChoice::difference).map(this::plainFrame);
+        compared = Optional.of(choice).filter(now -> now.isCounted(old)).map(this::plainFrame);
         compared.ifPresent(differences::ask);
         if (choice.drawing()) walks.ask(request(choice, choice.visibility()));
         askPixel();

@@ -8,7 +8,7 @@ import java.util.Optional;
  * @param picture the newest finished picture, maybe of an earlier choice
  * @param other the other method's picture, made with it
  * @param difference from the exact picture of the present choice; empty while it is made or when it
- *     is not asked for
+ *     is not counted
  * @param otherDifference the same of the other method
  * @param drawn the method's steps; empty while they are found, or where they are not asked for
  * @param step how many of them are made
@@ -48,7 +48,7 @@ public record VisibilityLabState(
 
     /** Whether wrong pixels are marked: they are told of pictures that are drawn to the end. */
     boolean marked() {
-        return choice.view() == StageView.COLOURS && step == Frame.ALL;
+        return choice.difference() && choice.view() == StageView.COLOURS && step == Frame.ALL;
     }
 
     VisibilityLabState with(VisibilityChoice next) {

@@ -137,8 +137,8 @@ final class VisibilityReadings {
     }
 
     private String compared(Function<Compared, String> reading) {
-        if (!state.choice().difference()) return "–";
-        return state.difference().map(reading).orElseGet(() -> texts.text("comparing"));
+        String meanwhile = state.choice().difference() ? texts.text("comparing") : "–";
+        return state.difference().map(reading).orElse(meanwhile);
     }
 
     /** Radians, and the same as a multiple of π. */

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
@@ -320,6 +321,20 @@ class VisibilityLabModelTest {
             change.run();
             assertEquals("", model.state().problem());
         }
+    }
+
+    @Test
+    void wrongPixelsAreCountedWhenTheLabOpensThoughNotMarked() throws InterruptedException {
+        model.resize(60, 40);
+        settle();
+        assertFalse(model.state().choice().difference());
+        var readings =
+                new VisibilityReadings(model.state(), Texts.of("visibility", Language.ENGLISH));
+        assertTrue(readings.wrongPixels().matches("[0-9]+ pixels"), readings.wrongPixels());
+        assertFalse(model.state().marked());
+        model.turn(0.1, 0);
+        settle();
+        assertTrue(model.state().difference().isEmpty(), "counting slows turning down");
     }
 
     @Test
