@@ -3,6 +3,7 @@ package rasterlab.app.light;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
@@ -11,6 +12,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.util.List;
+import java.util.stream.IntStream;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.Plates;
@@ -101,22 +103,28 @@ final class LightPainter {
         over.setStroke(THIN);
         over.setColor(Color.WHITE);
         over.draw(line);
-        end(over, from, "A");
-        end(over, to, "B");
+        List<Point2D> lamps =
+                IntStream.range(0, choice.lamps().size())
+                        .mapToObj(lamp -> at(LightGrip.Kind.LAMP, lamp, box))
+                        .toList();
+        end(over, from, "A", lamps);
+        end(over, to, "B", lamps);
     }
 
-    private static void end(Graphics2D over, Point2D at, String name) {
+    private static void end(Graphics2D over, Point2D at, String name, List<Point2D> lamps) {
         var square = new Rectangle((int) at.getX() - 5, (int) at.getY() - 5, 10, 10);
         over.setColor(Color.WHITE);
         over.fill(square);
         over.setColor(Color.BLACK);
         over.draw(square);
-        int half = over.getFontMetrics().stringWidth(name) / 2;
+        FontMetrics metrics = over.getFontMetrics();
+        Rectangle place =
+                EndLabel.place(at, metrics.stringWidth(name) + 8, metrics.getHeight() + 1, lamps);
         Plates.plate(
                 over,
                 name,
-                (int) at.getX() - half,
-                (int) at.getY() + 24,
+                place.x + 4,
+                place.y + 1 + metrics.getAscent(),
                 new Color(255, 255, 255, 225),
                 Color.BLACK);
     }
@@ -139,7 +147,7 @@ final class LightPainter {
         Lamp lamp = choice.lamps().get(index);
         Point2D at = at(LightGrip.Kind.LAMP, index, box);
         boolean selected = index == choice.selected();
-        double radius = selected ? 9 : 7;
+        double radius = selected ? 10 : 9;
         over.setStroke(selected ? new BasicStroke(2.4f) : THIN);
         Color frame = selected ? StageColours.DARK.focus() : Color.WHITE;
         for (int ray = 0; ray < 8; ray++) {
@@ -165,6 +173,7 @@ final class LightPainter {
         over.draw(disc);
         String number = Integer.toString(index + 1);
         over.setColor(MethodColours.inkOn(fill));
+        over.setFont(over.getFont().deriveFont(Font.BOLD));
         float width = over.getFontMetrics().stringWidth(number);
         over.drawString(
                 number,

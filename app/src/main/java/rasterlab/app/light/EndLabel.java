@@ -1,0 +1,41 @@
+package rasterlab.app.light;
+
+import java.awt.Rectangle;
+import java.awt.geom.Point2D;
+import java.util.List;
+
+/** Where the letter of the line's end stands: under no lamp. */
+final class EndLabel {
+    /** View units from a lamp's middle to the ends of its rays. */
+    static final int LAMP = 16;
+
+    /** View units from the end's middle to its letter. */
+    private static final int AWAY = 10;
+
+    private EndLabel() {}
+
+    /**
+     * Below the end, above it, to its left or right: the first of them that no lamp touches; below
+     * it where all are touched.
+     *
+     * @param lamps their middles
+     */
+    static Rectangle place(Point2D end, int width, int height, List<Point2D> lamps) {
+        int x = (int) end.getX();
+        int y = (int) end.getY();
+        List<Rectangle> places =
+                List.of(
+                        new Rectangle(x - width / 2, y + AWAY, width, height),
+                        new Rectangle(x - width / 2, y - AWAY - height, width, height),
+                        new Rectangle(x - AWAY - width, y - height / 2, width, height),
+                        new Rectangle(x + AWAY, y - height / 2, width, height));
+        return places.stream()
+                .filter(place -> lamps.stream().noneMatch(lamp -> touches(lamp, place)))
+                .findFirst()
+                .orElse(places.get(0));
+    }
+
+    private static boolean touches(Point2D lamp, Rectangle place) {
+        return place.intersects(lamp.getX() - LAMP, lamp.getY() - LAMP, 2 * LAMP, 2 * LAMP);
+    }
+}

@@ -1,0 +1,40 @@
+package rasterlab.app.light;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import java.awt.Rectangle;
+import java.awt.geom.Point2D;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class EndLabelTest {
+    private static final Point2D END = new Point2D.Double(160, 130);
+
+    private static Rectangle place(List<Point2D> lamps) {
+        return EndLabel.place(END, 16, 18, lamps);
+    }
+
+    @Test
+    void standsBelowTheEnd() {
+        assertEquals(new Rectangle(152, 140, 16, 18), place(List.of()));
+    }
+
+    @Test
+    void leavesEachLampInSight() {
+        var lamps = new ArrayList<Point2D>();
+        for (Point2D lamp :
+                List.of(
+                        new Point2D.Double(155, 160),
+                        new Point2D.Double(165, 100),
+                        new Point2D.Double(125, 130))) {
+            lamps.add(lamp);
+            Rectangle place = place(lamps);
+            for (Point2D each : lamps)
+                assertFalse(
+                        place.intersects(each.getX() - 12, each.getY() - 12, 24, 24),
+                        place + " lies over a lamp at " + each);
+        }
+    }
+}
