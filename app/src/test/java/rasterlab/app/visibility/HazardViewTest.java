@@ -2,6 +2,7 @@ package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -21,12 +22,22 @@ class HazardViewTest {
                 "COARSE"
             })
     void methodFailsInTheView(HazardView view) {
-        RenderRequest request = view.shown(VisibilityChoice.first()).plain(400, 300);
+        assertTrue(wrong(view, view.shown(VisibilityChoice.first()).visibility()) > 0, view.code());
+    }
+
+    @Test
+    void edgeOnThePainterIsRightAsItsNameSays() {
+        assertTrue(wrong(HazardView.EDGE_ON, "painter") < 5);
+        assertTrue(wrong(HazardView.EDGE_ON, "painter-textbook") > 100);
+    }
+
+    private static long wrong(HazardView view, String method) {
+        RenderRequest request =
+                view.shown(VisibilityChoice.first()).withVisibility(method).plain(400, 300);
         var renderer = new Renderer();
-        PictureDifference difference =
-                PictureDifference.of(
+        return PictureDifference.of(
                         renderer.render(request.withVisibility(Renderer.REFERENCE), () -> false),
-                        renderer.render(request, () -> false));
-        assertTrue(difference.wrongPixels() > 0, view.code());
+                        renderer.render(request, () -> false))
+                .wrongPixels();
     }
 }
