@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 
 /**
  * One picture of a plane: all that painting it needs, so that any thread may.
@@ -74,8 +75,7 @@ record PlaneFrame(
                     Rulers.left(), Rulers.top(), width - Rulers.left(), height - Rulers.top());
         else inner.clipRect(0, 0, width, height);
         List<Label> labels = labels(inner);
-        picture.leaving(labels.stream().map(Label::place).toList())
-                .paint(inner, map, colours, cancelled);
+        picture.leaving(taken(labels)).paint(inner, map, colours, cancelled);
         paintPoints(inner, labels);
         if (!note.isEmpty()) Plates.sentence(inner, note, width, colours);
         inner.dispose();
@@ -99,6 +99,21 @@ record PlaneFrame(
                 .filter(point -> inSight(point) && !point.label().isEmpty())
                 .map(point -> label(point, metrics, middleX, middleY))
                 .toList();
+    }
+
+    /** The places of labels and of the rings around points. */
+    private List<Rectangle> taken(List<Label> labels) {
+        Stream<Rectangle> rings =
+                points.stream()
+                        .filter(this::inSight)
+                        .map(
+                                point ->
+                                        new Rectangle(
+                                                (int) (map.viewX(point.x()) - AWAY),
+                                                (int) (map.viewY(point.y()) - AWAY),
+                                                (int) (2 * AWAY),
+                                                (int) (2 * AWAY)));
+        return Stream.concat(labels.stream().map(Label::place), rings).toList();
     }
 
     private boolean inSight(PlanePoint point) {

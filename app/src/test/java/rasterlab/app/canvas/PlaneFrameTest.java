@@ -1,0 +1,71 @@
+package rasterlab.app.canvas;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.Test;
+
+class PlaneFrameTest {
+    private static final PlaneMap MAP =
+            PlaneMap.fitting(
+                    new Rectangle2D.Double(0, 0, 10, 10),
+                    new Rectangle(0, 0, 400, 400),
+                    PlaneAxes.GEOMETRY);
+
+    /** A picture that keeps what it was told to leave. */
+    private record Told(List<Rectangle> places) implements PlanePicture {
+        @Override
+        public void paint(
+                Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {}
+
+        @Override
+        public PlanePicture leaving(List<Rectangle> labels) {
+            places.addAll(labels);
+            return this;
+        }
+    }
+
+    private static PlanePoint point(String label, double x, double y) {
+        return new PlanePoint(label, x, y, PlanePoint.Form.CIRCLE, label, label);
+    }
+
+    private static List<Rectangle> told(PlanePoint... points) {
+        var picture = new Told(new ArrayList<>());
+        new PlaneFrame(
+                        picture,
+                        List.of(points),
+                        "",
+                        MAP,
+                        400,
+                        400,
+                        1,
+                        StageColours.LIGHT,
+                        new Font(Font.SANS_SERIF, Font.PLAIN, 13),
+                        Locale.ENGLISH)
+                .painted(() -> false);
+        return picture.places;
+    }
+
+    @Test
+    void pictureIsToldOfLabelsAndRings() {
+        List<Rectangle> places = told(point("A1 0000", 3, 3), point("", 7, 7));
+        assertEquals(3, places.size(), "one label, two rings");
+        assertFalse(places.get(0).contains(MAP.viewX(3), MAP.viewY(3)), "label on its point");
+        assertTrue(places.get(1).contains(MAP.viewX(3), MAP.viewY(3)), places.toString());
+        assertTrue(places.get(2).contains(MAP.viewX(7), MAP.viewY(7)), places.toString());
+    }
+
+    @Test
+    void pictureIsNotToldOfPointsOutOfSight() {
+        assertEquals(List.of(), told(point("B", 1000, 1000)));
+    }
+}
