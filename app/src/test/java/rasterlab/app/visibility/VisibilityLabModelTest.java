@@ -3,7 +3,6 @@ package rasterlab.app.visibility;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
-import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -22,7 +21,6 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
@@ -298,60 +296,6 @@ class VisibilityLabModelTest {
         model.open(folder.resolve("notes.txt"));
         settle();
         assertTrue(model.state().problem().contains("allowed are .obj"), model.state().problem());
-    }
-
-    @Test
-    void problemWithAFileIsToldUntilTheNextChange(@TempDir Path folder) throws Exception {
-        model.resize(60, 40);
-        model.watchSteps(true);
-        settle();
-        List<Runnable> changes =
-                List.of(
-                        () -> model.turn(0.1, 0),
-                        () -> model.goTo(3),
-                        () -> model.choosePixel(new ChosenPixel(false, 30, 20)),
-                        model::reset);
-        for (Runnable change : changes) {
-            model.open(folder.resolve("gone.obj"));
-            settle();
-            assertNotEquals("", model.state().problem());
-            model.resize(61, 41);
-            model.resize(60, 40);
-            assertNotEquals("", model.state().problem(), "another size is no change of a choice");
-            change.run();
-            assertEquals("", model.state().problem());
-        }
-    }
-
-    @Test
-    void wrongPixelsAreCountedWhenTheLabOpensThoughNotMarked() throws InterruptedException {
-        model.resize(60, 40);
-        settle();
-        assertFalse(model.state().choice().difference());
-        var readings =
-                new VisibilityReadings(model.state(), Texts.of("visibility", Language.ENGLISH));
-        assertTrue(readings.wrongPixels().matches("[0-9]+ pixels"), readings.wrongPixels());
-        assertFalse(model.state().marked());
-        model.turn(0.1, 0);
-        settle();
-        assertTrue(model.state().difference().isEmpty(), "counting slows turning down");
-    }
-
-    @Test
-    void wrongPixelsAreMarkedAtTheLastStepOnly() throws InterruptedException {
-        model.resize(60, 40);
-        model.compare("cyclic-overlap", "painter", "");
-        model.watchSteps(true);
-        settle();
-        assertTrue(model.state().difference().isPresent());
-        assertTrue(model.state().marked());
-        model.goTo(2);
-        assertFalse(model.state().marked());
-        model.goTo(model.lastStep());
-        assertTrue(model.state().marked());
-        model.goTo(2);
-        model.watchSteps(false);
-        assertTrue(model.state().marked(), "a scene that turns is drawn to the end");
     }
 
     @Test
