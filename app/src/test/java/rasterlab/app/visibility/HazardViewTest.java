@@ -27,7 +27,8 @@ class HazardViewTest {
 
     @Test
     void edgeOnThePainterIsRightAsItsNameSays() {
-        assertTrue(wrong(HazardView.EDGE_ON, "painter") < 5);
+        String shown = HazardView.EDGE_ON.shown(VisibilityChoice.first()).visibility();
+        assertTrue(wrong(HazardView.EDGE_ON, shown) < 5, shown);
         assertTrue(wrong(HazardView.EDGE_ON, "painter-textbook") > 100);
     }
 
