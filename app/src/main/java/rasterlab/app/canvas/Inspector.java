@@ -11,6 +11,7 @@ import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /** The column right of the stage: choosers, live numbers and explanations under headings. */
@@ -24,6 +25,10 @@ public final class Inspector extends JPanel implements Scrollable {
                 new MigLayout(
                         "insets 0 2 4 0, gap 6 5, wrap 2, hidemode 3", "[pref!]8[grow,fill]", ""));
         this.texts = texts;
+    }
+
+    Language language() {
+        return texts.language();
     }
 
     public void heading(String key) {

@@ -1,6 +1,7 @@
 package rasterlab.app.line;
 
 import java.text.NumberFormat;
+import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 
 /** The live numbers of a state as the inspector writes them. */
@@ -16,7 +17,7 @@ final class LineReadings {
     String pixel() {
         return state.step() == 0
                 ? "–"
-                : "(" + drawing().x(state.step()) + ", " + drawing().y(state.step()) + ")";
+                : Shown.point(drawing().x(state.step()), drawing().y(state.step()), texts.locale());
     }
 
     /** The decision variable and which pixel it is about. */
