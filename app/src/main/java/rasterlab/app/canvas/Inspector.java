@@ -18,6 +18,9 @@ import rasterlab.app.language.Texts;
 public final class Inspector extends JPanel implements Scrollable {
     private static final long serialVersionUID = 1L;
 
+    /** What sizes rounded one by one can be larger than their rounded sum. */
+    private static final int ROUNDING = 6;
+
     private final transient Texts texts;
 
     public Inspector(Texts texts) {
@@ -93,7 +96,7 @@ public final class Inspector extends JPanel implements Scrollable {
 
     @Override
     public boolean getScrollableTracksViewportWidth() {
-        return true;
+        return getParent().getWidth() >= getMinimumSize().width - ROUNDING;
     }
 
     @Override

@@ -19,11 +19,11 @@ import net.miginfocom.swing.MigLayout;
 public final class LabLayout extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** Width of the inspector at 100 %; more where a list of choices needs more. */
+    /**
+     * Width of the inspector at 100 %; more where a list of choices needs more, and at most half of
+     * the lab: what then does not fit is scrolled.
+     */
     public static final int INSPECTOR = 352;
-
-    /** What sizes rounded one by one can be larger than their rounded sum. */
-    private static final int ROUNDING = 3;
 
     private static final String HIDDEN = "Rasterlab.inspectorsHidden";
 
@@ -48,7 +48,8 @@ public final class LabLayout extends JPanel {
         hiding = new InspectorSwitch(inspector.language(), () -> toggle(stage));
         add(chips, "wmin 0, growx");
         add(hiding, "spany 3, growy");
-        String width = "w " + INSPECTOR + ":" + needed(inspector) + "px, ";
+        int wide = Math.max(UIScale.scale(INSPECTOR), needed(inspector));
+        String width = "w 0:" + wide + "px:50%, ";
         add(column, width + "spany 3, growy, wrap, hmin 0");
         add(stage, "wmin 100, hmin 100, wrap");
         add(timeline, "wmin 0, growx");
@@ -88,7 +89,7 @@ public final class LabLayout extends JPanel {
     /** In view units as they are, where INSPECTOR still grows with the font. */
     private static int needed(Inspector inspector) {
         int bar = UIScale.scale(UIManager.getInt("ScrollBar.width"));
-        return inspector.getMinimumSize().width + bar + ROUNDING;
+        return inspector.getMinimumSize().width + bar;
     }
 
     private static JPanel column(Inspector inspector, JComponent actions) {
@@ -106,7 +107,7 @@ public final class LabLayout extends JPanel {
                 new JScrollPane(
                         inspector,
                         ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
-                        ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+                        ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.setName("inspector.scroll");
         return scroll;

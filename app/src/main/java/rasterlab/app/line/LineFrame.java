@@ -9,13 +9,11 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
-import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.Rulers;
-import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.engine.line.Segment;
@@ -27,7 +25,6 @@ import rasterlab.engine.line.Segment;
  * @param width of the stage in view units
  * @param height of the stage in view units
  * @param scale device dots per view unit
- * @param locale of the coordinates
  * @param font of a label
  * @param note a sentence over the picture, "" for none
  */
@@ -39,7 +36,6 @@ record LineFrame(
         int height,
         double scale,
         StageColours colours,
-        Locale locale,
         Font font,
         String note) {
     /**
@@ -105,7 +101,7 @@ record LineFrame(
         Segment segment = drawings.choice().segment();
         FontMetrics metrics = g.getFontMetrics();
         for (End end : End.values()) {
-            String text = end + " " + Shown.point(end.x(segment), end.y(segment), locale);
+            String text = end + " (" + end.x(segment) + ", " + end.y(segment) + ")";
             Rectangle handle = around(end, segment, grid, width, height);
             int wide = metrics.stringWidth(text);
             int x = handle.x + (handle.width - wide) / 2;

@@ -213,7 +213,6 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                 getHeight(),
                 DevicePixels.scale(this),
                 StageColours.now(),
-                texts.locale(),
                 UIManager.getFont("Label.font"),
                 LineNotes.about(state.drawings(), texts).orElse(""));
     }
