@@ -57,8 +57,8 @@ class ClosedWindowTest {
                 new LabFrame(
                         LabModels.first(failures::add),
                         LabSettings.first(Language.ENGLISH).with(LabLook.first(Language.ENGLISH)),
-                        new SettingsFile(settings, problems::add),
-                        LabsFile.beside(settings, problems::add),
+                        new SettingsFile(settings, each -> problems.add(each.toString())),
+                        LabsFile.beside(settings, each -> problems.add(each.toString())),
                         failures::add);
         frame.setVisible(true);
         return frame;

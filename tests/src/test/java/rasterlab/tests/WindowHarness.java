@@ -64,9 +64,12 @@ abstract class WindowHarness {
                                             LabLook.first(Language.ENGLISH),
                                             "line",
                                             Optional.empty(),
-                                            false),
-                                    new SettingsFile(settings(), problems::add),
-                                    LabsFile.beside(settings(), problems::add),
+                                            false,
+                                            true),
+                                    new SettingsFile(
+                                            settings(), each -> problems.add(each.toString())),
+                                    LabsFile.beside(
+                                            settings(), each -> problems.add(each.toString())),
                                     failures::add);
                         });
         window = new FrameFixture(robot, frame);

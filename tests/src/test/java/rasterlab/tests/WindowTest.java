@@ -176,7 +176,7 @@ class WindowTest extends WindowHarness {
         GuiActionRunner.execute(frame::dispose);
         await("settings are written", () -> Files.exists(settings()));
         LabSettings kept =
-                new SettingsFile(settings(), problems::add)
+                new SettingsFile(settings(), each -> problems.add(each.toString()))
                         .load(LabSettings.first(Language.ENGLISH));
         assertEquals("visibility", kept.tab());
         assertEquals(Language.RUSSIAN, kept.look().language());

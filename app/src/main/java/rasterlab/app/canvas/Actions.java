@@ -45,7 +45,7 @@ public final class Actions extends JPanel {
         button.addActionListener(e -> action.run());
         buttons.put(key, button);
         boolean alone = key.equals("copyCommand") && getComponentCount() % 2 == 0;
-        add(button, alone ? "span 2, wmin 0" : "wmin 0");
+        add(button, alone ? "span 2, wmin pref" : "wmin pref");
     }
 
     /** Adds buttons for undo and redo; {@link #refreshUndo} enables them. */

@@ -30,12 +30,21 @@ public record Formula(List<Part> parts) {
     /**
      * A matrix in square brackets.
      *
+     * @param heads above the brackets, one for each column; none where they are empty
      * @param cells row by row, all rows equally long
      */
-    public record Matrix(List<List<String>> cells) implements Part {
+    public record Matrix(List<String> heads, List<List<String>> cells) implements Part {
         public Matrix {
+            heads = List.copyOf(heads);
             cells = cells.stream().map(List::copyOf).toList();
             requireRows(cells);
+            if (!heads.isEmpty() && heads.size() != cells.get(0).size())
+                throw new IllegalArgumentException(
+                        "matrix needs a head for each column, got " + heads + " over " + cells);
+        }
+
+        public Matrix(List<List<String>> cells) {
+            this(List.of(), cells);
         }
 
         private static void requireRows(List<List<String>> cells) {
@@ -57,9 +66,10 @@ public record Formula(List<Part> parts) {
 
         @Override
         public String said() {
+            String above = heads.isEmpty() ? "" : String.join(" ", heads) + ": ";
             return cells.stream()
                     .map(row -> String.join(" ", row))
-                    .collect(Collectors.joining("; ", "[", "]"));
+                    .collect(Collectors.joining("; ", above + "[", "]"));
         }
     }
 

@@ -10,6 +10,7 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.accessibility.AccessibleRole;
 import javax.swing.UIManager;
 
@@ -102,15 +103,21 @@ public final class FormulaView extends SelfDrawn {
 
     private static void paint(Graphics2D g, Formula.Matrix matrix, int left, int top) {
         FontMetrics metrics = g.getFontMetrics();
-        int tall = height(matrix, metrics);
+        int above = heads(matrix, metrics);
+        int tall = height(matrix, metrics) - above;
         int wide = width(matrix, metrics);
         int hook = bracket(metrics) / 2;
-        bracket(g, left, top, tall, hook);
-        bracket(g, left + wide - 1, top, tall, -hook);
+        bracket(g, left, top + above, tall, hook);
+        bracket(g, left + wide - 1, top + above, tall, -hook);
         int right = left + bracket(metrics);
         for (int column = 0; column < matrix.columns(); column++) {
             right += columnWidth(matrix, column, metrics);
             int base = top + metrics.getAscent() + 1;
+            if (above > 0) {
+                String head = matrix.heads().get(column);
+                g.drawString(head, right - metrics.stringWidth(head), base - 1);
+            }
+            base += above;
             for (List<String> row : matrix.cells()) {
                 String cell = row.get(column);
                 g.drawString(cell, right - metrics.stringWidth(cell), base);
@@ -142,7 +149,8 @@ public final class FormulaView extends SelfDrawn {
     }
 
     private static int columnWidth(Formula.Matrix matrix, int column, FontMetrics metrics) {
-        return matrix.cells().stream()
+        return Stream.concat(Stream.of(matrix.heads()), matrix.cells().stream())
+                .filter(row -> !row.isEmpty())
                 .mapToInt(row -> metrics.stringWidth(row.get(column)))
                 .max()
                 .orElse(0);
@@ -160,7 +168,12 @@ public final class FormulaView extends SelfDrawn {
     }
 
     private static int height(Formula.Matrix matrix, FontMetrics metrics) {
-        return matrix.cells().size() * metrics.getHeight() + 2;
+        return heads(matrix, metrics) + matrix.cells().size() * metrics.getHeight() + 2;
+    }
+
+    /** Height of the heads above the brackets. */
+    private static int heads(Formula.Matrix matrix, FontMetrics metrics) {
+        return matrix.heads().isEmpty() ? 0 : metrics.getHeight();
     }
 
     private static int space(FontMetrics metrics) {

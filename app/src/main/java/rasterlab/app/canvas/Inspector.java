@@ -11,11 +11,15 @@ import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /** The column right of the stage: choosers, live numbers and explanations under headings. */
 public final class Inspector extends JPanel implements Scrollable {
     private static final long serialVersionUID = 1L;
+
+    /** What sizes rounded one by one can be larger than their rounded sum. */
+    private static final int ROUNDING = 6;
 
     private final transient Texts texts;
 
@@ -24,6 +28,10 @@ public final class Inspector extends JPanel implements Scrollable {
                 new MigLayout(
                         "insets 0 2 4 0, gap 6 5, wrap 2, hidemode 3", "[pref!]8[grow,fill]", ""));
         this.texts = texts;
+    }
+
+    Language language() {
+        return texts.language();
     }
 
     public void heading(String key) {
@@ -88,7 +96,7 @@ public final class Inspector extends JPanel implements Scrollable {
 
     @Override
     public boolean getScrollableTracksViewportWidth() {
-        return true;
+        return getParent().getWidth() >= getMinimumSize().width - ROUNDING;
     }
 
     @Override

@@ -1,23 +1,34 @@
 package rasterlab.app.canvas;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.Component;
+import java.awt.Container;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ScrollPaneConstants;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 
 /**
  * The one layout of every lab: hazard chips above the stage, the stage left and largest, the
- * inspector on the right, the timeline below.
+ * inspector on the right, which can be hidden, the timeline below.
  */
 public final class LabLayout extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    /** Width of the inspector at 100 %; more where a list of choices needs more. */
+    /**
+     * Width of the inspector at 100 %; more where a list of choices needs more, and at most half of
+     * the lab: what then does not fit is scrolled.
+     */
     public static final int INSPECTOR = 352;
+
+    private static final String HIDDEN = "Rasterlab.inspectorsHidden";
+
+    private final JPanel column;
+    private final InspectorSwitch hiding;
 
     /**
      * @param actions buttons that stay in sight below the inspector
@@ -30,13 +41,49 @@ public final class LabLayout extends JPanel {
             JComponent timeline) {
         super(
                 new MigLayout(
-                        "insets 8 10 10 0, gap 10 8",
-                        "[grow,fill][" + INSPECTOR + ":" + needed(inspector) + "px,fill,shrink 0]",
+                        "insets 8 10 10 0, gap 0 8, hidemode 3",
+                        "[grow,fill]1[fill,shrink 0]1[fill,shrink 0]",
                         "[][grow,fill][]"));
+        column = column(inspector, actions);
+        hiding = new InspectorSwitch(inspector.language(), () -> toggle(stage));
         add(chips, "wmin 0, growx");
-        add(column(inspector, actions), "spany 3, growy, wrap, hmin 0");
+        add(hiding, "spany 3, growy");
+        int wide = Math.max(UIScale.scale(INSPECTOR), needed(inspector));
+        String width = "w 0:" + wide + "px:50%, ";
+        add(column, width + "spany 3, growy, wrap, hmin 0");
         add(stage, "wmin 100, hmin 100, wrap");
         add(timeline, "wmin 0, growx");
+        refresh();
+    }
+
+    /** Whether the labs show their inspectors. On the event thread. */
+    public static boolean showsInspectors() {
+        return !UIManager.getBoolean(HIDDEN);
+    }
+
+    /** Shows or hides the inspectors of every lab made from now on. On the event thread. */
+    public static void showInspectors(boolean shown) {
+        UIManager.put(HIDDEN, !shown);
+    }
+
+    /** In every lab of the window at once, so that no tab looks otherwise than the one before. */
+    private void toggle(JComponent stage) {
+        showInspectors(!showsInspectors());
+        Component window = SwingUtilities.getRoot(this);
+        refreshAll(window instanceof Container all ? all : this);
+        if (!column.isVisible() && !stage.requestFocusInWindow()) hiding.requestFocusInWindow();
+    }
+
+    private static void refreshAll(Container container) {
+        if (container instanceof LabLayout lab) lab.refresh();
+        for (Component each : container.getComponents())
+            if (each instanceof Container inner) refreshAll(inner);
+    }
+
+    private void refresh() {
+        column.setVisible(showsInspectors());
+        hiding.refresh(showsInspectors());
+        revalidate();
     }
 
     /** In view units as they are, where INSPECTOR still grows with the font. */
@@ -60,7 +107,7 @@ public final class LabLayout extends JPanel {
                 new JScrollPane(
                         inspector,
                         ScrollPaneConstants.VERTICAL_SCROLLBAR_ALWAYS,
-                        ScrollPaneConstants.HORIZONTAL_SCROLLBAR_NEVER);
+                        ScrollPaneConstants.HORIZONTAL_SCROLLBAR_AS_NEEDED);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.setName("inspector.scroll");
         return scroll;

@@ -1,12 +1,13 @@
 package rasterlab.app.canvas;
 
+import java.awt.Dimension;
 import java.util.function.DoubleConsumer;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
 import net.miginfocom.swing.MigLayout;
 
-/** A real number on a slider, with the number behind it. */
+/** A real number on a slider, with the number behind it in a column of its own. */
 public final class NumberSlider extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -14,7 +15,7 @@ public final class NumberSlider extends JPanel {
     private final double most;
     private final boolean logarithmic;
     private final JSlider slider;
-    private final JLabel reading = new JLabel();
+    private final JLabel reading = new Reading();
     private boolean refreshing;
 
     /**
@@ -64,6 +65,24 @@ public final class NumberSlider extends JPanel {
         slider.setValue(notch(number));
         refreshing = false;
         reading.setText(text);
+    }
+
+    /** As wide as the longest usual number, so that sliders below each other end together. */
+    private static final class Reading extends JLabel {
+        private static final long serialVersionUID = 1L;
+
+        private static final String LONGEST = "0.000 ρ";
+
+        Reading() {
+            super("", TRAILING);
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            Dimension own = super.getPreferredSize();
+            int longest = getFontMetrics(getFont()).stringWidth(LONGEST);
+            return new Dimension(Math.max(own.width, longest), own.height);
+        }
     }
 
     private double number(int notch) {

@@ -43,9 +43,14 @@ public final class Shown {
         return number.substring(0, mark) + "·10" + raised;
     }
 
-    /** {@code (x, y)}; between numbers with a decimal comma stands a semicolon. */
+    /** {@code (x, y)}, with what stands between numbers in that language. */
     public static String point(double x, double y, Locale locale) {
+        return "(" + number(x, locale) + apart(locale) + number(y, locale) + ")";
+    }
+
+    /** What stands between numbers: a semicolon where they have a decimal comma. */
+    public static String apart(Locale locale) {
         char comma = DecimalFormatSymbols.getInstance(locale).getDecimalSeparator();
-        return "(" + number(x, locale) + (comma == ',' ? "; " : ", ") + number(y, locale) + ")";
+        return comma == ',' ? "; " : ", ";
     }
 }

@@ -22,6 +22,7 @@ public final class StepPlayer extends JPanel {
     private final transient Steps steps;
     private final transient Texts texts;
     private final transient Supplier<String> reading;
+    private final JPanel buttons = new JPanel(new MigLayout("insets 0, gap 4", "", "[center]"));
     private final JButton toStart;
     private final JButton back;
     private final JButton play;
@@ -38,7 +39,8 @@ public final class StepPlayer extends JPanel {
      * @param reading what stands beside the position, such as "3 / 12"
      */
     public StepPlayer(Texts texts, Steps steps, Supplier<String> reading) {
-        super(new MigLayout("insets 0, gap 4", "[][][][][]8[grow,fill]8[]16[]4[]", "[center]"));
+        super(new PlayerRows(16));
+        FlowRows.keepWrapped(this);
         this.steps = steps;
         this.texts = texts;
         this.reading = reading;
@@ -47,6 +49,7 @@ public final class StepPlayer extends JPanel {
         play = button("play", PlayerIcon.PLAY, this::togglePlaying);
         forward = button("forward", PlayerIcon.FORWARD, () -> steps.goTo(steps.step() + 1));
         toEnd = button("toEnd", PlayerIcon.TO_END, () -> steps.goTo(steps.last()));
+        add(buttons);
         addPosition();
         addSpeed();
         setPace();
@@ -115,7 +118,7 @@ public final class StepPlayer extends JPanel {
         button.setName("player." + key);
         name(button, "player." + key);
         button.addActionListener(e -> action.run());
-        add(button);
+        buttons.add(button);
         return button;
     }
 
@@ -131,9 +134,11 @@ public final class StepPlayer extends JPanel {
                 e -> {
                     if (!refreshing) steps.goTo(position.getValue());
                 });
-        add(position, "wmin 60");
+        var place = new JPanel(new MigLayout("insets 0, gap 8", "[grow,fill][]", "[center]"));
+        place.add(position, "wmin 60");
         count.setName("player.count");
-        add(count);
+        place.add(count);
+        add(place);
     }
 
     private void addSpeed() {
@@ -143,8 +148,10 @@ public final class StepPlayer extends JPanel {
         name(speed, "player.speed.hint");
         speed.setSnapToTicks(true);
         speed.addChangeListener(e -> setPace());
-        add(label);
-        add(speed, "w 90!");
+        var pace = new JPanel(new MigLayout("insets 0, gap 4", "[][]", "[center]"));
+        pace.add(label);
+        pace.add(speed, "w 90!");
+        add(pace);
     }
 
     private void setPace() {

@@ -71,6 +71,16 @@ public final class Texts {
                 : new MessageFormat(pattern, locale()).format(arguments);
     }
 
+    /**
+     * A noun in the form that goes with the number: {@code KEY.one}, {@code KEY.few}, {@code
+     * KEY.many}, {@code KEY.other}.
+     *
+     * @see Language#plural
+     */
+    public String plural(String key, double number) {
+        return text(key + "." + language.plural(number));
+    }
+
     /** The text, or {@code otherwise} where there is none, for names that others may add. */
     public String textOr(String key, String otherwise) {
         return has(key) ? text(key) : otherwise;

@@ -92,7 +92,10 @@ final class ColourInspector {
             boolean hue = row.model().isHue(row.index());
             String said =
                     Double.isNaN(value) ? "–" : Shown.number(value, hue ? 0 : 3, texts.locale());
-            row.slider().show(Double.isNaN(value) ? 0 : value, hue ? said + "°" : said);
+            row.slider()
+                    .show(
+                            Double.isNaN(value) ? 0 : value,
+                            hue && !Double.isNaN(value) ? said + "°" : said);
         }
         method.show(colour.method());
         colour.roundTrips().forEach((each, error) -> errors.get(each).setText(error(error)));

@@ -113,7 +113,7 @@ public final class LightPanel extends LabPanel {
 
     /** Colours on which models or methods fail. */
     private Chips colourChips() {
-        var chips = new Chips(texts.text("hazards"));
+        var chips = new Chips(texts.text("colours.situations"));
         chip(chips, "grey", 0.5, 0.5, 0.5);
         chip(chips, "black", 0, 0, 0);
         chip(chips, "nearly-grey", 0.5, 0.5, 0.501);

@@ -90,9 +90,9 @@ final class LightReadings {
 
     private String numbers(double[] values, int decimals) {
         return Shown.number(Math.rint(values[0]), decimals, texts.locale())
-                + "; "
+                + Shown.apart(texts.locale())
                 + Shown.number(Math.rint(values[1]), decimals, texts.locale())
-                + "; "
+                + Shown.apart(texts.locale())
                 + Shown.number(Math.rint(values[2]), decimals, texts.locale());
     }
 }

@@ -8,6 +8,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.Locale;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
@@ -15,12 +16,15 @@ import rasterlab.app.language.Texts;
 
 /** Brightness along the line by the three shadings, and what the eye makes of it. */
 final class ProfilePainter {
+    private static final int BESIDE = 8;
     private static final int RIGHT = 14;
 
     /** What the eye reports runs over by so much at most. */
     private static final double LEAST = -0.15;
 
     private static final double MOST = 1.15;
+
+    private static final double LEVELS = 0.25;
 
     private final Graphics2D g;
     private final Texts texts;
@@ -40,10 +44,7 @@ final class ProfilePainter {
     void paint(int width, int height) {
         g.setColor(colours.ground());
         g.fillRect(0, 0, width, height);
-        int top = g.getFontMetrics().getHeight() + 12;
-        int left = g.getFontMetrics().stringWidth("0.75") + 14;
-        int bottom = g.getFontMetrics().getHeight() + 6;
-        var box = new Rectangle2D.Double(left, top, width - left - RIGHT, height - top - bottom);
+        Rectangle2D.Double box = box(width, height, g.getFontMetrics(), texts.locale());
         if (box.width < 10 || box.height < 10) return;
         axes(box);
         boolean mach = drawn.choice().mach();
@@ -56,6 +57,20 @@ final class ProfilePainter {
         legend(box, mach);
     }
 
+    /** Where the curves lie: what is written around it has the room that its type needs. */
+    static Rectangle2D.Double box(int width, int height, FontMetrics metrics, Locale locale) {
+        int top = metrics.getHeight() + 12;
+        int bottom = metrics.getHeight() + 6;
+        int left = BESIDE;
+        for (double level = 0; level <= 1; level += LEVELS)
+            left = Math.max(left, metrics.stringWidth(level(level, locale)) + 2 * BESIDE);
+        return new Rectangle2D.Double(left, top, width - left - RIGHT, height - top - bottom);
+    }
+
+    private static String level(double level, Locale locale) {
+        return Shown.number(level, 2, locale);
+    }
+
     private double y(double brightness, Rectangle2D box) {
         double share = (brightness - LEAST) / (MOST - LEAST);
         return box.getMaxY() - box.getHeight() * Math.max(0, Math.min(1, share));
@@ -64,15 +79,15 @@ final class ProfilePainter {
     private void axes(Rectangle2D box) {
         FontMetrics metrics = g.getFontMetrics();
         g.setStroke(new BasicStroke(1f));
-        for (double level = 0; level <= 1; level += 0.25) {
+        for (double level = 0; level <= 1; level += LEVELS) {
             double y = y(level, box);
             g.setColor(level == 0 ? colours.axis() : colours.grid());
             g.draw(new Line2D.Double(box.getX(), y, box.getMaxX(), y));
             g.setColor(colours.ink());
-            String text = Shown.number(level, 2, texts.locale());
+            String text = level(level, texts.locale());
             g.drawString(
                     text,
-                    (float) (box.getX() - 8 - metrics.stringWidth(text)),
+                    (float) (box.getX() - BESIDE - metrics.stringWidth(text)),
                     (float) (y + metrics.getAscent() / 2.0 - 1));
         }
         g.setColor(colours.ink());

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.Actions;
@@ -13,6 +14,7 @@ import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
@@ -27,7 +29,7 @@ final class FigurePanel extends LabPanel {
     private final transient FigureInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
-    private final Map<LineMode, Chips> chips = new EnumMap<>(LineMode.class);
+    private final Map<LineMode, JComponent> chips = new EnumMap<>(LineMode.class);
     private final transient Runnable unsubscribe;
 
     /**
@@ -109,7 +111,8 @@ final class FigurePanel extends LabPanel {
             all.add(row, "wmin 0, growx, wrap");
         }
         for (LineMode mode : List.of(LineMode.PEN, LineMode.BRIGHTNESS)) {
-            var sentence = new Chips(texts.text("figure.intro." + mode.code()));
+            var sentence = new WrappedText("introduction");
+            sentence.show(texts.text("figure.intro." + mode.code()));
             chips.put(mode, sentence);
             all.add(sentence, "wmin 0, growx, wrap");
         }

@@ -2,6 +2,7 @@ package rasterlab.app.line;
 
 import java.text.NumberFormat;
 import java.util.stream.Collectors;
+import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 
 /** The live numbers of a state as the inspector writes them. */
@@ -17,7 +18,7 @@ final class LineReadings {
     String pixel() {
         if (state.step() == 0) return "–";
         return drawing().shades(state.step()).stream()
-                .map(shade -> "(" + shade.x() + ", " + shade.y() + ")")
+                .map(shade -> Shown.point(shade.x(), shade.y(), texts.locale()))
                 .collect(Collectors.joining(", "));
     }
 

@@ -29,6 +29,7 @@ import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
+import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.ZoomButtons;
@@ -275,7 +276,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
 
         private void point(MouseEvent e) {
             Point pixel = grid().pixelAt(e.getX(), e.getY());
-            pointed.setText("(" + pixel.x + ", " + pixel.y + ")");
+            pointed.setText(Shown.point(pixel.x, pixel.y, texts.locale()));
             pointed.setVisible(true);
         }
     }

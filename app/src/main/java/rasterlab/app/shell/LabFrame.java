@@ -16,6 +16,7 @@ import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.WindowConstants;
+import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.exercise.Closing;
 import rasterlab.app.exercise.ClosingDialog;
 import rasterlab.app.language.Language;
@@ -29,9 +30,8 @@ public final class LabFrame extends JFrame {
     private static final Dimension FIRST = new Dimension(1280, 800);
 
     private final transient LabModels models;
-    private final transient SettingsFile file;
-    private final transient LabsFile labsFile;
     private final transient Consumer<Throwable> onFailure;
+    private final transient StateKeeper keeper;
     private transient LabSettings settings;
     private transient LabTabs tabs;
     private LabContent content;
@@ -40,8 +40,8 @@ public final class LabFrame extends JFrame {
     /**
      * A frame that is not shown yet. On the event thread, with the settings' theme installed.
      *
-     * @param file where the settings are kept when the window closes
-     * @param labsFile where what the labs show is kept then
+     * @param file where the settings are kept, soon after they change
+     * @param labsFile where what the labs show is kept likewise
      * @param onFailure told what fails, on any thread
      */
     public LabFrame(
@@ -52,10 +52,9 @@ public final class LabFrame extends JFrame {
             Consumer<Throwable> onFailure) {
         this.models = models;
         this.settings = settings;
-        this.file = file;
-        this.labsFile = labsFile;
         this.onFailure = onFailure;
         models.exercises().keepIn(file.folder());
+        LabLayout.showInspectors(settings.controls());
         setName("lab");
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         setMinimumSize(UIScale.scale(LEAST));
@@ -75,6 +74,7 @@ public final class LabFrame extends JFrame {
         addWindowFocusListener(new FirstFocus());
         fill(settings.tab());
         place();
+        keeper = new StateKeeper(file, labsFile, this::settings, models);
     }
 
     public LabLook look() {
@@ -104,6 +104,7 @@ public final class LabFrame extends JFrame {
         if (look.theme() != before.theme() || look.textPercent() != before.textPercent())
             FlatLaf.updateUI();
         refill();
+        keeper.look();
     }
 
     public void speak(Language language) {
@@ -174,10 +175,15 @@ public final class LabFrame extends JFrame {
         }
     }
 
-    private void end() {
-        labsFile.save(models);
+    /** The settings as the window stands now. */
+    private LabSettings settings() {
         boolean filled = (getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH;
-        file.save(settings.at(content.shown(), filled ? unmaximised : getBounds(), filled));
+        return settings.withControls(LabLayout.showsInspectors())
+                .at(content.shown(), filled ? unmaximised : getBounds(), filled);
+    }
+
+    private void end() {
+        keeper.close();
         tabs.close();
         models.close();
         // Else a later theme gives the closed window's controls their keys again, which keeps it.

@@ -10,22 +10,28 @@ import rasterlab.app.language.Language;
  * @param tab name of the tab that was shown
  * @param bounds where the window was on the screen, in view units; empty before the first run
  * @param maximised whether it filled the screen
+ * @param controls whether the labs showed the column of controls beside their picture
  */
-public record LabSettings(LabLook look, String tab, Optional<Rectangle> bounds, boolean maximised) {
+public record LabSettings(
+        LabLook look, String tab, Optional<Rectangle> bounds, boolean maximised, boolean controls) {
     public LabSettings {
         bounds = bounds.map(Rectangle::new);
     }
 
     /** The settings of a first run. */
     public static LabSettings first(Language language) {
-        return new LabSettings(LabLook.first(language), "", Optional.empty(), false);
+        return new LabSettings(LabLook.first(language), "", Optional.empty(), false, true);
     }
 
     public LabSettings with(LabLook other) {
-        return new LabSettings(other, tab, bounds, maximised);
+        return new LabSettings(other, tab, bounds, maximised, controls);
     }
 
     public LabSettings at(String shownTab, Rectangle place, boolean filled) {
-        return new LabSettings(look, shownTab, Optional.of(place), filled);
+        return new LabSettings(look, shownTab, Optional.of(place), filled, controls);
+    }
+
+    public LabSettings withControls(boolean shown) {
+        return new LabSettings(look, tab, bounds, maximised, shown);
     }
 }

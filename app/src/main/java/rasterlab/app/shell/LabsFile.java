@@ -10,8 +10,10 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.datatype.jdk8.Jdk8Module;
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
@@ -41,19 +43,18 @@ public final class LabsFile {
                     .build();
 
     private final Path file;
-    private final Consumer<String> problem;
+    private final Consumer<Problem> problem;
 
     /**
-     * @param problem told, once for every lab, what cannot be kept or brought back, in one English
-     *     line
+     * @param problem told, once for every lab, what cannot be kept or brought back
      */
-    public LabsFile(Path file, Consumer<String> problem) {
+    public LabsFile(Path file, Consumer<Problem> problem) {
         this.file = file;
         this.problem = problem;
     }
 
     /** The file beside the window's settings. */
-    public static LabsFile beside(Path settings, Consumer<String> problem) {
+    public static LabsFile beside(Path settings, Consumer<Problem> problem) {
         return new LabsFile(settings.resolveSibling("labs.json"), problem);
     }
 
@@ -67,7 +68,7 @@ public final class LabsFile {
             root = JSON.readTree(file.toFile());
             if (!root.isObject()) throw new IOException("not a JSON object");
         } catch (IOException e) {
-            problem.accept("cannot use what the labs showed, in " + file + ": " + reason(e));
+            problem.accept(Problem.of("labs.notUsed", file.toString(), reason(e)));
             return;
         }
         models.kept().forEach((name, lab) -> bringBack(name, lab, root.path(name)));
@@ -79,27 +80,38 @@ public final class LabsFile {
             lab.bringBack(JSON.treeToValue(kept, lab.keptType()));
         } catch (JsonProcessingException | RuntimeException e) {
             // A file that was changed by hand can miss more than a lab's own checks look at.
-            problem.accept(
-                    "cannot use what the lab '" + name + "' showed, in " + file + ": " + reason(e));
+            problem.accept(Problem.of("labs.oneNotUsed", file.toString(), name, reason(e)));
         }
+    }
+
+    /** What every lab shows, by the names of their parts of the file. On the event thread. */
+    static Map<String, Object> choices(LabModels models) {
+        var choices = new LinkedHashMap<String, Object>();
+        models.kept().forEach((name, lab) -> choices.put(name, lab.kept()));
+        return choices;
     }
 
     /** Keeps what every lab shows, whole or not at all. On the event thread. */
     public void save(LabModels models) {
+        save(choices(models));
+    }
+
+    /** Keeps what the labs showed, whole or not at all. On any thread. */
+    synchronized void save(Map<String, Object> choices) {
         ObjectNode root = JSON.createObjectNode();
-        for (Map.Entry<String, Kept<?>> each : models.kept().entrySet())
-            root.set(each.getKey(), JSON.valueToTree(each.getValue().kept()));
+        choices.forEach((name, choice) -> root.set(name, JSON.valueToTree(choice)));
         try {
-            Files.createDirectories(file.toAbsolutePath().getParent());
+            WholeFile.requireFolder(file.toAbsolutePath().getParent());
             WholeFile.write(file, JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root));
         } catch (IOException | Complaint e) {
-            problem.accept("cannot keep what the labs show, in " + file + ": " + reason(e));
+            problem.accept(Problem.of("labs.notKept", reason(e)));
         }
     }
 
     private static String reason(Exception e) {
         String message =
                 e instanceof JsonProcessingException json ? json.getOriginalMessage() : null;
+        if (e instanceof FileSystemException io) message = WholeFile.reason(io);
         if (message == null) message = e.getMessage() == null ? e.toString() : e.getMessage();
         return message.lines().findFirst().orElse(e.toString());
     }

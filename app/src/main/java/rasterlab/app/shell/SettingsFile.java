@@ -1,16 +1,17 @@
 package rasterlab.app.shell;
 
-import java.awt.Rectangle;
 import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.function.Consumer;
-import rasterlab.app.language.Language;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.WholeFile;
 
 /**
  * The window's settings in a small file of the user's.
@@ -20,13 +21,13 @@ import rasterlab.app.language.Language;
  */
 public final class SettingsFile {
     private final Path file;
-    private final Consumer<String> problem;
+    private final Consumer<Problem> problem;
     private boolean told;
 
     /**
-     * @param problem told, at most once, what is wrong with the file, in one English line
+     * @param problem told, at most once, what is wrong with the file
      */
-    public SettingsFile(Path file, Consumer<String> problem) {
+    public SettingsFile(Path file, Consumer<Problem> problem) {
         this.file = file;
         this.problem = problem;
     }
@@ -62,74 +63,38 @@ public final class SettingsFile {
     }
 
     /** What the file holds; the given settings where it holds nothing or nonsense. */
-    public LabSettings load(LabSettings otherwise) {
+    public synchronized LabSettings load(LabSettings otherwise) {
         if (!Files.exists(file)) return otherwise;
         try (var in = Files.newBufferedReader(file)) {
             var kept = new Properties();
             kept.load(in);
-            return parse(kept);
-        } catch (IOException | IllegalArgumentException e) {
-            tell("cannot use the window settings in " + file + ": " + reason(e));
-            return otherwise;
-        }
-    }
-
-    public void save(LabSettings settings) {
-        try {
-            Files.createDirectories(file.toAbsolutePath().getParent());
-            Files.writeString(file, format(settings));
+            return SettingsText.read(kept);
+        } catch (SettingsText.Wrong e) {
+            tell(notUsed(e.problem()));
+        } catch (CharacterCodingException | IllegalArgumentException e) {
+            tell(notUsed(Problem.of("settings.noText")));
         } catch (IOException e) {
-            tell("cannot keep the window settings in " + file + ": " + reason(e));
+            tell(notUsed(WholeFile.reason(e)));
+        }
+        return otherwise;
+    }
+
+    /** Keeps the settings, whole or not at all. On any thread. */
+    public synchronized void save(LabSettings settings) {
+        try {
+            WholeFile.requireFolder(folder());
+            WholeFile.write(file, SettingsText.write(settings).getBytes(StandardCharsets.UTF_8));
+        } catch (Complaint e) {
+            tell(Problem.of("settings.notKept", e.getMessage()));
         }
     }
 
-    private static String format(LabSettings settings) {
-        String bounds =
-                settings.bounds()
-                        .map(b -> b.x + " " + b.y + " " + b.width + " " + b.height)
-                        .orElse("");
-        return "theme=%s%nlanguage=%s%ntext=%d%ntab=%s%nbounds=%s%nmaximised=%s%n"
-                .formatted(
-                        settings.look().theme(),
-                        settings.look().language(),
-                        settings.look().textPercent(),
-                        settings.tab(),
-                        bounds,
-                        settings.maximised());
+    private Problem notUsed(Object reason) {
+        return Problem.of("settings.notUsed", file.toString(), reason);
     }
 
-    private static LabSettings parse(Properties kept) {
-        return new LabSettings(
-                new LabLook(
-                        LabTheme.valueOf(value(kept, "theme")),
-                        Language.valueOf(value(kept, "language")),
-                        Integer.parseInt(kept.getProperty("text", "100").strip())),
-                value(kept, "tab"),
-                bounds(value(kept, "bounds")),
-                Boolean.parseBoolean(value(kept, "maximised")));
-    }
-
-    private static String value(Properties kept, String key) {
-        String value = kept.getProperty(key);
-        if (value == null) throw new IllegalArgumentException("'" + key + "' is missing");
-        return value.strip();
-    }
-
-    private static Optional<Rectangle> bounds(String text) {
-        if (text.isEmpty()) return Optional.empty();
-        int[] numbers = Arrays.stream(text.split(" +")).mapToInt(Integer::parseInt).toArray();
-        if (numbers.length != 4 || numbers[2] < 1 || numbers[3] < 1)
-            throw new IllegalArgumentException(
-                    "'bounds' needs x y width height, both sizes at least 1, got '" + text + "'");
-        return Optional.of(new Rectangle(numbers[0], numbers[1], numbers[2], numbers[3]));
-    }
-
-    private static String reason(Exception e) {
-        return e instanceof IOException ? e.toString() : e.getMessage();
-    }
-
-    private void tell(String line) {
-        if (!told) problem.accept(line);
+    private void tell(Problem wrong) {
+        if (!told) problem.accept(wrong);
         told = true;
     }
 }

@@ -1,14 +1,8 @@
 package rasterlab.app.shell;
 
-import java.awt.Component;
 import java.awt.EventQueue;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
-import java.util.function.Consumer;
-import javax.swing.JOptionPane;
-import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -21,15 +15,10 @@ public final class WindowStart {
     }
 
     private static void openOnEventThread() {
-        List<String> problems = new ArrayList<>();
-        Consumer<String> problem =
-                line -> {
-                    System.err.println("rasterlab: " + line);
-                    problems.add(line);
-                };
+        var problems = new Problems();
         Path place = SettingsFile.usual(System.getenv(), System.getProperties());
-        var file = new SettingsFile(place, problem);
-        LabsFile labsFile = LabsFile.beside(place, problem);
+        var file = new SettingsFile(place, problems);
+        LabsFile labsFile = LabsFile.beside(place, problems);
         LabSettings settings = file.load(LabSettings.first(Language.of(Locale.getDefault())));
         // Saved at once too: whoever cannot write it learns so now, not when the window is gone.
         file.save(settings);
@@ -43,18 +32,10 @@ public final class WindowStart {
         labsFile.load(models);
         shown[0] = new LabFrame(models, settings, file, labsFile, reports);
         shown[0].setVisible(true);
-        problems.forEach(each -> tell(shown[0], texts(shown[0]), each));
+        problems.showIn(shown[0]);
     }
 
     private static Texts texts(LabFrame frame) {
         return Texts.of("shell", frame == null ? Language.ENGLISH : frame.language());
-    }
-
-    private static void tell(Component parent, Texts texts, String problem) {
-        JOptionPane.showMessageDialog(
-                parent,
-                texts.text("settings.problem", Complaints.said(texts.language(), problem)),
-                texts.text("settings.title"),
-                JOptionPane.WARNING_MESSAGE);
     }
 }

@@ -97,12 +97,11 @@ final class FunctionReadings {
         List<double[]> pieces = state.drawing().coefficients();
         if (pieces.isEmpty()) return List.of(Formula.of(new Formula.Words("–")));
         var rows = new ArrayList<List<String>>();
-        rows.add(List.of("a", "b", "c", "d"));
         for (double[] piece : pieces.subList(0, Math.min(MOST_PIECES, pieces.size())))
             rows.add(DoubleStream.of(piece).mapToObj(this::number).toList());
         var formulas = new ArrayList<Formula>();
         formulas.add(Formula.of(new Formula.Words("S(x) = a + b·s + c·s² + d·s³,  s = x − x[i]")));
-        formulas.add(Formula.of(new Formula.Matrix(rows)));
+        formulas.add(Formula.of(new Formula.Matrix(List.of("a", "b", "c", "d"), rows)));
         if (pieces.size() > MOST_PIECES) formulas.add(Formula.of(new Formula.Words("…")));
         return formulas;
     }

@@ -168,17 +168,19 @@ final class StudyInspector {
         error.setText(point.map(one -> error(state.study().orElseThrow(), one)).orElse("–"));
         verdict.setText(point.map(one -> texts.text("verdict." + one.kind().code())).orElse("–"));
         wrong.setText(point.map(one -> wrong(one.error())).orElse("–"));
-        say(detail, point.map(StudyInspector::detail).orElse(texts.text("hint.point")));
+        say(detail, point.map(this::detail).orElse(texts.text("hint.point")));
     }
 
-    private static String detail(Measurement point) {
-        return point.detail().isEmpty() ? point.method() : point.method() + ": " + point.detail();
+    private String detail(Measurement point) {
+        return point.detail().isEmpty()
+                ? point.method()
+                : point.method() + ": " + FirstDifference.said(texts, point.detail());
     }
 
     private String error(Study study, Measurement point) {
         return point.error().worst() == 0
                 ? texts.text("chart.exact")
-                : number(point.error().worst()) + " " + words.errorUnit(study);
+                : words.amount(study, point.error().worst(), number(point.error().worst()));
     }
 
     private String wrong(Deviation deviation) {
@@ -211,7 +213,7 @@ final class StudyInspector {
                         + hazard.name()
                         + ". "
                         + description(state, hazard)
-                        + (said.isEmpty() ? "" : "\n→ " + said));
+                        + (said.isEmpty() ? "" : "\n→ " + FirstDifference.said(texts, said)));
         say(input, texts.text("input.is", InputText.of(hazard.input())));
         Optional<Unshown> obstacle = lab.obstacleTo(state.topic().name(), hazard.name());
         open.setEnabled(obstacle.isEmpty());

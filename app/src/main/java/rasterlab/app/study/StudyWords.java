@@ -25,6 +25,18 @@ public final class StudyWords {
         return texts.textOr(unitKey(study.errorUnit()), study.errorUnit());
     }
 
+    /**
+     * An error with its unit, which takes the form that goes with the number.
+     *
+     * @param said the number as it is written
+     */
+    String amount(Study study, double error, String said) {
+        String key = unitKey(study.errorUnit()).replaceFirst("^unit", "amount");
+        return texts.has(key + ".one")
+                ? said + " " + texts.plural(key, error)
+                : said + " " + errorUnit(study);
+    }
+
     /** The key of a topic's item; keys have hyphens where the engine's words have others. */
     static String itemKey(String item) {
         return "item." + hyphened(item);

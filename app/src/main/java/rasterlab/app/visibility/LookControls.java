@@ -12,7 +12,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JPanel;
-import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
@@ -159,7 +159,8 @@ final class LookControls {
     }
 
     private JPanel terms() {
-        var boxes = new JPanel(new MigLayout("insets 0, gap 8 2, wrap 2", "[][]"));
+        var boxes = new JPanel(new FlowRows(4));
+        FlowRows.keepWrapped(boxes);
         for (LightTerm term : LightTerm.values()) {
             var box = new JCheckBox(texts.text("term." + term.code()));
             box.setName("term." + term.code());

@@ -24,4 +24,13 @@ class FormulaTest {
                 () -> new Matrix(List.of(List.of("1", "2"), List.of("3"))));
         assertThrows(IllegalArgumentException.class, () -> new Matrix(List.of()));
     }
+
+    @Test
+    void headsStandForEachColumn() {
+        var headed = new Formula.Matrix(List.of("a", "b"), List.of(List.of("1", "2")));
+        assertEquals("a b: [1 2]", headed.said());
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> new Formula.Matrix(List.of("a"), List.of(List.of("1", "2"))));
+    }
 }

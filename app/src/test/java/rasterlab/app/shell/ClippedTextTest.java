@@ -10,10 +10,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
-import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -70,9 +68,12 @@ class ClippedTextTest {
                 .flatMap(
                         language ->
                                 Stream.of(
-                                        Arguments.of(language, 900, 560),
-                                        Arguments.of(language, 1280, 680),
-                                        Arguments.of(language, 2560, 1380)));
+                                        Arguments.of(language, LabTheme.LIGHT, 100, 900, 560),
+                                        Arguments.of(language, LabTheme.LIGHT, 100, 1280, 680),
+                                        Arguments.of(language, LabTheme.LIGHT, 100, 2560, 1380),
+                                        Arguments.of(language, LabTheme.LIGHT, 150, 1280, 680),
+                                        Arguments.of(
+                                                language, LabTheme.PROJECTOR, 100, 1280, 680)));
     }
 
     /** What else a tab shows, with texts of its own. */
@@ -108,16 +109,17 @@ class ClippedTextTest {
         return others;
     }
 
-    @ParameterizedTest(name = "a label is cut off: {0} in {1}×{2}")
+    @ParameterizedTest(name = "a label is cut off: {0}, {1}, {2} % in {3}×{4}")
     @MethodSource("sizes")
-    void everyTextHasTheWidthItNeeds(Language language, int width, int height)
+    void everyTextHasTheWidthItNeeds(
+            Language language, LabTheme theme, int textPercent, int width, int height)
             throws InterruptedException {
         var tabs = new AtomicReference<LabTabs>();
         var models = new AtomicReference<LabModels>();
         var failures = new CopyOnWriteArrayList<Throwable>();
         OffscreenPainter.onEventThread(
                 () -> {
-                    LabTheme.LIGHT.install();
+                    theme.install(textPercent);
                     models.set(LabModels.first(failures::add));
                     models.get().line().compareWith("naive-textbook");
                     tabs.set(LabTabs.create(models.get(), language, failures::add));
@@ -157,27 +159,11 @@ class ClippedTextTest {
     private static List<String> clipped(Container container) {
         var found = new ArrayList<String>();
         for (Component child : container.getComponents()) {
-            boolean text =
-                    child instanceof JLabel
-                            || child instanceof AbstractButton
-                            || child instanceof JComboBox;
-            if (text && child.isVisible() && cut(child))
-                found.add(
-                        "%s %s: needs %d, has %d"
-                                .formatted(
-                                        child.getClass().getSimpleName(),
-                                        child.getName(),
-                                        child.getPreferredSize().width,
-                                        child.getWidth()));
             if (!child.isVisible()) continue;
+            CutText.of(child).ifPresent(found::add);
             if (child instanceof Container inner && !(child instanceof JComboBox))
                 found.addAll(clipped(inner));
         }
         return found;
-    }
-
-    /** A scroll bar's buttons are hidden by having no size; they have no name either. */
-    private static boolean cut(Component child) {
-        return child.getName() != null && child.getWidth() < child.getPreferredSize().width;
     }
 }

@@ -172,6 +172,7 @@ class LabsFileTest {
     }
 
     private LabsFile file() {
-        return LabsFile.beside(folder.resolve("window.properties"), problems::add);
+        return LabsFile.beside(
+                folder.resolve("window.properties"), problem -> problems.add(problem.toString()));
     }
 }

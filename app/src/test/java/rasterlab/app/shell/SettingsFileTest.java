@@ -1,6 +1,7 @@
 package rasterlab.app.shell;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Rectangle;
@@ -15,6 +16,7 @@ import java.util.Properties;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
 
@@ -31,7 +33,8 @@ class SettingsFileTest {
                         new LabLook(LabTheme.DARK, Language.RUSSIAN, 125),
                         "visibility",
                         Optional.of(new Rectangle(-5, 7, 1000, 700)),
-                        true);
+                        true,
+                        false);
         Path place = folder.resolve("new").resolve("window.properties");
         file(place).save(settings);
         assertEquals(settings, file(place).load(FIRST));
@@ -61,6 +64,47 @@ class SettingsFileTest {
         assertEquals(FIRST, file.load(FIRST));
         assertEquals(1, problems.size(), problems.toString());
         assertTrue(problems.get(0).contains(place.toString()), problems.get(0));
+    }
+
+    @ParameterizedTest(name = "message hides the place, the value or what is allowed: {0}={1}")
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "theme; PINK; LIGHT, DARK, PROJECTOR",
+                "language; GREEK; ENGLISH, RUSSIAN",
+                "text; 7; 75, 90, 100, 110, 125, 150, 175, 200",
+                "maximised; maybe; true, false",
+                "controls; 1; true, false",
+                "bounds; 1 2 0 4; both sizes at least 1",
+                "bounds; 1 2 3; x y width height",
+                "bounds; 1 2 9999999999 4; whole numbers",
+            })
+    void saysThePlaceTheValueAndWhatIsAllowed(String key, String value, String allowed)
+            throws IOException {
+        Path place = folder.resolve("window.properties");
+        file(place).save(FIRST);
+        Files.writeString(place, Files.readString(place) + key + "=" + value + "\n");
+        assertEquals(FIRST, file(place).load(FIRST));
+        for (String part : List.of(place.toString(), "'" + key + "'", "'" + value + "'", allowed))
+            assertTrue(problems.get(0).contains(part), problems.get(0) + " lacks " + part);
+    }
+
+    @Test
+    void speaksRussianWithoutWordsOfTheProgram() throws IOException {
+        Path place = Files.writeString(folder.resolve("window.properties"), "theme=FOO\n");
+        var found = new ArrayList<Problem>();
+        new SettingsFile(place, found::add).load(FIRST);
+        String said = found.get(0).in(Language.RUSSIAN);
+        assertTrue(said.contains("«theme» может быть одним из LIGHT, DARK, PROJECTOR"), said);
+        assertFalse(said.contains("enum"), said);
+    }
+
+    @Test
+    void fileInTheWayIsNamedWithoutTheClassOfTheFailure() throws IOException {
+        Path blocked = Files.writeString(folder.resolve("file"), "not a folder");
+        file(blocked.resolve("window.properties")).save(FIRST);
+        assertTrue(problems.get(0).contains(blocked.toString()), problems.get(0));
+        assertFalse(problems.get(0).contains("Exception"), problems.get(0));
     }
 
     @Test
@@ -100,6 +144,6 @@ class SettingsFileTest {
     }
 
     private SettingsFile file(Path place) {
-        return new SettingsFile(place, problems::add);
+        return new SettingsFile(place, problem -> problems.add(problem.toString()));
     }
 }

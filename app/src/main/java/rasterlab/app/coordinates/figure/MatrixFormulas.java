@@ -1,6 +1,5 @@
 package rasterlab.app.coordinates.figure;
 
-import java.text.DecimalFormatSymbols;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -16,6 +15,9 @@ import rasterlab.engine.transform.matrix.NamedMatrix;
 public final class MatrixFormulas {
     private static final int DECIMALS = 4;
 
+    /** Smaller ones are written with a power of ten. */
+    private static final double LEAST_DECIMAL = 1e-4;
+
     private MatrixFormulas() {}
 
     /** {@code said = [matrix]}. */
@@ -28,10 +30,18 @@ public final class MatrixFormulas {
         var rows = new ArrayList<List<String>>();
         for (int i = 0; i < cells.length; i += size) {
             var row = new ArrayList<String>();
-            for (int j = i; j < i + size; j++) row.add(Shown.number(cells[j], DECIMALS, locale));
+            for (int j = i; j < i + size; j++) row.add(cell(cells[j], locale));
             rows.add(row);
         }
         return new Formula.Matrix(rows);
+    }
+
+    /** With three significant digits at least, so that 1/r with r = 700 is not 0.0014. */
+    static String cell(double value, Locale locale) {
+        double size = Math.abs(value);
+        boolean small = size >= LEAST_DECIMAL && size < 0.01;
+        int decimals = small ? 2 - (int) Math.floor(Math.log10(size)) : DECIMALS;
+        return Shown.number(value, decimals, locale);
     }
 
     /** {@code [x y z 1]} or any other row of numbers. */
@@ -42,7 +52,7 @@ public final class MatrixFormulas {
 
     /** What stands between numbers: a semicolon where they have a decimal comma. */
     public static String apart(Locale locale) {
-        return DecimalFormatSymbols.getInstance(locale).getDecimalSeparator() == ',' ? "; " : ", ";
+        return Shown.apart(locale);
     }
 
     /** Name and numbers as the course writes them: {@code ROT3DX(−90°)}. */

@@ -41,7 +41,7 @@ final class ItemFields extends JPanel {
     }
 
     /** What the numbers are called; the cells of a free matrix by row and column. */
-    private static List<String> names(ListItem item) {
+    private List<String> names(ListItem item) {
         var names = new ArrayList<String>();
         if (item.free()) {
             int size = item.dimension() + 1;
@@ -76,7 +76,7 @@ final class ItemFields extends JPanel {
     }
 
     private void addNamed(NumberField field, String name, int index) {
-        var label = new JLabel(name);
+        var label = new JLabel(said(name));
         label.setName("number." + index + ".label");
         label.setLabelFor(field);
         add(label);
@@ -86,12 +86,19 @@ final class ItemFields extends JPanel {
     private NumberField field(int index, String name) {
         return new NumberField(
                 "number." + index,
-                texts.text("number.hint", name),
+                texts.text("number.hint", said(name)),
                 -MOST,
                 MOST,
                 step(name),
                 texts.locale(),
                 value -> model.set(index, value));
+    }
+
+    /** Letters are the course's in every language, words are translated. */
+    private String said(String name) {
+        String[] parts = name.split("\\.");
+        String word = texts.textOr("number.name." + parts[0], parts[0]);
+        return parts.length == 1 ? word : word + "." + parts[1];
     }
 
     private static double step(String name) {

@@ -15,6 +15,7 @@ import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.Parts;
 import rasterlab.app.language.Texts;

@@ -104,7 +104,7 @@ final class StackInspector {
     }
 
     private JPanel adding(JButton button) {
-        var row = new JPanel(new MigLayout("insets 0, gap 6", "[grow,fill,0::][]"));
+        var row = new JPanel(new MigLayout("insets 0, gap 6, wrap 1", "[grow,fill]"));
         row.add(command, "wmin 0");
         button.setMargin(NARROW);
         row.add(button);

@@ -1,10 +1,12 @@
 package rasterlab.app.coordinates.view;
 
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.joml.Matrix4d;
 import org.joml.Vector3d;
+import rasterlab.app.coordinates.figure.Box;
 import rasterlab.app.coordinates.figure.Chains;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.Ink;
@@ -17,6 +19,9 @@ import rasterlab.engine.transform.matrix.MatrixCall;
 
 /** What the stage shows of a scene. */
 final class ViewFigure {
+    /** Sizes of the house between it and the farthest vanishing point that is brought in sight. */
+    private static final double FARTHEST = 3;
+
     /** Corners of the house on its long edges, from which lines run to vanishing points. */
     private static final int[] FROM = {0, 6};
 
@@ -125,7 +130,8 @@ final class ViewFigure {
             return;
         }
         if (choice.vanishing()) vanishing(image);
-        wire(image, places(image), Ink.OBJECT, "numbered");
+        // Far points make the house so small that its numbers would lie on each other.
+        wire(image, places(image), Ink.OBJECT, choice.vanishing() ? "" : "numbered");
     }
 
     /** The window's edge, and its middle where the picture plane's origin falls. */
@@ -175,6 +181,27 @@ final class ViewFigure {
             most = Math.max(most, image.coordinate(v, 0));
         }
         return 0.6 * (most - least);
+    }
+
+    /** Around all marks, but for vanishing points so far that the house would be a dot. */
+    static Rectangle2D frame(List<Mark> marks) {
+        Rectangle2D house =
+                Box.around(marks.stream().filter(mark -> mark.ink() == Ink.OBJECT).toList());
+        double most = FARTHEST * Math.max(house.getWidth(), house.getHeight());
+        return Box.around(
+                marks.stream()
+                        .filter(mark -> !(mark instanceof Mark.Line line && line.ink() == Ink.HELP))
+                        .filter(
+                                mark ->
+                                        !(mark instanceof Mark.Cross cross
+                                                && far(cross, house, most)))
+                        .toList());
+    }
+
+    private static boolean far(Mark.Cross cross, Rectangle2D house, double most) {
+        double x = cross.at().x() - house.getCenterX();
+        double y = cross.at().y() - house.getCenterY();
+        return Math.hypot(x, y) > most;
     }
 
     /** Where the images of all parallels to one edge of the house meet. */

@@ -70,7 +70,8 @@ final class ViewStageView extends JPanel implements AutoCloseable {
     void refresh() {
         int stage = model.step();
         Figure figure = ViewFigure.of(model.scene(), stage);
-        everything = Box.around(figure.marks());
+        boolean plane = figure.ruled() && model.choice().vanishing();
+        everything = plane ? ViewFigure.frame(figure.marks()) : Box.around(figure.marks());
         vertex = ViewFigure.vertex(model.scene(), stage);
         PlaneView shown = shown();
         shown.show(

@@ -1,13 +1,13 @@
-package rasterlab.app.coordinates.list;
+package rasterlab.app.canvas;
 
 import javax.swing.JTextArea;
 import javax.swing.text.DefaultCaret;
 
 /** A sentence that is as high as the column's width makes it. */
-final class WrappedText extends JTextArea {
+public final class WrappedText extends JTextArea {
     private static final long serialVersionUID = 1L;
 
-    WrappedText(String name) {
+    public WrappedText(String name) {
         setName(name);
         setEditable(false);
         setFocusable(false);
@@ -20,7 +20,7 @@ final class WrappedText extends JTextArea {
     }
 
     /** Shows a text unless it is shown already. */
-    void show(String text) {
+    public void show(String text) {
         if (!text.equals(getText())) setText(text);
         getAccessibleContext().setAccessibleName(text);
     }

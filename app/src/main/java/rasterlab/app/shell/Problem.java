@@ -1,0 +1,36 @@
+package rasterlab.app.shell;
+
+import java.util.List;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+/**
+ * What is wrong with a file of the user's, told in any language.
+ *
+ * @param key of a text of this package
+ * @param arguments of that text; a problem among them is told in the same language
+ */
+public record Problem(String key, List<Object> arguments) {
+    public Problem {
+        arguments = List.copyOf(arguments);
+    }
+
+    static Problem of(String key, Object... arguments) {
+        return new Problem(key, List.of(arguments));
+    }
+
+    /** One line. */
+    public String in(Language language) {
+        Object[] said =
+                arguments.stream()
+                        .map(each -> each instanceof Problem reason ? reason.in(language) : each)
+                        .toArray();
+        return Texts.of("shell", language).text(key, said);
+    }
+
+    /** One line in English. */
+    @Override
+    public String toString() {
+        return in(Language.ENGLISH);
+    }
+}

@@ -1,0 +1,86 @@
+package rasterlab.app.shell;
+
+import java.awt.Rectangle;
+import java.util.List;
+import java.util.Optional;
+import java.util.Properties;
+import java.util.stream.Stream;
+import rasterlab.app.language.Language;
+
+/** The window's settings as lines {@code key=value}. */
+final class SettingsText {
+    private static final List<Object> YES_OR_NO = List.of(true, false);
+
+    private SettingsText() {}
+
+    /** What stands in the lines is not what the window writes. */
+    static final class Wrong extends Exception {
+        private static final long serialVersionUID = 1L;
+
+        private final transient Problem problem;
+
+        Wrong(String key, Object... arguments) {
+            problem = Problem.of(key, arguments);
+        }
+
+        Problem problem() {
+            return problem;
+        }
+    }
+
+    static String write(LabSettings settings) {
+        String bounds =
+                settings.bounds()
+                        .map(b -> b.x + " " + b.y + " " + b.width + " " + b.height)
+                        .orElse("");
+        return "theme=%s%nlanguage=%s%ntext=%d%ntab=%s%nbounds=%s%nmaximised=%s%ncontrols=%s%n"
+                .formatted(
+                        settings.look().theme(),
+                        settings.look().language(),
+                        settings.look().textPercent(),
+                        settings.tab(),
+                        bounds,
+                        settings.maximised(),
+                        settings.controls());
+    }
+
+    /**
+     * @throws Wrong naming the key, the value and what is allowed
+     */
+    static LabSettings read(Properties kept) throws Wrong {
+        var look =
+                new LabLook(
+                        one(kept, "theme", List.of(LabTheme.values())),
+                        one(kept, "language", List.of(Language.values())),
+                        kept.containsKey("text") ? one(kept, "text", LabLook.SIZES) : 100);
+        boolean controls =
+                !kept.containsKey("controls") || one(kept, "controls", YES_OR_NO).equals(true);
+        return new LabSettings(
+                look,
+                value(kept, "tab"),
+                bounds(value(kept, "bounds")),
+                one(kept, "maximised", YES_OR_NO).equals(true),
+                controls);
+    }
+
+    private static String value(Properties kept, String key) throws Wrong {
+        String value = kept.getProperty(key);
+        if (value == null) throw new Wrong("settings.missing", key);
+        return value.strip();
+    }
+
+    private static <T> T one(Properties kept, String key, List<T> allowed) throws Wrong {
+        String value = value(kept, key);
+        for (T each : allowed) if (each.toString().equals(value)) return each;
+        String names = String.join(", ", allowed.stream().map(Object::toString).toList());
+        throw new Wrong("settings.choice", key, names, value);
+    }
+
+    private static Optional<Rectangle> bounds(String text) throws Wrong {
+        if (text.isEmpty()) return Optional.empty();
+        if (!text.matches("-?\\d{1,9}( +-?\\d{1,9}){3}")) throw new Wrong("settings.bounds", text);
+        int[] n = Stream.of(text.split(" +")).mapToInt(Integer::parseInt).toArray();
+        if (n[2] < 1 || n[3] < 1) throw new Wrong("settings.bounds", text);
+        return Optional.of(new Rectangle(n[0], n[1], n[2], n[3]));
+    }
+}

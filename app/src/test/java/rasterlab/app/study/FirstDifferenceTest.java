@@ -1,0 +1,24 @@
+package rasterlab.app.study;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+class FirstDifferenceTest {
+    @ParameterizedTest(name = "a difference of pixels stays in English: {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "pixel (1, -2) is missing | пиксель (1, -2) пропущен",
+                "pixel (1, 2) is extra | пиксель (1, 2) лишний",
+                "pixel (1, 2) is missing, (3, 4) is drawn | пиксель (1, 2) пропущен, нарисован (3, 4)",
+                "no result within 5 s | no result within 5 s",
+            })
+    void isSaidInTheLanguageOfTheWindow(String english, String russian) {
+        assertEquals(russian, FirstDifference.said(Texts.of("study", Language.RUSSIAN), english));
+        assertEquals(english, FirstDifference.said(Texts.of("study", Language.ENGLISH), english));
+    }
+}
