@@ -44,19 +44,20 @@ class LineReadingsTest {
 
     @ParameterizedTest(name = "coverage is told as whole pixels: {0}")
     @CsvSource(
-            delimiter = ';',
+            delimiter = '|',
             value = {
-                "ENGLISH; 185, 70 of 255; 0 of 255 levels",
-                "RUSSIAN; 185, 70 из 255; 0 из 255 уровней"
+                "ENGLISH | (2, 1), (2, 0) | 185, 70 of 255 | 0 of 255 levels",
+                "RUSSIAN | (2; 1), (2; 0) | 185, 70 из 255 | 0 из 255 уровней"
             })
-    void saysHowMuchAStepCoversOfBothItsPixels(Language language, String levels, String worst)
+    void saysHowMuchAStepCoversOfBothItsPixels(
+            Language language, String pixels, String levels, String worst)
             throws InterruptedException {
         model.chooseMethod("wu");
         model.show(new Segment(0, 0, 11, 4));
         model.settle();
         model.goTo(3);
         var readings = new LineReadings(model.state(), Texts.of("line", language));
-        assertEquals("(2, 1), (2, 0)", readings.pixel());
+        assertEquals(pixels, readings.pixel());
         assertEquals(levels, readings.coverage());
         assertEquals(worst, readings.worst());
     }

@@ -57,7 +57,7 @@ public final class SliderField extends JPanel {
      */
     public SliderField(
             String name, String said, Range range, Locale locale, DoubleConsumer changed) {
-        super(new MigLayout("insets 0, gap 6", "[grow,fill,0::][106!,fill]", "[center]"));
+        super(new MigLayout("insets 0, gap 6", "[grow,fill,0::][112!,fill]", "[center]"));
         this.range = range;
         slider.setName(name);
         slider.setToolTipText(said);

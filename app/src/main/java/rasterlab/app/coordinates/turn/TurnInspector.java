@@ -147,9 +147,10 @@ final class TurnInspector {
                 .entrySet().stream()
                         .map(
                                 each ->
-                                        texts.textOr("count." + each.getKey(), each.getKey())
-                                                + " "
-                                                + each.getValue())
+                                        each.getValue()
+                                                + texts.textOr(
+                                                        "count." + each.getKey(),
+                                                        " " + each.getKey()))
                         .collect(Collectors.joining(", "));
     }
 
