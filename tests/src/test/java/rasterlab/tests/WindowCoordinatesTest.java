@@ -229,7 +229,10 @@ class WindowCoordinatesTest extends WindowHarness {
         int own = MethodColours.of("table").getRGB();
         window.comboBox("method").selectItem("table");
         await("the way is drawn", () -> colours("stage").contains(own));
-        await("the drift is drawn", () -> colours("stage.chart").contains(own));
+        int line =
+                MethodColours.edgeOn(StageColours.LIGHT.ground(), MethodColours.of("table"))
+                        .getRGB();
+        await("the drift is drawn", () -> colours("stage.chart").contains(line));
         window.spinner("degrees.field").enterTextAndCommit("12.5");
         window.slider("times").slideTo(100);
         window.spinner("point.x").enterTextAndCommit("5");

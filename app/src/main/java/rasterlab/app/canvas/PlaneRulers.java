@@ -15,8 +15,8 @@ final class PlaneRulers {
     /** Beyond so many lines the numbers are too far from 0 to be told apart in doubles. */
     private static final int MOST = 1000;
 
-    /** Share of the usual size down to which a number of the left margin is made smaller. */
-    private static final double SMALLEST = 0.65;
+    /** Share of the usual size below which a number is written with a power of ten instead. */
+    private static final double SMALLEST = 0.75;
 
     private final PlaneMap map;
     private final Dimension view;
@@ -104,12 +104,18 @@ final class PlaneRulers {
     private void paintRows(Graphics2D g) {
         FontMetrics metrics = g.getFontMetrics();
         RoundTicks ticks = RoundTicks.atLeast(map.worldHeight(APART));
+        FontMetrics smallest =
+                g.getFontMetrics(font.deriveFont((float) (SMALLEST * font.getSize2D())));
+        boolean full =
+                fits(ticks.shown(ticks.before(lowWorld()) + 1, locale), smallest)
+                        && fits(ticks.shown(ticks.before(highWorld()), locale), smallest);
         each(
                 ticks,
                 lowWorld(),
                 highWorld(),
                 tick -> {
-                    String number = ticks.shown(tick, locale);
+                    String number =
+                            full ? ticks.shown(tick, locale) : ticks.shown(tick, locale, true);
                     double middle = map.viewY(ticks.value(tick));
                     int at = (int) Math.round(middle + metrics.getAscent() / 2.0 - 1);
                     if (at - metrics.getAscent() >= Rulers.top() && at < view.height)
@@ -119,29 +125,19 @@ final class PlaneRulers {
 
     private void paintRow(Graphics2D g, String number, int base) {
         g.setFont(fitting(number, g));
-        String fitting = shortened(number, g.getFontMetrics());
-        g.drawString(fitting, Rulers.left() - 6 - g.getFontMetrics().stringWidth(fitting), base);
+        g.drawString(number, Rulers.left() - 6 - g.getFontMetrics().stringWidth(number), base);
         g.setFont(font);
     }
 
-    /**
-     * The font, smaller where a number is too long for the left margin, as far as it can be read.
-     */
+    /** The font, smaller where a number is too long for the left margin. */
     private Font fitting(String number, Graphics2D g) {
-        double least = number.contains("·") ? 1 : SMALLEST * font.getSize2D();
-        for (float size = font.getSize2D(); size >= least; size -= 0.5f) {
-            Font smaller = font.deriveFont(size);
-            if (g.getFontMetrics(smaller).stringWidth(number) <= Rulers.left() - 8) return smaller;
-        }
-        return font;
+        float size = font.getSize2D();
+        while (size > 1 && !fits(number, g.getFontMetrics(font.deriveFont(size)))) size -= 0.5f;
+        return font.deriveFont(size);
     }
 
-    /** A number that fits the left margin: of a long one, the end, which is what changes. */
-    private static String shortened(String number, FontMetrics metrics) {
-        String rest = number;
-        while (metrics.stringWidth(rest) > Rulers.left() - 8 && rest.length() > 2)
-            rest = "…" + rest.substring(rest.startsWith("…") ? 2 : 1);
-        return rest;
+    private static boolean fits(String number, FontMetrics metrics) {
+        return metrics.stringWidth(number) <= Rulers.left() - 8;
     }
 
     private static int baseline(FontMetrics metrics) {

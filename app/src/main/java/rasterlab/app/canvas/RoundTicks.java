@@ -50,13 +50,17 @@ record RoundTicks(int digit, int exponent) {
 
     /** A tick as its axis writes it: with as many decimals as neighbours need. */
     String shown(long tick, Locale locale) {
+        return shown(tick, locale, exponent < -LONG + 2 || exponent >= LONG - 1);
+    }
+
+    /**
+     * @param power whether with a power of ten, such as −6·10⁵
+     */
+    String shown(long tick, Locale locale, boolean power) {
         var symbols = DecimalFormatSymbols.getInstance(locale);
         symbols.setMinusSign('−');
-        boolean small = exponent < -LONG + 2;
-        boolean large = exponent >= LONG - 1;
-        var pattern = small || large ? "0.###E0" : "0";
-        var format = new DecimalFormat(pattern, symbols);
-        if (!small && !large) {
+        var format = new DecimalFormat(power ? "0.###E0" : "0", symbols);
+        if (!power) {
             format.setMinimumFractionDigits(Math.max(0, -exponent));
             format.setMaximumFractionDigits(Math.max(0, -exponent));
         }

@@ -12,6 +12,7 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -62,6 +63,11 @@ class ClippedTextTest {
                     model -> model.stack().goTo(1),
                     model -> model.show(CoordinatesMode.ROTATION),
                     model -> model.rotation().chooseMethod("buneman-textbook"));
+
+    @AfterAll
+    static void typeIsOfUsualSizeAgain() throws InterruptedException {
+        OffscreenPainter.onEventThread(LabTheme.LIGHT::install);
+    }
 
     static Stream<Arguments> sizes() {
         return Stream.of(Language.values())
