@@ -55,7 +55,7 @@ record InsidePicture(
         count(g, judged, colours);
     }
 
-    /** How many of the points in sight are wrong, at the lower edge. */
+    /** How many of the points in sight are wrong, in the lower corner without buttons. */
     private void count(Graphics2D g, ClassificationField field, StageColours colours) {
         String said =
                 texts.text(
@@ -67,7 +67,7 @@ record InsidePicture(
         Plates.plate(
                 g,
                 said,
-                (int) view.getCenterX() - g.getFontMetrics().stringWidth(said) / 2,
+                view.x + EDGE,
                 view.y + view.height - EDGE,
                 new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 225),
                 colours.ink());

@@ -1,6 +1,7 @@
 package rasterlab.app.shell;
 
 import java.awt.EventQueue;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
 import rasterlab.app.language.Language;
@@ -22,6 +23,7 @@ public final class WindowStart {
         LabSettings settings = file.load(LabSettings.first(Language.of(Locale.getDefault())));
         // Saved at once too: whoever cannot write it learns so now, not when the window is gone.
         file.save(settings);
+        hold(place, problems);
         settings.look().theme().install(settings.look().textPercent());
         var shown = new LabFrame[1];
         var reports =
@@ -33,6 +35,14 @@ public final class WindowStart {
         shown[0] = new LabFrame(models, settings, file, labsFile, reports);
         shown[0].setVisible(true);
         problems.showIn(shown[0]);
+    }
+
+    private static void hold(Path place, Problems problems) {
+        try {
+            OneWindow.hold(place, problems);
+        } catch (IOException e) {
+            problems.accept(Problem.of("window.unknown", String.valueOf(e.getMessage())));
+        }
     }
 
     private static Texts texts(LabFrame frame) {

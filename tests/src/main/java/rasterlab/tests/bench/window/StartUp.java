@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import rasterlab.app.Main;
 
 /** Starts the lab in a process of its own and tells how long it took to show its first tab. */
@@ -68,9 +69,16 @@ final class StartUp {
                 throw new IOException("the lab ended with " + process.exitValue());
             return Long.parseLong(said.lines().reduce((one, other) -> other).orElseThrow());
         } finally {
-            process.destroyForcibly();
-            Files.deleteIfExists(settings);
-            Files.deleteIfExists(folder);
+            process.destroyForcibly().waitFor();
+            remove(folder);
         }
+    }
+
+    /** Removes a folder of files. */
+    static void remove(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : files.toList()) Files.delete(file);
+        }
+        Files.delete(folder);
     }
 }

@@ -115,9 +115,7 @@ public final class WindowBench {
         try {
             open(settings);
         } finally {
-            Files.deleteIfExists(settings);
-            Files.deleteIfExists(settings.resolveSibling("labs.json"));
-            Files.deleteIfExists(folder);
+            StartUp.remove(folder);
         }
     }
 
