@@ -1,14 +1,13 @@
 package rasterlab.app.light;
 
 import java.awt.Component;
-import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
-import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.SwingWorker;
+import rasterlab.app.canvas.SaveChooser;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 import rasterlab.app.model.SceneText;
@@ -46,18 +45,11 @@ final class LitSceneSaving {
     }
 
     void ask() {
-        var chooser = new JFileChooser();
-        chooser.setName("save.dialog");
+        var chooser = new SaveChooser(texts.language(), SceneText::named);
         chooser.setDialogTitle(texts.text("scene.save.title"));
         LightChoice choice = model.state().choice();
-        chooser.setSelectedFile(new File(choice.body().name() + "-lit" + SceneText.EXTENSION));
-        if (chooser.showSaveDialog(parent) == JFileChooser.APPROVE_OPTION)
-            write(choice, named(chooser.getSelectedFile()));
-    }
-
-    private static Path named(File chosen) {
-        String path = chosen.getPath();
-        return Path.of(path.endsWith(SceneText.EXTENSION) ? path : path + SceneText.EXTENSION);
+        chooser.toSave(parent, choice.body().name() + "-lit" + SceneText.EXTENSION)
+                .ifPresent(file -> write(choice, file));
     }
 
     private void write(LightChoice choice, Path file) {

@@ -55,4 +55,10 @@ public final class SceneText {
             throw Complaint.badInput(file + ": " + e.getMessage());
         }
     }
+
+    /** The file with the ending of scene files, whether that was written or not. */
+    public static Path named(Path file) {
+        String path = file.toString();
+        return Path.of(path.endsWith(EXTENSION) ? path : path + EXTENSION);
+    }
 }

@@ -8,7 +8,6 @@ import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
-import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
@@ -23,6 +22,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.canvas.SaveChooser;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -166,13 +166,12 @@ public final class StudyPanel extends LabPanel {
 
     private void save() {
         Study study = model.state().study().orElseThrow();
-        var chooser = new JFileChooser();
+        var chooser = new SaveChooser(texts.language(), file -> file);
         chooser.setDialogTitle(texts.text("save.title"));
         chooser.setFileFilter(
                 new FileNameExtensionFilter(texts.text("save.kinds"), "svg", "png", "csv", "json"));
-        chooser.setSelectedFile(new java.io.File("study-" + study.topic() + ".svg"));
-        if (chooser.showSaveDialog(this) == JFileChooser.APPROVE_OPTION)
-            write(study, chooser.getSelectedFile().toPath());
+        chooser.toSave(this, "study-" + study.topic() + ".svg")
+                .ifPresent(file -> write(study, file));
     }
 
     /** Charts take longer to draw than the window may stand still. */

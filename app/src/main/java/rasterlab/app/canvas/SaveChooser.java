@@ -1,0 +1,79 @@
+package rasterlab.app.canvas;
+
+import java.awt.Component;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
+import javax.swing.JFileChooser;
+import javax.swing.JOptionPane;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+/** Asks for a file; one that is there already is written over only if that is said. */
+public class SaveChooser extends JFileChooser {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Texts texts;
+    private final transient UnaryOperator<Path> named;
+    private final transient Predicate<Path> mayReplace;
+
+    /**
+     * @param named the file that is written for a chosen one, such as with its ending
+     */
+    public SaveChooser(Language language, UnaryOperator<Path> named) {
+        texts = Texts.of("canvas", language);
+        this.named = named;
+        mayReplace = this::asked;
+    }
+
+    /**
+     * @param mayReplace asked before a file that is there is written over
+     */
+    protected SaveChooser(
+            Language language, UnaryOperator<Path> named, Predicate<Path> mayReplace) {
+        texts = Texts.of("canvas", language);
+        this.named = named;
+        this.mayReplace = mayReplace;
+    }
+
+    /**
+     * The file to write; empty if none was chosen.
+     *
+     * @param suggested its name
+     */
+    public Optional<Path> toSave(Component parent, String suggested) {
+        setName("save.dialog");
+        setSelectedFile(new File(getCurrentDirectory(), suggested));
+        return showSaveDialog(parent) == APPROVE_OPTION ? Optional.of(saved()) : Optional.empty();
+    }
+
+    private Path saved() {
+        return named.apply(getSelectedFile().toPath());
+    }
+
+    @Override
+    public void approveSelection() {
+        boolean saving = getDialogType() == SAVE_DIALOG;
+        if (saving && Files.exists(saved()) && !mayReplace.test(saved())) return;
+        super.approveSelection();
+    }
+
+    /** The answer that keeps the file is the one that Enter, Escape and closing give. */
+    private boolean asked(Path file) {
+        Object[] answers = {texts.text("replace.yes"), texts.text("replace.no")};
+        int answer =
+                JOptionPane.showOptionDialog(
+                        this,
+                        texts.text("replace", file.getFileName()),
+                        texts.text("replace.title"),
+                        JOptionPane.DEFAULT_OPTION,
+                        JOptionPane.WARNING_MESSAGE,
+                        null,
+                        answers,
+                        answers[1]);
+        return answer == 0;
+    }
+}
