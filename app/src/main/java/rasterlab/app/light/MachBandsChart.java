@@ -80,7 +80,7 @@ public final class MachBandsChart {
         XYChart chart =
                 new XYChartBuilder()
                         .title(texts.text("title"))
-                        .xAxisTitle(texts.text("place"))
+                        .xAxisTitle(texts.text("equator"))
                         .yAxisTitle(texts.text("brightness"))
                         .build();
         ChartLook.PAPER.style(chart.getStyler());

@@ -51,6 +51,33 @@ class BundlesTest {
                 new TreeSet<>(read(russian(english)).keySet()));
     }
 
+    @ParameterizedTest(name = "a later text hides an earlier one of the same key: {0}")
+    @MethodSource("allFiles")
+    void hasEachKeyOnce(Path file) throws IOException {
+        var twice = new TreeSet<Object>();
+        var read =
+                new Properties() {
+                    private static final long serialVersionUID = 1L;
+
+                    @Override
+                    public synchronized Object put(Object key, Object text) {
+                        Object earlier = super.put(key, text);
+                        if (earlier != null) twice.add(key);
+                        return earlier;
+                    }
+                };
+        try (var text = Files.newBufferedReader(file)) {
+            read.load(text);
+        }
+        assertEquals(new TreeSet<>(), twice);
+    }
+
+    static List<Path> allFiles() throws IOException {
+        try (Stream<Path> files = Files.walk(ROOT)) {
+            return files.filter(file -> file.toString().endsWith(".properties")).sorted().toList();
+        }
+    }
+
     @ParameterizedTest(name = "a translation drops or invents a placeholder: {0}")
     @MethodSource("englishFiles")
     void hasTheSamePlaceholdersInBothLanguages(Path english) throws IOException {
