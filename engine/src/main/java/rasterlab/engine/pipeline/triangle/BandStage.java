@@ -7,6 +7,7 @@ final class BandStage {
     private final TriangleScan scan = new TriangleScan();
     private final TinyScan tiny = new TinyScan();
     private final LinearColors linear = new LinearColors();
+    private final RowWeights weights = new RowWeights();
     private final RowLoops loops;
     private final PixelFill pixels;
 
@@ -43,17 +44,27 @@ final class BandStage {
             return;
         }
         scan.load(vertices, first, second, third, frame.out, top);
+        if (frame.surface instanceof Surface.Smooth) {
+            fillSmooth(frame.out, vertices);
+            return;
+        }
         loops.scan(scan);
-        if (frame.surface instanceof Surface.Smooth) fillSmooth(frame.out, vertices);
-        else if (frame.surface instanceof Surface.PerPixel) pixels.fill(scan, vertices, third);
-        else FlatFill.fill(frame.out, scan, vertices, FlatFill.argb(vertices.attributes, third));
+        if (frame.surface instanceof Surface.PerPixel) pixels.fill(scan, vertices, third);
+        else fillFlat(frame.out, vertices, FlatFill.argb(vertices.attributes, third));
+    }
+
+    private void fillFlat(DepthRaster out, ScreenVertices vertices, int argb) {
+        FlatFill.fill(out, scan, vertices, weights, argb);
     }
 
     private void fillSmooth(DepthRaster out, ScreenVertices vertices) {
         if (linear.fits(scan, vertices)) {
             linear.load(scan, vertices);
             loops.linear(out, scan, linear);
-        } else SmoothFill.perspective(out, scan, vertices);
+        } else {
+            loops.scan(scan);
+            SmoothFill.perspective(out, scan, vertices, weights);
+        }
     }
 
     private void fillTiny(Frame frame, ScreenVertices vertices, int third) {

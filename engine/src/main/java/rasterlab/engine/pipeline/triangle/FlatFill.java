@@ -12,20 +12,20 @@ final class FlatFill {
         return 0xFF000000 | red << 16 | green << 8 | blue;
     }
 
-    static void fill(DepthRaster out, TriangleScan scan, ScreenVertices v, int color) {
+    static void fill(
+            DepthRaster out, TriangleScan scan, ScreenVertices v, RowWeights weights, int color) {
         int[] argb = out.raster().argb();
         float[] depth = out.depth();
-        float base = v.depth[scan.a];
-        float perB = (v.depth[scan.b] - base) * scan.inverseArea;
-        float perC = (v.depth[scan.c] - base) * scan.inverseArea;
-        float step = scan.stepB * perB + scan.stepC * perC;
+        weights.load(scan, v);
+        float stepZ = weights.stepZ;
         for (int row = 0; row < scan.rows; row++) {
             int from = scan.cell(row);
             int to = from + scan.count[row];
-            float z = base + (float) scan.edgeB[row] * perB + (float) scan.edgeC[row] * perC;
+            weights.at(scan, row);
+            float z = weights.z;
             float k = 0;
             for (int i = from; i < to; i++) {
-                float here = z + k * step;
+                float here = z + k * stepZ;
                 if (here < depth[i]) {
                     depth[i] = here;
                     argb[i] = color;

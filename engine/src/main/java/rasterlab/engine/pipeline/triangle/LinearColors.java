@@ -21,20 +21,23 @@ final class LinearColors {
     /** Rounds to the nearest level. */
     private static final int HALF = 32768;
 
-    /** At corner a, and what the weights of b and c add. */
-    private float za;
+    /** Added to a number below 2⁵¹ it leaves the nearest whole one in the sum's lowest bits. */
+    static final double ROUND = 0x1.8p52;
 
-    private float zb;
-    private float zc;
-    private float ra;
-    private float rb;
-    private float rc;
-    private float ga;
-    private float gb;
-    private float gc;
-    private float ba;
-    private float bb;
-    private float bc;
+    /** At corner a, and what the weights of b and c add. */
+    double za;
+
+    double zb;
+    double zc;
+    double ra;
+    double rb;
+    double rc;
+    double ga;
+    double gb;
+    double gc;
+    double ba;
+    double bb;
+    double bc;
 
     /** What each grows by from a pixel to the next on its right. */
     float stepZ;
@@ -55,13 +58,14 @@ final class LinearColors {
         float qb = v.nearness[scan.b];
         float qc = v.nearness[scan.c];
         float least = Math.min(qa, Math.min(qb, qc));
-        float spread = (Math.max(qa, Math.max(qb, qc)) - least) / (4 * least);
-        if (255 * spread <= TOLERANCE) return true;
+        float spread = Math.max(qa, Math.max(qb, qc)) - least;
+        float most = TOLERANCE * 4 * least;
+        if (255 * spread <= most) return true;
         float range =
                 Math.max(
                         range(v.attributes[0], scan),
                         Math.max(range(v.attributes[1], scan), range(v.attributes[2], scan)));
-        return range * spread <= TOLERANCE;
+        return range * spread <= most;
     }
 
     private static float range(float[] channel, TriangleScan scan) {
@@ -92,20 +96,25 @@ final class LinearColors {
         bc = (blues[c] - blues[a]) * ONE;
         float toB = scan.stepB * scan.inverseArea;
         float toC = scan.stepC * scan.inverseArea;
-        stepZ = toB * zb + toC * zc;
-        stepRed = (int) (toB * rb + toC * rc);
-        stepGreen = (int) (toB * gb + toC * gc);
-        stepBlue = (int) (toB * bb + toC * bc);
+        stepZ = (float) (toB * zb + toC * zc);
+        stepRed = whole(toB * rb + toC * rc);
+        stepGreen = whole(toB * gb + toC * gc);
+        stepBlue = whole(toB * bb + toC * bc);
+    }
+
+    /** The nearest whole number, or its lowest bits where that is no int. */
+    private static int whole(double value) {
+        return (int) Double.doubleToRawLongBits(value + ROUND);
     }
 
     /** Finds depth and colours at the first pixel of a row. */
     void at(TriangleScan scan, int row) {
-        float weightB = (float) scan.edgeB[row] * scan.inverseArea;
-        float weightC = (float) scan.edgeC[row] * scan.inverseArea;
-        z = za + weightB * zb + weightC * zc;
-        red = (int) (ra + weightB * rb + weightC * rc);
-        green = (int) (ga + weightB * gb + weightC * gc);
-        blue = (int) (ba + weightB * bb + weightC * bc);
+        double weightB = scan.edgeB[row] * scan.inverseArea;
+        double weightC = scan.edgeC[row] * scan.inverseArea;
+        z = (float) (weightB * zb + za + weightC * zc);
+        red = whole(weightB * rb + ra + weightC * rc);
+        green = whole(weightB * gb + ga + weightC * gc);
+        blue = whole(weightB * bb + ba + weightC * bc);
     }
 
     /** 0xFFRRGGBB of whole numbers of 1/65536 level. */

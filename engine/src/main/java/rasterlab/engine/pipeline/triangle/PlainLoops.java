@@ -17,39 +17,38 @@ final class PlainLoops implements RowLoops {
 
     @Override
     public void linear(DepthRaster out, TriangleScan scan, LinearColors colors) {
-        linear(out, scan, colors, 0, scan.rows);
+        scan.scan();
+        for (int row = 0; row < scan.rows; row++) {
+            int n = scan.count[row];
+            if (n == 0) continue;
+            colors.at(scan, row);
+            linear(out, colors, scan.cell(row), n);
+        }
     }
 
-    /** The rows from {@code first} to the one before {@code end}. */
-    static void linear(
-            DepthRaster out, TriangleScan scan, LinearColors colors, int first, int end) {
+    /** n pixels of a row, at whose first one the colours are. */
+    static void linear(DepthRaster out, LinearColors colors, int from, int n) {
         int[] argb = out.raster().argb();
         float[] depth = out.depth();
         float stepZ = colors.stepZ;
         int stepRed = colors.stepRed;
         int stepGreen = colors.stepGreen;
         int stepBlue = colors.stepBlue;
-        for (int row = first; row < end; row++) {
-            int n = scan.count[row];
-            if (n == 0) continue;
-            colors.at(scan, row);
-            float z = colors.z;
-            int red = colors.red;
-            int green = colors.green;
-            int blue = colors.blue;
-            int from = scan.cell(row);
-            float k = 0;
-            for (int i = from; i < from + n; i++) {
-                float here = z + k * stepZ;
-                if (here < depth[i]) {
-                    depth[i] = here;
-                    argb[i] = LinearColors.argb(red, green, blue);
-                }
-                k += 1;
-                red += stepRed;
-                green += stepGreen;
-                blue += stepBlue;
+        float z = colors.z;
+        int red = colors.red;
+        int green = colors.green;
+        int blue = colors.blue;
+        float k = 0;
+        for (int i = from; i < from + n; i++) {
+            float here = z + k * stepZ;
+            if (here < depth[i]) {
+                depth[i] = here;
+                argb[i] = LinearColors.argb(red, green, blue);
             }
+            k += 1;
+            red += stepRed;
+            green += stepGreen;
+            blue += stepBlue;
         }
     }
 

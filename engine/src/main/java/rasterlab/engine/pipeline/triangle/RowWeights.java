@@ -3,10 +3,10 @@ package rasterlab.engine.pipeline.triangle;
 /** The weights of a triangle's corners b and c along a row, and its depth. */
 final class RowWeights {
     /** Depth at corner a, and what the weights of b and c add. */
-    private float za;
+    private double za;
 
-    private float zb;
-    private float zc;
+    private double zb;
+    private double zc;
 
     /** What the weights and the depth grow by from a pixel to the next on its right. */
     float toB;
@@ -26,12 +26,14 @@ final class RowWeights {
         zc = v.depth[scan.c] - za;
         toB = scan.stepB * scan.inverseArea;
         toC = scan.stepC * scan.inverseArea;
-        stepZ = toB * zb + toC * zc;
+        stepZ = (float) (toB * zb + toC * zc);
     }
 
     void at(TriangleScan scan, int row) {
-        rowB = (float) scan.edgeB[row] * scan.inverseArea;
-        rowC = (float) scan.edgeC[row] * scan.inverseArea;
-        z = za + rowB * zb + rowC * zc;
+        double weightB = scan.edgeB[row] * scan.inverseArea;
+        double weightC = scan.edgeC[row] * scan.inverseArea;
+        rowB = (float) weightB;
+        rowC = (float) weightC;
+        z = (float) (weightB * zb + za + weightC * zc);
     }
 }

@@ -7,17 +7,13 @@ final class SmoothFill {
 
     private SmoothFill() {}
 
-    static void perspective(DepthRaster out, TriangleScan scan, ScreenVertices v) {
+    static void perspective(
+            DepthRaster out, TriangleScan scan, ScreenVertices v, RowWeights weights) {
         int[] argb = out.raster().argb();
         float[] depth = out.depth();
         int a = scan.a;
         int b = scan.b;
         int c = scan.c;
-        float toB = scan.stepB * scan.inverseArea;
-        float toC = scan.stepC * scan.inverseArea;
-        float za = v.depth[a];
-        float zb = v.depth[b] - za;
-        float zc = v.depth[c] - za;
         float qa = v.nearness[a];
         float qb = v.nearness[b];
         float qc = v.nearness[c];
@@ -32,11 +28,15 @@ final class SmoothFill {
         float bc = v.attributes[2][c] * qc - ba;
         qb -= qa;
         qc -= qa;
-        float stepZ = toB * zb + toC * zc;
+        weights.load(scan, v);
+        float toB = weights.toB;
+        float toC = weights.toC;
+        float stepZ = weights.stepZ;
         for (int row = 0; row < scan.rows; row++) {
-            float rowB = (float) scan.edgeB[row] * scan.inverseArea;
-            float rowC = (float) scan.edgeC[row] * scan.inverseArea;
-            float z = za + rowB * zb + rowC * zc;
+            weights.at(scan, row);
+            float z = weights.z;
+            float rowB = weights.rowB;
+            float rowC = weights.rowC;
             int from = scan.cell(row);
             for (int k = 0; k < scan.count[row]; k++) {
                 float here = z + k * stepZ;

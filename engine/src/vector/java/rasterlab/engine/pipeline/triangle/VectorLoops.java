@@ -43,26 +43,32 @@ final class VectorLoops implements RowLoops {
         IntVector blues = WHOLE_NUMBERS.mul(colors.stepBlue);
         int[] argb = out.raster().argb();
         float[] depth = out.depth();
+        rows.scan(scan);
+        rows.start(scan, colors);
         for (int row = 0; row < scan.rows; row++) {
             int n = scan.count[row];
             if (n == 0) continue;
             int from = scan.cell(row);
+            float z = (float) rows.z[row];
+            int firstRed = (int) rows.red[row];
+            int firstGreen = (int) rows.green[row];
+            int firstBlue = (int) rows.blue[row];
             if (from + n + LANES > scan.end) {
-                PlainLoops.linear(out, scan, colors, row, row + 1);
+                colors.at(scan, row);
+                PlainLoops.linear(out, colors, from, n);
                 continue;
             }
-            colors.at(scan, row);
             for (int done = 0; done < n; done += LANES) {
                 FloatVector k = NUMBERS.add(done);
-                FloatVector here = k.mul(colors.stepZ).add(colors.z);
+                FloatVector here = k.mul(colors.stepZ).add(z);
                 FloatVector there = FloatVector.fromArray(FLOATS, depth, from + done);
                 VectorMask<Float> nearer =
                         here.compare(VectorOperators.LT, there)
                                 .and(k.compare(VectorOperators.LT, n));
                 IntVector before = IntVector.fromArray(INTS, argb, from + done);
-                IntVector red = reds.add(colors.red + done * colors.stepRed);
-                IntVector green = greens.add(colors.green + done * colors.stepGreen);
-                IntVector blue = blues.add(colors.blue + done * colors.stepBlue);
+                IntVector red = reds.add(firstRed + done * colors.stepRed);
+                IntVector green = greens.add(firstGreen + done * colors.stepGreen);
+                IntVector blue = blues.add(firstBlue + done * colors.stepBlue);
                 IntVector color =
                         red.and(0xFF0000)
                                 .or(green.lanewise(VectorOperators.LSHR, 8).and(0xFF00))

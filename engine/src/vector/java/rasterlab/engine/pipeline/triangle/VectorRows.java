@@ -1,10 +1,12 @@
 package rasterlab.engine.pipeline.triangle;
 
 import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.LongVector;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * What {@link TriangleScan#scan} finds, four rows at a time. One per thread.
+ * What {@link TriangleScan#scan} finds, and what rows begin with, four rows at a time. One per
+ * thread.
  *
  * <p>The edge functions are whole numbers below 2⁵², so doubles hold them, and a half more,
  * exactly.
@@ -24,6 +26,13 @@ final class VectorRows {
     private final double[] from = new double[TriangleScan.ROWS];
 
     private final double[] count = new double[TriangleScan.ROWS];
+
+    /** Depth and colours at each row's first pixel; of a colour the lower half is its number. */
+    final double[] z = new double[TriangleScan.ROWS];
+
+    final long[] red = new long[TriangleScan.ROWS];
+    final long[] green = new long[TriangleScan.ROWS];
+    final long[] blue = new long[TriangleScan.ROWS];
 
     void scan(TriangleScan s) {
         double perA = -1.0 / s.stepA;
@@ -60,6 +69,23 @@ final class VectorRows {
             s.left[row] = s.boxLeft + (int) from[row];
             s.count[row] = (int) count[row];
         }
+    }
+
+    /** Finds what {@link LinearColors#at} finds, for all rows. */
+    void start(TriangleScan s, LinearColors c) {
+        double inverse = s.inverseArea;
+        for (int row = 0; row < s.rows; row += FOUR.length()) {
+            DoubleVector weightB = DoubleVector.fromArray(FOUR, s.edgeB, row).mul(inverse);
+            DoubleVector weightC = DoubleVector.fromArray(FOUR, s.edgeC, row).mul(inverse);
+            weightB.mul(c.zb).add(c.za).add(weightC.mul(c.zc)).intoArray(z, row);
+            whole(weightB.mul(c.rb).add(c.ra).add(weightC.mul(c.rc))).intoArray(red, row);
+            whole(weightB.mul(c.gb).add(c.ga).add(weightC.mul(c.gc))).intoArray(green, row);
+            whole(weightB.mul(c.bb).add(c.ba).add(weightC.mul(c.bc))).intoArray(blue, row);
+        }
+    }
+
+    private static LongVector whole(DoubleVector value) {
+        return value.add(LinearColors.ROUND).reinterpretAsLongs();
     }
 
     /** The least whole number above k, which is none, cut to 0 to {@code width}. */
