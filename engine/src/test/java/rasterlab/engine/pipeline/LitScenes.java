@@ -138,7 +138,12 @@ final class LitScenes {
     /** Every texel another colour. */
     static Texture texels(int width, int height) {
         var argb = new int[width * height];
-        Arrays.setAll(argb, i -> 0xFF000000 | (i * 2654435 + 0x123456) & 0xFFFFFF);
+        Arrays.setAll(argb, LitScenes::texel);
         return Texture.of(width, height, 3, argb);
+    }
+
+    /** A colour of {@link #texels}, counted row by row from the texture's beginning. */
+    static int texel(int number) {
+        return 0xFF000000 | (number * 2654435 + 0x123456) & 0xFFFFFF;
     }
 }
