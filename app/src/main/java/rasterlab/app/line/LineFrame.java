@@ -12,11 +12,13 @@ import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.Rulers;
+import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.contract.Pixels;
@@ -31,6 +33,7 @@ import rasterlab.engine.line.Segment;
  * @param scale device dots per view unit
  * @param font of a label
  * @param note a sentence over the picture, "" for none
+ * @param locale of the ends' coordinates
  */
 record LineFrame(
         LineDrawings drawings,
@@ -41,7 +44,8 @@ record LineFrame(
         double scale,
         StageColours colours,
         Font font,
-        String note) {
+        String note,
+        Locale locale) {
     /**
      * @throws CancellationException soon after {@code cancelled} says true
      */
@@ -113,7 +117,7 @@ record LineFrame(
         List<Rectangle2D> seen = marked();
         for (End end : End.values()) seen.add(around(end, segment, grid, width, height));
         for (End end : End.values()) {
-            String text = end + " (" + end.x(segment) + ", " + end.y(segment) + ")";
+            String text = label(end, segment, locale);
             Rectangle place =
                     EndLabels.place(
                             metrics.stringWidth(text) + 10,
@@ -125,6 +129,10 @@ record LineFrame(
             plate(g, text, place.x + 5, place.y + 2 + metrics.getAscent());
             seen.add(place);
         }
+    }
+
+    static String label(End end, Segment segment, Locale locale) {
+        return end + " " + Shown.point(end.x(segment), end.y(segment), locale);
     }
 
     /** The squares of the pixels in sight that bear a mark. */

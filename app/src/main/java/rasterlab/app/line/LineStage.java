@@ -195,7 +195,10 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
             handle.setBounds(LineFrame.around(end, segment, grid(), getWidth(), getHeight()));
             handle.getAccessibleContext()
                     .setAccessibleName(
-                            texts.text("end", end.name(), end.x(segment), end.y(segment)));
+                            texts.text(
+                                    "end",
+                                    end.name(),
+                                    Shown.point(end.x(segment), end.y(segment), texts.locale())));
         }
         LineFrame due = frame();
         if (asked.filter(due::equals).isPresent()) return;
@@ -214,7 +217,8 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                 DevicePixels.scale(this),
                 StageColours.now(),
                 UIManager.getFont("Label.font"),
-                LineNotes.about(state.drawings(), texts).orElse(""));
+                LineNotes.about(state.drawings(), texts).orElse(""),
+                texts.locale());
     }
 
     /** What is shown, without the rings around the ends, as an SVG document. */

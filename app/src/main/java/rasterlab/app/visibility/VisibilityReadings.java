@@ -120,7 +120,7 @@ final class VisibilityReadings {
     String pixel() {
         if (state.chosen().isEmpty()) return texts.text("pixel.none");
         ChosenPixel at = state.chosen().get();
-        String place = "(" + at.x() + ", " + at.y() + ")";
+        String place = Shown.point(at.x(), at.y(), texts.locale());
         boolean untold = state.pixel().isPresent() && !state.pixel().get().told();
         return untold ? texts.text("pixel.untold", place) : place;
     }

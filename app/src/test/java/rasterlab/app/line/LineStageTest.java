@@ -11,6 +11,7 @@ import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -23,6 +24,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Language;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelWindow;
@@ -51,7 +53,8 @@ class LineStageTest {
                 scale,
                 StageColours.LIGHT,
                 new Font(Font.SANS_SERIF, Font.PLAIN, 13),
-                "");
+                "",
+                Locale.ENGLISH);
     }
 
     @Test
@@ -65,6 +68,13 @@ class LineStageTest {
             int y = (int) ((60 + 20 * 6 + 6) * scale);
             assertEquals(BLUE, image.getRGB(x, y), "scale " + scale);
         }
+    }
+
+    @Test
+    void labelsOfEndsSeparateNumbersAsTheLanguageDoes() {
+        var segment = new Segment(2, -3, 17, 9);
+        assertEquals("A (2, −3)", LineFrame.label(End.A, segment, Language.ENGLISH.locale()));
+        assertEquals("B (17; 9)", LineFrame.label(End.B, segment, Language.RUSSIAN.locale()));
     }
 
     @ParameterizedTest(name = "coverage is painted as whole blocks: {0}")
@@ -84,7 +94,8 @@ class LineStageTest {
                                 1,
                                 colours,
                                 new Font(Font.SANS_SERIF, Font.PLAIN, 13),
-                                "")
+                                "",
+                                Locale.ENGLISH)
                         .painted(() -> false);
         Color ground = new Color(image.getRGB(100 + 20 * 9 + 6, 60 + 20 * 8 + 6));
         Color most = new Color(image.getRGB(100 + 20 * 3 - 7, 60 + 20 + 7));
