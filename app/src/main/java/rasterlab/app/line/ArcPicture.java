@@ -19,10 +19,15 @@ import rasterlab.engine.raster.PixelSet;
  * The pixels of a circle or an ellipse over the exact curve.
  *
  * @param step pixels lit so far
+ * @param alone pixels that the method beside it does not light
  */
-record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step) implements PlanePicture {
+record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSet alone)
+        implements PlanePicture {
     /** From so many view units a pixel on, pixels have edges and marks. */
     private static final double ROOMY = 5;
+
+    /** View units of a crowded pixel that one method has alone: wider than the exact curve. */
+    private static final double SMALLEST_DOT = 3;
 
     private static final int BETWEEN_CHECKS = 5000;
 
@@ -47,6 +52,7 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step) implements Pla
             g.draw(pixel);
         }
         paintCurve(g, map, colours);
+        alone(g, map, colours, size);
         marks(g, map, drawing.difference().extra(), PixelMark.EXTRA, size);
         if (step == drawing.steps())
             marks(g, map, drawing.difference().missing(), PixelMark.MISSING, size);
@@ -75,6 +81,19 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step) implements Pla
         g.setColor(colours.ink());
         g.setStroke(new BasicStroke(1.4f));
         g.draw(curve);
+    }
+
+    private void alone(Graphics2D g, PlaneMap map, StageColours colours, double size) {
+        for (int i = 0; i < alone.size(); i++) {
+            Rectangle2D pixel = pixel(map, alone.x(i), alone.y(i), Math.max(size, SMALLEST_DOT));
+            if (!g.getClipBounds().intersects(pixel)) continue;
+            if (size >= ROOMY) {
+                AloneMark.paint(g, colours, pixel);
+                continue;
+            }
+            g.setColor(colours.ink());
+            g.fill(pixel);
+        }
     }
 
     /** A pixel that was sent twice is extra by its count, and has no mark of its own. */

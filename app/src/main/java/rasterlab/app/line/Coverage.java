@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import rasterlab.contract.CoveragePixels;
 import rasterlab.engine.line.CoverageLine;
 import rasterlab.engine.line.LineWalk;
@@ -45,6 +46,15 @@ public record Coverage(List<Shade> shades) {
             return new Coverage(collected.shades);
         }
         return new Coverage(collected.shades);
+    }
+
+    /** Every pixel wholly, one a step. */
+    static Coverage whole(PixelRecording pixels) {
+        return new Coverage(
+                IntStream.range(0, pixels.size())
+                        .mapToObj(
+                                i -> new Shade(i + 1, pixels.x(i), pixels.y(i), CoverageLine.FULL))
+                        .toList());
     }
 
     /** Gives each pixel to the step of the walk that came last. */

@@ -46,6 +46,7 @@ final class FigureInspector {
     private final JLabel full;
     private final JLabel spread;
     private final JLabel other;
+    private final JLabel apart;
     private final AboutText about;
 
     FigureInspector(LineLabModel lab, Texts texts) {
@@ -100,6 +101,9 @@ final class FigureInspector {
         full = column.value("full");
         spread = column.value("spread");
         other = column.value("other");
+        apart = column.value("apart");
+        apart.setIcon(new AloneMark());
+        apart.setToolTipText(texts.text("apart.hint"));
 
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
@@ -183,6 +187,8 @@ final class FigureInspector {
             spread.setText(readings.spread());
         }
         other.setText(readings.other());
+        column.showRow(apart, state.drawings().apart().isPresent());
+        apart.setText(readings.apart());
     }
 
     private void explain(FigureState state) {

@@ -26,7 +26,7 @@ import rasterlab.engine.study.Method;
  */
 public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps, AutoCloseable {
     private final FigureTopics topics = new FigureTopics();
-    private final LatestOnly<FigureScene, Answer> drawings;
+    private final LatestOnly<FigureScene, FigureDrawings> drawings;
     private final History<FigureScene> history = new History<>(() -> state().scene(), this::bring);
     private final Map<LineMode, FigureScene> scenes = new EnumMap<>(LineMode.class);
     private final List<Consumer<FigureState>> listeners = new ArrayList<>();
@@ -40,13 +40,13 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
         for (LineMode mode : LineMode.values())
             if (mode != LineMode.SEGMENT) scenes.put(mode, FigureScene.first(mode));
         FigureScene first = scenes.get(LineMode.CIRCLE);
-        Answer drawn = answer(first);
-        state = new FigureState(first, first, drawn.drawing, drawn.other, drawn.drawing.steps(), 0);
+        FigureDrawings drawn = FigureDrawings.of(topics, first);
+        state = new FigureState(first, drawn, drawn.drawing().steps(), 0);
         drawings =
                 new LatestOnly<>(
                         "figure",
-                        (scene, cancelled) -> answer(scene),
-                        (scene, answer) -> events.execute(() -> accept(answer)),
+                        (scene, cancelled) -> FigureDrawings.of(topics, scene),
+                        (scene, newest) -> events.execute(() -> accept(newest)),
                         onFailure);
     }
 
@@ -59,17 +59,6 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
         Scenes {
             scenes = Map.copyOf(scenes);
         }
-    }
-
-    private record Answer(
-            FigureScene scene, FigureDrawing drawing, Optional<FigureDrawing> other) {}
-
-    private Answer answer(FigureScene scene) {
-        Optional<FigureDrawing> other =
-                scene.comparison().isEmpty()
-                        ? Optional.empty()
-                        : Optional.of(FigureDrawing.of(topics, scene, scene.comparison()));
-        return new Answer(scene, FigureDrawing.of(topics, scene, scene.method()), other);
     }
 
     public FigureState state() {
@@ -281,36 +270,18 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
 
     private void draw(FigureScene scene, int arrangement) {
         scenes.put(scene.mode(), scene);
-        publish(
-                new FigureState(
-                        scene,
-                        state.drawn(),
-                        state.drawing(),
-                        state.other(),
-                        state.step(),
-                        arrangement));
+        publish(new FigureState(scene, state.drawings(), state.step(), arrangement));
         drawings.ask(scene);
     }
 
-    private void accept(Answer answer) {
+    private void accept(FigureDrawings drawn) {
         publish(
                 new FigureState(
-                        state.scene(),
-                        answer.scene,
-                        answer.drawing,
-                        answer.other,
-                        answer.drawing.steps(),
-                        state.arrangement()));
+                        state.scene(), drawn, drawn.drawing().steps(), state.arrangement()));
     }
 
     private FigureState at(int step) {
-        return new FigureState(
-                state.scene(),
-                state.drawn(),
-                state.drawing(),
-                state.other(),
-                step,
-                state.arrangement());
+        return new FigureState(state.scene(), state.drawings(), step, state.arrangement());
     }
 
     private void publish(FigureState next) {

@@ -74,6 +74,22 @@ final class FigureReadings {
         return texts.text("worst.pixels", Shown.number(drawing.deviation().worst(), locale()));
     }
 
+    /** How many pixels only one of two methods lights; "" where no two are compared. */
+    String apart() {
+        return state.drawings()
+                .apart()
+                .map(
+                        apart ->
+                                state.finished()
+                                        ? texts.text(
+                                                "apart.pixels",
+                                                apart.missing().size() + apart.extra().size(),
+                                                apart.extra().size(),
+                                                apart.missing().size())
+                                        : texts.text("missing.later"))
+                .orElse("");
+    }
+
     /** The second method beside the exact figure in one line; "" when none is compared. */
     String other() {
         return state.other()

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import javax.swing.JPanel;
 import rasterlab.app.canvas.PicturePair;
 import rasterlab.app.canvas.PlaneAxes;
@@ -15,6 +16,8 @@ import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.raster.PixelDifference;
+import rasterlab.engine.raster.PixelSet;
 
 /** The figure by the chosen method, beside it by a second one; or the chart of brightness. */
 final class FigureStage extends JPanel implements AutoCloseable {
@@ -92,8 +95,9 @@ final class FigureStage extends JPanel implements AutoCloseable {
         Optional<FigureDrawing> second = arc ? state.other() : Optional.empty();
         pixels.arrange(all, second.isPresent());
         pixels.chosen().stepAtLeast(arc ? 1 : 0);
+        PixelSet onlyChosen = alone(PixelDifference::extra);
         shown().show(
-                        picture(state.drawing(), state.step()),
+                        picture(state.drawing(), state.step(), onlyChosen),
                         points(),
                         note(state.drawing(), second.isPresent()),
                         all,
@@ -103,7 +107,10 @@ final class FigureStage extends JPanel implements AutoCloseable {
                     int step = state.finished() ? other.steps() : state.step();
                     pixels.other()
                             .show(
-                                    picture(other, Math.min(step, other.steps())),
+                                    picture(
+                                            other,
+                                            Math.min(step, other.steps()),
+                                            alone(PixelDifference::missing)),
                                     List.of(),
                                     note(other, true),
                                     all,
@@ -111,9 +118,22 @@ final class FigureStage extends JPanel implements AutoCloseable {
                 });
     }
 
-    private PlanePicture picture(FigureDrawing drawing, int step) {
+    /** The pixels that only one of two methods lights; they are told when all are lit. */
+    private PixelSet alone(Function<PixelDifference, PixelSet> side) {
+        FigureState state = model.state();
+        return state.drawings()
+                .apart()
+                .filter(apart -> state.finished())
+                .map(side)
+                .orElse(PixelSet.EMPTY);
+    }
+
+    /**
+     * @param alone pixels that the other method does not light
+     */
+    private PlanePicture picture(FigureDrawing drawing, int step, PixelSet alone) {
         DrawnFigure figure = model.state().drawn().figure();
-        if (figure instanceof ArcFigure arc) return new ArcPicture(arc, drawing, step);
+        if (figure instanceof ArcFigure arc) return new ArcPicture(arc, drawing, step, alone);
         if (figure instanceof PenFigure pen) return new PenPicture(pen);
         var methods = new ArrayList<String>();
         var light = new ArrayList<List<Double>>();

@@ -71,6 +71,28 @@ public record LineDrawing(
         return new LineDrawing(name, trace, difference, marks, deviation, Optional.of(covered));
     }
 
+    /**
+     * Missing is what only the other method lights, extra what only this one does; where one covers
+     * pixels in part, what is covered less or more by it, by more than one level. Empty where one
+     * refused the segment.
+     */
+    Optional<PixelDifference> differenceFrom(LineDrawing other) {
+        if (refused() || other.refused()) return Optional.empty();
+        return Optional.of(
+                coverage.isEmpty() && other.coverage.isEmpty()
+                        ? PixelDifference.of(other.trace.pixels(), trace.pixels())
+                        : covered().differenceFrom(other.covered()));
+    }
+
+    private boolean refused() {
+        return trace.ending() == LineTrace.Ending.REFUSED;
+    }
+
+    /** Lit pixels are covered wholly. */
+    private Coverage covered() {
+        return coverage.map(Covered::drawn).orElseGet(() -> Coverage.whole(trace.pixels()));
+    }
+
     /** Number of pixels drawn, at most {@link #LIMIT}. */
     public int pixels() {
         return trace.pixels().size();

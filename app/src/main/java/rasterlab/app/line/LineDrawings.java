@@ -5,6 +5,7 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Topic;
 
@@ -14,9 +15,15 @@ import rasterlab.engine.study.Topic;
  * @param exact the first {@link LineDrawing#LIMIT} pixels of the exact line
  * @param drawing by the chosen method
  * @param other by the second method, if one is compared
+ * @param apart pixels of two methods: extra is what only the chosen one lights, or covers more,
+ *     missing what only the second one does; empty where one refused or none is compared
  */
 public record LineDrawings(
-        LineChoice choice, PixelRecording exact, LineDrawing drawing, Optional<LineDrawing> other) {
+        LineChoice choice,
+        PixelRecording exact,
+        LineDrawing drawing,
+        Optional<LineDrawing> other,
+        Optional<PixelDifference> apart) {
 
     static LineDrawings of(
             Topic<LineRasterizer, Segment, PixelRecording> topic, LineChoice choice) {
@@ -53,10 +60,11 @@ public record LineDrawings(
         Segment segment = choice.segment();
         LineDrawing drawing = LineDrawing.of(topic, choice.method(), segment, exact);
         if (choice.comparison().isEmpty())
-            return new LineDrawings(choice, exact, drawing, Optional.empty());
+            return new LineDrawings(choice, exact, drawing, Optional.empty(), Optional.empty());
         requireUse(cancelled);
         LineDrawing other = LineDrawing.of(topic, choice.comparison(), segment, exact);
-        return new LineDrawings(choice, exact, drawing, Optional.of(other));
+        return new LineDrawings(
+                choice, exact, drawing, Optional.of(other), drawing.differenceFrom(other));
     }
 
     private static void requireUse(BooleanSupplier cancelled) {

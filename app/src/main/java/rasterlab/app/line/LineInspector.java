@@ -31,6 +31,7 @@ final class LineInspector {
     private final JLabel extra;
     private final JLabel worst;
     private final JLabel other;
+    private final JLabel apart;
     private final AboutText about;
 
     LineInspector(LineLabModel model, Texts texts) {
@@ -66,6 +67,8 @@ final class LineInspector {
         extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
         worst = column.value("worst");
         other = column.value("other");
+        apart = column.value("apart");
+        apart.setToolTipText(texts.text("apart.hint"));
 
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
@@ -96,6 +99,8 @@ final class LineInspector {
         worst.setText(readings.worst());
         column.showRow(other, state.other().isPresent());
         other.setText(readings.other());
+        column.showRow(apart, state.drawings().apart().isPresent());
+        apart.setText(readings.apart());
         explain(state);
     }
 

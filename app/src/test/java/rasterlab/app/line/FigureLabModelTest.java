@@ -6,19 +6,28 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.Point;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.cli.Lab;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
@@ -107,6 +116,67 @@ class FigureLabModelTest {
                 }
             }
         }
+    }
+
+    @ParameterizedTest(name = "pixels of two methods that differ are miscounted: {0}")
+    @EnumSource(names = {"CIRCLE", "ELLIPSE"})
+    void pixelsThatOneMethodHasAloneAreTold(LineMode mode) {
+        model.chooseMode(mode);
+        model.show(mode, mode == LineMode.CIRCLE ? "squares-beyond-int" : "products-beyond-int");
+        model.chooseMethod("midpoint");
+        model.compareWith("bresenham-textbook");
+        FigureDrawing chosen = drawing();
+        FigureDrawing second = model.state().other().orElseThrow();
+        Set<Point> first = lit(chosen);
+        Set<Point> other = lit(second);
+        var apart = model.state().drawings().apart().orElseThrow();
+        assertEquals(without(first, other), told(apart.extra()));
+        assertEquals(without(other, first), told(apart.missing()));
+        assertFalse(apart.isEmpty(), "the textbook's method errs");
+        model.compareWith("midpoint");
+        drawing();
+        assertTrue(model.state().drawings().apart().orElseThrow().isEmpty());
+    }
+
+    private static Set<Point> lit(FigureDrawing drawing) {
+        return told(PixelSet.of(drawing.pixels()));
+    }
+
+    private static Set<Point> told(PixelSet pixels) {
+        return IntStream.range(0, pixels.size())
+                .mapToObj(i -> new Point(pixels.x(i), pixels.y(i)))
+                .collect(Collectors.toSet());
+    }
+
+    private static Set<Point> without(Set<Point> all, Set<Point> others) {
+        var alone = new HashSet<>(all);
+        alone.removeAll(others);
+        return alone;
+    }
+
+    @Test
+    void aRefusedPictureDiffersFromNone() {
+        model.show(LineMode.CIRCLE, "negative-radius");
+        model.compareWith("bresenham-textbook");
+        drawing();
+        assertTrue(model.state().drawings().apart().isEmpty());
+    }
+
+    @Test
+    void differentPixelsAreCountedAtTheEndOnly() {
+        model.show(LineMode.CIRCLE, "squares-beyond-int");
+        model.chooseMethod("midpoint");
+        model.compareWith("bresenham-textbook");
+        drawing();
+        Texts texts = Texts.of("line", Language.ENGLISH);
+        var apart = model.state().drawings().apart().orElseThrow();
+        int more = apart.extra().size();
+        int fewer = apart.missing().size();
+        assertEquals(
+                String.format(Locale.ENGLISH, "%,d: %,d + %,d", more + fewer, more, fewer),
+                new FigureReadings(model.state(), texts).apart());
+        model.goTo(2);
+        assertEquals("known at the end", new FigureReadings(model.state(), texts).apart());
     }
 
     @Test

@@ -42,6 +42,25 @@ class LineReadingsTest {
         assertEquals(reading, readings.decision());
     }
 
+    @ParameterizedTest(name = "pixels that differ are miscounted: {0} and {1}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "bresenham | midpoint | none",
+                "naive-textbook | bresenham | 6: 0 + 6",
+                "wu | wu | none",
+                "bresenham | wu | 16: 8 + 8"
+            })
+    void countsThePixelsThatOneMethodHasAlone(String chosen, String second, String reading)
+            throws InterruptedException {
+        model.chooseMethod(chosen);
+        model.compareWith(second);
+        model.show(new Segment(0, 0, 4, 10));
+        model.settle();
+        var readings = new LineReadings(model.state(), Texts.of("line", Language.ENGLISH));
+        assertEquals(reading, readings.apart());
+    }
+
     @ParameterizedTest(name = "coverage is told as whole pixels: {0}")
     @CsvSource(
             delimiter = '|',

@@ -9,6 +9,8 @@ import java.util.stream.LongStream;
  * coordinates.
  */
 public final class PixelSet {
+    public static final PixelSet EMPTY = new PixelSet(new long[0]);
+
     /** Row in the upper half, column in the lower, its sign bit flipped: sorts row by row. */
     private final long[] packed;
 

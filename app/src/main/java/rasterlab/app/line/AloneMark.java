@@ -1,0 +1,63 @@
+package rasterlab.app.line;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import javax.swing.Icon;
+import rasterlab.app.canvas.StageColours;
+
+/** A lozenge: of two methods only one lights this pixel, be it right or wrong. */
+final class AloneMark implements Icon {
+    private static final int SIZE = 16;
+
+    static void paint(Graphics2D g, StageColours colours, Rectangle2D pixel) {
+        Shape lozenge = lozenge(pixel);
+        float width = (float) Math.max(1.4, pixel.getWidth() * 0.09);
+        outline(g, lozenge, width + 2.4f, colours.ground());
+        outline(g, lozenge, width, colours.ink());
+    }
+
+    private static Shape lozenge(Rectangle2D pixel) {
+        var corners = new Path2D.Double();
+        corners.moveTo(pixel.getCenterX(), pixel.getMinY());
+        corners.lineTo(pixel.getMaxX(), pixel.getCenterY());
+        corners.lineTo(pixel.getCenterX(), pixel.getMaxY());
+        corners.lineTo(pixel.getMinX(), pixel.getCenterY());
+        corners.closePath();
+        return corners;
+    }
+
+    private static void outline(Graphics2D g, Shape shape, float width, Color colour) {
+        g.setColor(colour);
+        g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.draw(shape);
+    }
+
+    @Override
+    public void paintIcon(Component c, Graphics g, int x, int y) {
+        var copy = (Graphics2D) g.create();
+        copy.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        copy.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        double side = getIconWidth() * 0.7;
+        double inset = (getIconWidth() - side) / 2;
+        paint(copy, StageColours.now(), new Rectangle2D.Double(x + inset, y + inset, side, side));
+        copy.dispose();
+    }
+
+    @Override
+    public int getIconWidth() {
+        return UIScale.scale(SIZE);
+    }
+
+    @Override
+    public int getIconHeight() {
+        return UIScale.scale(SIZE);
+    }
+}
