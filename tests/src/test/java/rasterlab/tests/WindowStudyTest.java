@@ -94,12 +94,12 @@ class WindowStudyTest extends WindowHarness {
 
     @Test
     void topicWithoutATabShowsItsInput() {
-        window.comboBox("topic").selectItem("line-plane");
+        window.comboBox("topic").selectItem("depth-buffer");
         robot.waitForIdle();
         window.table("hazards").selectCell(TableCell.row(0).column(0));
         robot.waitForIdle();
         assertFalse(window.button("open").isEnabled());
-        assertTrue(window.button("open").target().getToolTipText().contains("line-plane"));
+        assertTrue(window.button("open").target().getToolTipText().contains("Hidden surfaces"));
         assertTrue(window.textBox("input").text().length() > 10);
     }
 

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.list.ListLabModel;
+import rasterlab.app.coordinates.meeting.MeetingLabModel;
 import rasterlab.app.coordinates.stack.StackLabModel;
 import rasterlab.app.coordinates.turn.TurnLabModel;
 import rasterlab.app.coordinates.view.ViewLabModel;
@@ -17,6 +18,7 @@ public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoClo
     private final ListLabModel transformations = new ListLabModel();
     private final StackLabModel stack = new StackLabModel();
     private final TurnLabModel rotation;
+    private final MeetingLabModel meeting = new MeetingLabModel();
     private final List<Consumer<CoordinatesMode>> listeners = new ArrayList<>();
     private CoordinatesMode mode = CoordinatesMode.VIEWS;
 
@@ -42,6 +44,10 @@ public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoClo
 
     public TurnLabModel rotation() {
         return rotation;
+    }
+
+    public MeetingLabModel meeting() {
+        return meeting;
     }
 
     public CoordinatesMode mode() {

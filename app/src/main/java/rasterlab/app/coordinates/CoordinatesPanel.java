@@ -8,6 +8,7 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.coordinates.list.ListPanel;
+import rasterlab.app.coordinates.meeting.MeetingPanel;
 import rasterlab.app.coordinates.stack.StackPanel;
 import rasterlab.app.coordinates.turn.TurnPanel;
 import rasterlab.app.coordinates.view.ViewPanel;
@@ -46,6 +47,8 @@ public final class CoordinatesPanel extends LabPanel {
                                     model.transformations(), language, this::choose, onFailure);
                     case ROTATION ->
                             new TurnPanel(model.rotation(), language, this::choose, onFailure);
+                    case MEETING ->
+                            new MeetingPanel(model.meeting(), language, this::choose, onFailure);
                     case STACK -> new StackPanel(model.stack(), language, this::choose, onFailure);
                     case VIEWS -> new ViewPanel(model.views(), language, this::choose, onFailure);
                 };

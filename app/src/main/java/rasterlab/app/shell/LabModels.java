@@ -64,6 +64,7 @@ public record LabModels(
         kept.put("coordinates.transformations", coordinates.transformations());
         kept.put("coordinates.stack", coordinates.stack());
         kept.put("coordinates.rotation", coordinates.rotation());
+        kept.put("coordinates.meeting", coordinates.meeting());
         kept.put("line", line);
         kept.put("line.figures", line.figures());
         kept.put("line.mode", line.keptMode());

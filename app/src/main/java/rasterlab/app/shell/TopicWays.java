@@ -24,6 +24,7 @@ import rasterlab.app.visibility.TopicView;
 import rasterlab.app.visibility.VisibilityLabModel;
 import rasterlab.engine.circle.Circle;
 import rasterlab.engine.circle.Ellipse;
+import rasterlab.engine.geometry.meeting.PlaneAndLines;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.spline.CurveTask;
 import rasterlab.engine.spline.SplineProblem;
@@ -56,7 +57,6 @@ final class TopicWays {
         visibility(models.visibility());
         light(models.light());
         splines(models.spline());
-        ways.put("line-plane", TopicWay.none(Unshown.NO_TAB));
         ways.put("depth-buffer", TopicWay.none(Unshown.DEPTHS_ALONE));
         ways.put("texture-mapping", TopicWay.none(Unshown.TEXELS_ALONE));
         ways.put("texture-filter", TopicWay.none(Unshown.TEXELS_ALONE));
@@ -140,6 +140,14 @@ final class TopicWays {
                     lab.transformations().show((MatrixCall) input);
                 },
                 lab.transformations()::chooseMethod);
+        put(
+                "line-plane",
+                "coordinates",
+                input -> {
+                    lab.show(CoordinatesMode.MEETING);
+                    lab.meeting().show((PlaneAndLines) input);
+                },
+                lab.meeting()::chooseMethod);
         points("transform", lab, input -> PointList.of((Chain) input));
         points("view", lab, input -> PointList.of((Look) input));
         points("rotate-axis", lab, input -> PointList.of((AxisTurn) input));

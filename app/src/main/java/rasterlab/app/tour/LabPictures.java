@@ -31,6 +31,7 @@ final class LabPictures implements TourPart {
                     coordinates("transformations", CoordinatesMode.TRANSFORMATIONS),
                     coordinates("stack", CoordinatesMode.STACK),
                     coordinates("rotation", CoordinatesMode.ROTATION),
+                    coordinates("meeting", CoordinatesMode.MEETING),
                     new Shot("line", "line", LabPictures::showWhatFails),
                     new Shot("circle", "line", LabPictures::showParametricEllipse),
                     new Shot(

@@ -28,6 +28,7 @@ import rasterlab.engine.clip.volume.VolumeClipTopic;
 import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.fill.FillTopic;
 import rasterlab.engine.fill.TracedFill;
+import rasterlab.engine.geometry.meeting.LinePlaneTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
@@ -63,6 +64,7 @@ class TopicTextsTest {
                 "coordinates/view",
                 "coordinates/list",
                 "coordinates/turn",
+                "coordinates/meeting",
                 "line",
                 "polygon",
                 "clip",
@@ -115,7 +117,7 @@ class TopicTextsTest {
     @Test
     void everyHazardOfCoordinatesHasAShortNameInBothLanguages() {
         for (Language language : Language.values())
-            for (String lab : List.of("list", "turn")) {
+            for (String lab : List.of("list", "turn", "meeting")) {
                 Texts labels = Texts.of("coordinates." + lab, language);
                 List<String> nameless =
                         english("coordinates/" + lab).keySet().stream()
@@ -223,6 +225,7 @@ class TopicTextsTest {
                 switch (lab) {
                     case "coordinates/view" -> new TransformTopic();
                     case "coordinates/list" -> new MatrixTopic();
+                    case "coordinates/meeting" -> new LinePlaneTopic();
                     default -> new RotateTopic();
                 };
         topic.methods().forEach(method -> about(method, said));

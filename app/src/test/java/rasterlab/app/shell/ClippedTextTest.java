@@ -62,7 +62,8 @@ class ClippedTextTest {
                     model -> model.stack().show(StackProgram.LOADED),
                     model -> model.stack().goTo(1),
                     model -> model.show(CoordinatesMode.ROTATION),
-                    model -> model.rotation().chooseMethod("buneman-textbook"));
+                    model -> model.rotation().chooseMethod("buneman-textbook"),
+                    model -> model.show(CoordinatesMode.MEETING));
 
     @AfterAll
     static void typeIsOfUsualSizeAgain() throws InterruptedException {

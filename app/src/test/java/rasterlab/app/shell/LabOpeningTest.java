@@ -46,7 +46,7 @@ import rasterlab.exercises.topic.TopicGradings;
 class LabOpeningTest {
     /** Topics of which no tab draws anything. */
     private static final Set<String> WITHOUT_TAB =
-            Set.of("line-plane", "depth-buffer", "texture-mapping", "texture-filter");
+            Set.of("depth-buffer", "texture-mapping", "texture-filter");
 
     /** What else a tab cannot show, and why. */
     private static final Map<String, Unshown> UNSHOWN =

@@ -54,6 +54,10 @@ class RedoTest {
                         models -> models.coordinates().rotation().history(),
                         models -> models.coordinates().rotation().movePoint(0.5, 0.25)),
                 lab(
+                        "coordinates.meeting",
+                        models -> models.coordinates().meeting().history(),
+                        models -> models.coordinates().meeting().chooseMethod("unrounded")),
+                lab(
                         "line",
                         models -> models.line().history(),
                         models -> models.line().chooseMethod("wu")),

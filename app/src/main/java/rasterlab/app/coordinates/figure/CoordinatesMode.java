@@ -9,7 +9,8 @@ public enum CoordinatesMode {
     VIEWS,
     TRANSFORMATIONS,
     STACK,
-    ROTATION;
+    ROTATION,
+    MEETING;
 
     /** Lower-case name, as components and texts are named by. */
     public String code() {

@@ -1,19 +1,123 @@
 package rasterlab.app.coordinates.figure;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
+import javax.swing.JComponent;
+import rasterlab.app.canvas.Actions;
+import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Hazard;
 
-/** One of the tab's labs, in one language. */
+/**
+ * One of the tab's labs, in one language: chips above, stage, inspector, the buttons that all labs
+ * have, and a row below the stage.
+ */
 public abstract class LabCard extends LabPanel {
     private static final long serialVersionUID = 1L;
 
+    private final transient ChoiceModel<?> model;
+    private final Actions actions;
+    private transient Optional<StepPlayer> player = Optional.empty();
+    private transient Runnable unsubscribe = () -> {};
+
+    protected LabCard(String name, ChoiceModel<?> model, Language language) {
+        this.model = model;
+        setName(name);
+        actions = new Actions(Texts.of("canvas", language));
+        actions.addUndo(model.history());
+        actions.add("reset", model::reset);
+    }
+
+    /**
+     * Adds the buttons that copy what is shown.
+     *
+     * @param command empty where no command draws it
+     * @param onFailure told what could not be copied
+     */
+    protected final void addCopies(
+            Supplier<? extends JComponent> picture,
+            Supplier<String> svg,
+            Supplier<Optional<String>> command,
+            Consumer<Throwable> onFailure) {
+        actions.add("copyPicture", () -> Copying.picture(picture.get(), onFailure));
+        actions.add("copySvg", () -> Copying.svg(svg.get(), onFailure));
+        actions.add(
+                "copyCommand",
+                () -> command.get().ifPresent(text -> Copying.text(text, onFailure)));
+    }
+
+    protected final Actions actions() {
+        return actions;
+    }
+
+    /** Puts the parts of a lab with steps together and shows the model from now on. */
+    protected final void play(
+            JComponent chips, JComponent stage, Inspector inspector, StepPlayer steps) {
+        player = Optional.of(steps);
+        steps.bindKeys(stage);
+        arrange(chips, stage, inspector, steps);
+    }
+
+    /** Puts the parts together and shows the model from now on. */
+    protected final void arrange(
+            JComponent chips, JComponent stage, Inspector inspector, JComponent below) {
+        add(new LabLayout(chips, stage, inspector, actions, below));
+        Actions.bindUndo(this, model.history());
+        unsubscribe = model.listen(choice -> refreshAll());
+        refreshAll();
+    }
+
+    private void refreshAll() {
+        refresh();
+        player.ifPresent(StepPlayer::refresh);
+        actions.refreshUndo();
+    }
+
+    /** Shows the model's present state on stage and inspector. */
+    protected abstract void refresh();
+
+    /** Ends the threads that paint. */
+    protected abstract void closeStage();
+
     /** Stops playing, for the lab is not seen any more. */
-    public abstract void stop();
+    public final void stop() {
+        player.ifPresent(StepPlayer::stop);
+    }
+
+    @Override
+    public final void close() {
+        stop();
+        unsubscribe.run();
+        closeStage();
+    }
+
+    /**
+     * A chip for each hazard.
+     *
+     * @param texts the lab's, with their short names
+     * @param translations what they are, where that is not English
+     */
+    protected static <I> Chips hazards(
+            Texts texts, Texts translations, List<Hazard<I>> hazards, Consumer<Hazard<I>> chosen) {
+        var chips = new Chips(texts.text("hazards"));
+        for (Hazard<I> each : hazards)
+            chips.add(
+                    each.name(),
+                    texts.textOr("hazard." + each.name(), each.name()),
+                    translations.textOr("hazard." + each.name(), each.description()),
+                    () -> chosen.accept(each));
+        return chips;
+    }
 
     /** A row that leads to the other labs; in this one it always shows this one's name. */
     protected static void modeRow(

@@ -1,28 +1,19 @@
 package rasterlab.app.coordinates.list;
 
+import java.util.Optional;
 import java.util.function.Consumer;
-import rasterlab.app.canvas.Actions;
-import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.study.Hazard;
-import rasterlab.engine.transform.matrix.MatrixCall;
 
 /** The lab of lists as the tab shows it, in one language. */
 public final class ListPanel extends LabCard {
     private static final long serialVersionUID = 1L;
 
-    private final transient ListLabModel model;
     private final ListStage stage;
     private final transient ListInspector inspector;
-    private final StepPlayer player;
-    private final Actions actions;
-    private final transient Runnable unsubscribe;
 
     /**
      * @param onMode told when another lab is chosen
@@ -33,10 +24,8 @@ public final class ListPanel extends LabCard {
             Language language,
             Consumer<CoordinatesMode> onMode,
             Consumer<Throwable> onFailure) {
-        this.model = model;
-        setName("transformations");
+        super("transformations", model, language);
         Texts texts = Texts.of("coordinates.list", language);
-        Texts canvas = Texts.of("canvas", language);
         stage = new ListStage(model, texts, onFailure);
         inspector =
                 new ListInspector(
@@ -44,34 +33,23 @@ public final class ListPanel extends LabCard {
                         texts,
                         column ->
                                 modeRow(column, CoordinatesMode.TRANSFORMATIONS, language, onMode));
-        player =
+        addCopies(
+                stage::shown,
+                () -> stage.shown().svg(),
+                () -> Optional.of(ListCommand.of(model.scene(), model.step())),
+                onFailure);
+        play(
+                hazards(
+                        texts,
+                        Texts.of("coordinates.list", "topic", language),
+                        model.hazards(),
+                        model::show),
+                stage,
+                inspector.column(),
                 new StepPlayer(
-                        canvas, model, () -> texts.text("count", model.step(), model.last()));
-        actions = new Actions(canvas);
-        actions.addUndo(model.history());
-        actions.add("reset", model::reset);
-        actions.add("copyPicture", () -> Copying.picture(stage.shown(), onFailure));
-        actions.add("copySvg", () -> Copying.svg(stage.shown().svg(), onFailure));
-        actions.add(
-                "copyCommand",
-                () -> Copying.text(ListCommand.of(model.scene(), model.step()), onFailure));
-        add(new LabLayout(chips(texts), stage, inspector.column(), actions, player));
-        Actions.bindUndo(this, model.history());
-        player.bindKeys(stage);
-        unsubscribe = model.listen(choice -> refresh());
-        refresh();
-    }
-
-    private Chips chips(Texts texts) {
-        Texts translations = Texts.of("coordinates.list", "topic", texts.language());
-        var chips = new Chips(texts.text("hazards"));
-        for (Hazard<MatrixCall> each : model.hazards())
-            chips.add(
-                    each.name(),
-                    texts.textOr("hazard." + each.name(), each.name()),
-                    translations.textOr("hazard." + each.name(), each.description()),
-                    () -> model.show(each));
-        return chips;
+                        Texts.of("canvas", language),
+                        model,
+                        () -> texts.text("count", model.step(), model.last())));
     }
 
     @Override
@@ -80,21 +58,13 @@ public final class ListPanel extends LabCard {
     }
 
     @Override
-    public void stop() {
-        player.stop();
+    protected void refresh() {
+        stage.refresh();
+        inspector.refresh();
     }
 
     @Override
-    public void close() {
-        player.stop();
-        unsubscribe.run();
+    protected void closeStage() {
         stage.close();
-    }
-
-    private void refresh() {
-        stage.refresh();
-        inspector.refresh();
-        player.refresh();
-        actions.refreshUndo();
     }
 }

@@ -1,10 +1,7 @@
 package rasterlab.app.coordinates.stack;
 
 import java.util.function.Consumer;
-import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
@@ -19,9 +16,6 @@ public final class StackPanel extends LabCard {
     private final transient Texts texts;
     private final StackStage stage;
     private final transient StackInspector inspector;
-    private final StepPlayer player;
-    private final Actions actions;
-    private final transient Runnable unsubscribe;
 
     /**
      * @param onMode told when another lab is chosen
@@ -32,37 +26,31 @@ public final class StackPanel extends LabCard {
             Language language,
             Consumer<CoordinatesMode> onMode,
             Consumer<Throwable> onFailure) {
-        this.model = model;
-        setName("stack");
+        super("stack", model, language);
         texts = Texts.of("coordinates.stack", language);
-        Texts canvas = Texts.of("canvas", language);
+        this.model = model;
         stage = new StackStage(model, texts, onFailure);
         inspector =
                 new StackInspector(
                         model,
                         texts,
                         column -> modeRow(column, CoordinatesMode.STACK, language, onMode));
-        player =
+        addCopies(
+                stage::shown,
+                () -> stage.shown().svg(),
+                () -> CubeCommand.of(model.scene()),
+                onFailure);
+        play(
+                programs(),
+                stage,
+                inspector.column(),
                 new StepPlayer(
-                        canvas, model, () -> texts.text("count", model.step(), model.last()));
-        actions = new Actions(canvas);
-        actions.addUndo(model.history());
-        actions.add("reset", model::reset);
-        actions.add("copyPicture", () -> Copying.picture(stage.shown(), onFailure));
-        actions.add("copySvg", () -> Copying.svg(stage.shown().svg(), onFailure));
-        actions.add(
-                "copyCommand",
-                () ->
-                        CubeCommand.of(model.scene())
-                                .ifPresent(command -> Copying.text(command, onFailure)));
-        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
-        Actions.bindUndo(this, model.history());
-        player.bindKeys(stage);
-        unsubscribe = model.listen(choice -> refresh());
-        refresh();
+                        Texts.of("canvas", language),
+                        model,
+                        () -> texts.text("count", model.step(), model.last())));
     }
 
-    private Chips chips() {
+    private Chips programs() {
         var chips = new Chips(texts.text("programs"));
         for (StackProgram each : StackProgram.values())
             chips.add(
@@ -79,24 +67,16 @@ public final class StackPanel extends LabCard {
     }
 
     @Override
-    public void stop() {
-        player.stop();
+    protected void refresh() {
+        stage.refresh();
+        inspector.refresh();
+        boolean drawn = !model.scene().cubes().isEmpty();
+        actions().enable("copyCommand", drawn);
+        actions().hint("copyCommand", texts.text(drawn ? "copy.cube" : "copy.none"));
     }
 
     @Override
-    public void close() {
-        player.stop();
-        unsubscribe.run();
+    protected void closeStage() {
         stage.close();
-    }
-
-    private void refresh() {
-        stage.refresh();
-        inspector.refresh();
-        player.refresh();
-        actions.refreshUndo();
-        boolean drawn = !model.scene().cubes().isEmpty();
-        actions.enable("copyCommand", drawn);
-        actions.hint("copyCommand", texts.text(drawn ? "copy.cube" : "copy.none"));
     }
 }

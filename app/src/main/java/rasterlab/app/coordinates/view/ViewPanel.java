@@ -1,10 +1,8 @@
 package rasterlab.app.coordinates.view;
 
+import java.util.Optional;
 import java.util.function.Consumer;
-import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
-import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
@@ -15,12 +13,8 @@ import rasterlab.app.language.Texts;
 public final class ViewPanel extends LabCard {
     private static final long serialVersionUID = 1L;
 
-    private final transient ViewLabModel model;
     private final ViewStageView stage;
     private final transient ViewInspector inspector;
-    private final StepPlayer player;
-    private final Actions actions;
-    private final transient Runnable unsubscribe;
 
     /**
      * @param onMode told when another lab is chosen
@@ -31,37 +25,30 @@ public final class ViewPanel extends LabCard {
             Language language,
             Consumer<CoordinatesMode> onMode,
             Consumer<Throwable> onFailure) {
-        this.model = model;
-        setName("views");
+        super("views", model, language);
         Texts texts = Texts.of("coordinates.view", language);
-        Texts canvas = Texts.of("canvas", language);
         stage = new ViewStageView(model, texts, onFailure);
         inspector =
                 new ViewInspector(
                         model,
                         texts,
                         column -> modeRow(column, CoordinatesMode.VIEWS, language, onMode));
-        player =
+        addCopies(
+                stage::shown,
+                () -> stage.shown().svg(),
+                () -> Optional.of(ViewCommand.of(model.scene(), model.step())),
+                onFailure);
+        play(
+                situations(model, texts),
+                stage,
+                inspector.column(),
                 new StepPlayer(
-                        canvas,
+                        Texts.of("canvas", language),
                         model,
-                        () -> texts.text("space." + model.stage().space().code() + ".short"));
-        actions = new Actions(canvas);
-        actions.addUndo(model.history());
-        actions.add("reset", model::reset);
-        actions.add("copyPicture", () -> Copying.picture(stage.shown(), onFailure));
-        actions.add("copySvg", () -> Copying.svg(stage.shown().svg(), onFailure));
-        actions.add(
-                "copyCommand",
-                () -> Copying.text(ViewCommand.of(model.scene(), model.step()), onFailure));
-        add(new LabLayout(chips(texts), stage, inspector.column(), actions, player));
-        Actions.bindUndo(this, model.history());
-        player.bindKeys(stage);
-        unsubscribe = model.listen(choice -> refresh());
-        refresh();
+                        () -> texts.text("space." + model.stage().space().code() + ".short")));
     }
 
-    private Chips chips(Texts texts) {
+    private static Chips situations(ViewLabModel model, Texts texts) {
         var chips = new Chips(texts.text("situations"));
         for (ViewSituation each : ViewSituation.values())
             chips.add(
@@ -78,21 +65,13 @@ public final class ViewPanel extends LabCard {
     }
 
     @Override
-    public void stop() {
-        player.stop();
+    protected void refresh() {
+        stage.refresh();
+        inspector.refresh();
     }
 
     @Override
-    public void close() {
-        player.stop();
-        unsubscribe.run();
+    protected void closeStage() {
         stage.close();
-    }
-
-    private void refresh() {
-        stage.refresh();
-        inspector.refresh();
-        player.refresh();
-        actions.refreshUndo();
     }
 }

@@ -30,6 +30,21 @@ public final class PlaneAndLines {
         return new double[] {v.x(), v.y(), v.z()};
     }
 
+    private static Vector vector(double[] numbers) {
+        return new Vector(numbers[0], numbers[1], numbers[2]);
+    }
+
+    public Plane plane() {
+        return new Plane(vector(normal), c);
+    }
+
+    /**
+     * @param index from 0 to the number of lines − 1
+     */
+    public Line line(int index) {
+        return new Line(vector(from[index]), vector(through[index]));
+    }
+
     int size() {
         return from.length;
     }

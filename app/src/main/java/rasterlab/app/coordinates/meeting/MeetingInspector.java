@@ -1,0 +1,92 @@
+package rasterlab.app.coordinates.meeting;
+
+import java.util.function.Consumer;
+import javax.swing.JLabel;
+import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.MethodChooser;
+import rasterlab.app.coordinates.figure.NumberTable;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Method;
+
+/** The method, the plane and the line in numbers, and what every method answers. */
+final class MeetingInspector {
+    private final MeetingLabModel model;
+    private final Texts texts;
+    private final Texts translations;
+    private final MeetingReadings readings;
+    private final Inspector column;
+    private final MethodChooser method;
+    private final JLabel normal;
+    private final JLabel constant;
+    private final JLabel distance;
+    private final JLabel from;
+    private final JLabel through;
+    private final JLabel cosines;
+    private final JLabel angle;
+    private final JLabel heights;
+    private final NumberTable table;
+    private final AboutText about;
+
+    /**
+     * @param mode adds the row that leads to the other labs
+     */
+    MeetingInspector(MeetingLabModel model, Texts texts, Consumer<Inspector> mode) {
+        this.model = model;
+        this.texts = texts;
+        translations = Texts.of("coordinates.meeting", "topic", texts.language());
+        readings = new MeetingReadings(model, texts);
+        column = new Inspector(texts);
+        mode.accept(column);
+        method =
+                new MethodChooser(
+                        "method",
+                        "",
+                        model.methods().stream().map(Method::name).toList(),
+                        model::chooseMethod);
+        column.row("method", method);
+        column.heading("heading.plane");
+        normal = column.value("normal");
+        constant = column.value("constant");
+        distance = column.value("distance");
+        column.heading("heading.line");
+        from = column.value("from");
+        through = column.value("through");
+        cosines = column.value("cosines");
+        angle = column.value("angle");
+        heights = column.value("heights");
+        column.heading("heading.answers");
+        table = new NumberTable("table", texts.text("heading.answers"));
+        column.wide(table);
+        column.heading("heading.about");
+        about = new AboutText("about", texts.language());
+        column.wide(about);
+    }
+
+    Inspector column() {
+        return column;
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        method.show(model.choice().method());
+        normal.setText(readings.normal());
+        constant.setText(readings.constant());
+        distance.setText(readings.distance());
+        from.setText(readings.from());
+        through.setText(readings.through());
+        cosines.setText(readings.cosines());
+        angle.setText(readings.angle());
+        heights.setText(readings.heights());
+        table.show(readings.headings(), readings.rows(), readings.chosenRow());
+        about.show(translations, model.method(), "", refusal());
+    }
+
+    /** Why the method refused: in its own words where those are the window's language. */
+    private String refusal() {
+        MeetingScene.Answer answer = model.scene().chosen();
+        if (!answer.refused()) return "";
+        return texts.language() == Language.ENGLISH ? answer.refusal() : texts.text("refusal");
+    }
+}

@@ -1,0 +1,70 @@
+package rasterlab.app.coordinates.meeting;
+
+import java.util.function.Consumer;
+import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.figure.LabCard;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+/** The lab of a line that meets a plane as the tab shows it, in one language. */
+public final class MeetingPanel extends LabCard {
+    private static final long serialVersionUID = 1L;
+
+    private final transient MeetingLabModel model;
+    private final MeetingStage stage;
+    private final transient MeetingInspector inspector;
+
+    /**
+     * @param onMode told when another lab is chosen
+     * @param onFailure told what a control could not do or painting threw, on any thread
+     */
+    public MeetingPanel(
+            MeetingLabModel model,
+            Language language,
+            Consumer<CoordinatesMode> onMode,
+            Consumer<Throwable> onFailure) {
+        super("meeting", model, language);
+        Texts texts = Texts.of("coordinates.meeting", language);
+        this.model = model;
+        stage = new MeetingStage(model, texts, onFailure);
+        inspector =
+                new MeetingInspector(
+                        model,
+                        texts,
+                        column -> modeRow(column, CoordinatesMode.MEETING, language, onMode));
+        addCopies(
+                stage::shown,
+                () -> stage.shown().svg(),
+                () -> MeetingCommand.of(model.choice()),
+                onFailure);
+        var legend = new WrappedText("legend");
+        legend.show(texts.text("legend"));
+        arrange(
+                hazards(
+                        texts,
+                        Texts.of("coordinates.meeting", "topic", language),
+                        model.hazards(),
+                        hazard -> model.show(hazard.input())),
+                stage,
+                inspector.column(),
+                legend);
+    }
+
+    @Override
+    public void focusPicture() {
+        stage.focusPoint();
+    }
+
+    @Override
+    protected void refresh() {
+        stage.refresh();
+        inspector.refresh();
+        actions().enable("copyCommand", MeetingCommand.of(model.choice()).isPresent());
+    }
+
+    @Override
+    protected void closeStage() {
+        stage.close();
+    }
+}
