@@ -12,16 +12,16 @@ import java.util.Optional;
  */
 public record FigureState(FigureScene scene, FigureDrawings drawings, int step, int arrangement) {
     /** The scene that the drawings are of. */
-    FigureScene drawn() {
+    public FigureScene drawn() {
         return drawings.scene();
     }
 
-    FigureDrawing drawing() {
+    public FigureDrawing drawing() {
         return drawings.drawing();
     }
 
     /** What the second method draws, if one is compared. */
-    Optional<FigureDrawing> other() {
+    public Optional<FigureDrawing> other() {
         return drawings.other();
     }
 
