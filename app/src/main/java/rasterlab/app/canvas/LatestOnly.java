@@ -1,5 +1,6 @@
 package rasterlab.app.canvas;
 
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BiConsumer;
@@ -33,7 +34,7 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
     private final Consumer<Throwable> failed;
     private final Thread worker;
 
-    private Q waiting;
+    private Optional<Q> waiting = Optional.empty();
     private boolean busy;
     private boolean closed;
     private boolean lastWasCancelled;
@@ -58,20 +59,20 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
 
     /** Puts this question in place of the one that waits, and cancels the one being answered. */
     public synchronized void ask(Q question) {
-        waiting = question;
+        waiting = Optional.of(question);
         if (busy && !lastWasCancelled) cancelled.set(true);
         notifyAll();
     }
 
     /** Drops the question that waits and cancels the one being answered. */
     public synchronized void cancel() {
-        waiting = null;
+        waiting = Optional.empty();
         cancelled.set(true);
     }
 
     /** Waits until every question asked so far is answered or dropped. */
     public synchronized void settle() throws InterruptedException {
-        while (busy || waiting != null) wait();
+        while (busy || waiting.isPresent()) wait();
     }
 
     @Override
@@ -82,8 +83,8 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
     }
 
     private void run() {
-        for (Q question = next(); question != null; question = next())
-            answer(question, currentSign());
+        for (Optional<Q> question = next(); question.isPresent(); question = next())
+            answer(question.get(), currentSign());
     }
 
     private synchronized AtomicBoolean currentSign() {
@@ -101,24 +102,24 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
         }
     }
 
-    /** Ends the last question and waits for the next; null when closed. */
-    private synchronized Q next() {
+    /** Ends the last question and waits for the next; empty when closed. */
+    private synchronized Optional<Q> next() {
         lastWasCancelled = busy && cancelled.getAndSet(true);
         busy = false;
         notifyAll();
         try {
-            while (waiting == null && !closed) wait();
+            while (waiting.isEmpty() && !closed) wait();
         } catch (InterruptedException e) {
             closed = true;
         }
         if (closed) {
-            waiting = null;
-            return null;
+            waiting = Optional.empty();
+            return waiting;
         }
         busy = true;
         cancelled = new AtomicBoolean();
-        Q question = waiting;
-        waiting = null;
+        Optional<Q> question = waiting;
+        waiting = Optional.empty();
         return question;
     }
 }

@@ -121,11 +121,12 @@ final class Drafts implements AutoCloseable {
     }
 
     private void writeAll() {
-        for (Saving next = next(); next != null; next = next()) told.accept(next);
+        for (Optional<Saving> next = next(); next.isPresent(); next = next())
+            told.accept(next.get());
     }
 
-    /** Writes one change and says how it fared; null when closed and all is written. */
-    private Saving next() {
+    /** Writes one change and says how it fared; empty when closed and all is written. */
+    private Optional<Saving> next() {
         String exercise;
         String text;
         synchronized (this) {
@@ -136,7 +137,7 @@ final class Drafts implements AutoCloseable {
             } catch (InterruptedException e) {
                 closed = true;
             }
-            if (waiting.isEmpty()) return null;
+            if (waiting.isEmpty()) return Optional.empty();
             exercise = waiting.keySet().iterator().next();
             text = waiting.remove(exercise);
             writing = true;
@@ -147,7 +148,7 @@ final class Drafts implements AutoCloseable {
             if (problem.isEmpty()) unsaved.remove(exercise);
             else unsaved.put(exercise, new UnsavedDraft(exercise, text, problem));
         }
-        return new Saving(exercise, problem);
+        return Optional.of(new Saving(exercise, problem));
     }
 
     private String written(String exercise, String text) {
