@@ -1,0 +1,103 @@
+package rasterlab.app.canvas;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+/** A lab's inspector; that all labs of a window hide theirs at once takes a window. */
+class LabLayoutTest {
+
+    @AfterEach
+    void inspectorsAreShownAgain() throws Exception {
+        EventQueue.invokeAndWait(() -> LabLayout.showInspectors(true));
+    }
+
+    private static LabLayout lab() {
+        return new LabLayout(
+                new JLabel("chips"),
+                new JLabel("stage"),
+                new Inspector(Texts.of("line", Language.ENGLISH)),
+                new JPanel(),
+                new JLabel("timeline"));
+    }
+
+    /** Does what the key does anywhere in the window. */
+    private static void press(int key, LabLayout lab) {
+        for (InspectorSwitch each : found(lab, InspectorSwitch.class)) {
+            Object bound =
+                    each.getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
+                            .get(KeyStroke.getKeyStroke(key, 0));
+            if (bound != null)
+                each.getActionMap()
+                        .get(bound)
+                        .actionPerformed(new ActionEvent(each, ActionEvent.ACTION_PERFORMED, ""));
+        }
+    }
+
+    private static <C extends Component> List<C> found(Container within, Class<C> kind) {
+        var found = new ArrayList<C>();
+        for (Component each : within.getComponents()) {
+            if (kind.isInstance(each)) found.add(kind.cast(each));
+            if (each instanceof Container inner) found.addAll(found(inner, kind));
+        }
+        return found;
+    }
+
+    /** Whether the inspector and everything around it is visible. */
+    private static boolean shown(LabLayout lab) {
+        Component inspector = found(lab, Inspector.class).get(0);
+        for (Component each = inspector; each != lab; each = each.getParent())
+            if (!each.isVisible()) return false;
+        return true;
+    }
+
+    @Test
+    void f9HidesTheInspectorAndBringsItBack() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabLayout lab = lab();
+                    assertTrue(shown(lab));
+                    press(KeyEvent.VK_F9, lab);
+                    assertFalse(shown(lab));
+                    press(KeyEvent.VK_F9, lab);
+                    assertTrue(shown(lab));
+                });
+    }
+
+    @Test
+    void labThatIsMadeLaterHidesItsInspectorToo() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    press(KeyEvent.VK_F9, lab());
+                    assertFalse(shown(lab()));
+                });
+    }
+
+    @Test
+    void switchSaysWhatItDoesNext() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabLayout lab = lab();
+                    InspectorSwitch hides = found(lab, InspectorSwitch.class).get(0);
+                    String before = hides.getToolTipText();
+                    hides.doClick();
+                    assertNotEquals(before, hides.getToolTipText());
+                });
+    }
+}
