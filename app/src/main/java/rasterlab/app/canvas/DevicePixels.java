@@ -2,8 +2,10 @@ package rasterlab.app.canvas;
 
 import java.awt.AlphaComposite;
 import java.awt.Graphics2D;
+import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
+import java.util.function.Consumer;
 import javax.swing.JComponent;
 import rasterlab.engine.raster.Raster;
 
@@ -20,6 +22,34 @@ public final class DevicePixels {
     /** The dots of so many view units, from 1 to {@link Raster#LARGEST_SIDE}. */
     public static int count(int view, double scale) {
         return (int) Math.max(1, Math.min(Raster.LARGEST_SIDE, Math.round(view * scale)));
+    }
+
+    /**
+     * A picture of so many view units.
+     *
+     * @param paint is given a graphics in view units
+     */
+    public static BufferedImage painted(
+            int width, int height, double scale, Consumer<Graphics2D> paint) {
+        var image =
+                new BufferedImage(
+                        count(width, scale), count(height, scale), BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        try {
+            g.scale(scale, scale);
+            paint.accept(g);
+        } finally {
+            g.dispose();
+        }
+        return image;
+    }
+
+    /** Smooth edges and letters, and lines that lie where they are told to. */
+    public static void smooth(Graphics2D g) {
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        g.setRenderingHint(
+                RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     }
 
     /** Puts the picture's pixels on the screen's dots one to one. */

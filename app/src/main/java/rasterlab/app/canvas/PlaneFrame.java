@@ -7,7 +7,6 @@ import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -45,26 +44,11 @@ record PlaneFrame(
      * @throws CancellationException soon after {@code cancelled} says true
      */
     BufferedImage painted(BooleanSupplier cancelled) {
-        var image =
-                new BufferedImage(
-                        DevicePixels.count(width, scale),
-                        DevicePixels.count(height, scale),
-                        BufferedImage.TYPE_INT_RGB);
-        Graphics2D g = image.createGraphics();
-        try {
-            g.scale(scale, scale);
-            paint(g, cancelled);
-        } finally {
-            g.dispose();
-        }
-        return image;
+        return DevicePixels.painted(width, height, scale, g -> paint(g, cancelled));
     }
 
     void paint(Graphics2D g, BooleanSupplier cancelled) {
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(
-                RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        DevicePixels.smooth(g);
         var rulers = new PlaneRulers(map, new Dimension(width, height), colours, font, locale);
         if (picture.ruled()) rulers.paintGrid(g);
         else paintGround(g);

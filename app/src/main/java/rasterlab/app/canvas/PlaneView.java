@@ -19,8 +19,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
-import javax.swing.JLabel;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import rasterlab.app.language.Texts;
@@ -34,8 +32,6 @@ import rasterlab.app.language.Texts;
  */
 public final class PlaneView extends SelfDrawn implements Settling, AutoCloseable {
     private static final long serialVersionUID = 1L;
-
-    private static final double ZOOM = 1.25;
 
     /** View units that an arrow key moves a point, about. */
     private static final double KEY = 4;
@@ -51,7 +47,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     private final transient Settling source;
     private final transient LatestOnly<PlaneFrame, BufferedImage> frames;
     private final ZoomButtons zoom;
-    private final JLabel pointed = new JLabel();
+    private final ReadOut pointed = new ReadOut();
     private final List<PlaneHandle> handles = new ArrayList<>();
     private transient PlanePicture picture = NOTHING;
     private transient List<PlanePoint> points = List.of();
@@ -92,27 +88,13 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         setName("stage");
         setBorder(BorderFactory.createLineBorder(UIManager.getColor("Component.borderColor")));
         getAccessibleContext().setAccessibleName(said);
-        zoom = new ZoomButtons(texts, this::zoomIn, this::zoomOut, this::fit);
+        zoom = new ZoomButtons(texts, this, new Zoom());
         add(zoom);
-        addReadOut();
+        add(pointed);
         var mouse = new Ground();
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
         addMouseWheelListener(mouse);
-        for (String key : List.of("typed +", "typed ="))
-            KeyBinding.within(this, KeyStroke.getKeyStroke(key), this::zoomIn);
-        KeyBinding.within(this, KeyStroke.getKeyStroke("typed -"), this::zoomOut);
-        KeyBinding.within(this, KeyStroke.getKeyStroke("typed 0"), this::fit);
-    }
-
-    private void addReadOut() {
-        pointed.setOpaque(true);
-        pointed.setBackground(StageColours.now().ground());
-        pointed.setForeground(StageColours.now().ink());
-        pointed.setBorder(BorderFactory.createEmptyBorder(2, 5, 2, 5));
-        pointed.setVisible(false);
-        pointed.setName("pointed");
-        add(pointed);
     }
 
     /**
@@ -195,14 +177,6 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         focusPoint();
     }
 
-    private void zoomIn() {
-        zoom(ZOOM, centre());
-    }
-
-    private void zoomOut() {
-        zoom(1 / ZOOM, centre());
-    }
-
     /** Shows everything again, and keeps doing so when the stage changes its size. */
     private void fit() {
         chosen = Optional.empty();
@@ -228,43 +202,26 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         return inside;
     }
 
-    private Point2D centre() {
-        Rectangle inside = Rulers.inside(getSize());
-        return new Point2D.Double(inside.getCenterX(), inside.getCenterY());
-    }
-
     /**
      * Puts the handles around their points, one whose point is out of sight at the edge, and asks
      * for the picture when another is due.
      */
     @Override
     public void doLayout() {
-        Dimension corner = zoom.getPreferredSize();
-        zoom.setBounds(
-                getWidth() - corner.width - 8,
-                getHeight() - corner.height - 8,
-                corner.width,
-                corner.height);
-        Dimension place = pointed.getPreferredSize();
-        pointed.setBounds(
-                Rulers.left() + 5, getHeight() - place.height - 6, place.width, place.height);
+        zoom.place();
+        pointed.place(getHeight());
         PlaneMap map = map();
         int size = UIScale.scale(22);
         for (PlaneHandle handle : handles)
             handle.setBounds(
-                    within(map.viewX(handle.point().x()), Rulers.left(), getWidth(), size),
-                    within(map.viewY(handle.point().y()), Rulers.top(), getHeight(), size),
+                    Rulers.square(map.viewX(handle.point().x()), Rulers.left(), getWidth(), size),
+                    Rulers.square(map.viewY(handle.point().y()), Rulers.top(), getHeight(), size),
                     size,
                     size);
         PlaneFrame due = frame();
         if (asked.filter(due::equals).isPresent()) return;
         asked = Optional.of(due);
         frames.ask(due);
-    }
-
-    /** Where a square of that size begins, so that its middle is at {@code view} if it fits. */
-    private static int within(double view, int from, int to, int size) {
-        return (int) Math.round(Math.max(from, Math.min(to - size, view - size / 2.0)));
     }
 
     private PlaneFrame frame() {
@@ -341,6 +298,18 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         }
     }
 
+    private final class Zoom implements Zooming {
+        @Override
+        public void zoom(double factor, Point2D view) {
+            PlaneView.this.zoom(factor, view);
+        }
+
+        @Override
+        public void fit() {
+            PlaneView.this.fit();
+        }
+    }
+
     /** Moves the plane by dragging its ground, zooms it by the wheel, reads off coordinates. */
     private final class Ground extends MouseAdapter {
         private Point last = new Point();
@@ -386,7 +355,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
 
         @Override
         public void mouseWheelMoved(MouseWheelEvent e) {
-            zoom(Math.pow(ZOOM, -e.getPreciseWheelRotation()), e.getPoint());
+            zoom(ZoomButtons.factor(e.getPreciseWheelRotation()), e.getPoint());
         }
 
         private void point(MouseEvent e) {

@@ -29,16 +29,20 @@ public final class Plates {
         g.drawString(text, x, y);
     }
 
+    /** Under words that should be read rather than what lies behind them. */
+    public static Color nearlyOpaque(Color ground) {
+        return new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), OPAQUE);
+    }
+
     /**
      * A sentence at the stage's upper edge, beside the rulers and wrapped to the stage's width.
      *
      * @param width of the stage
      */
-    static void sentence(Graphics2D g, String sentence, int width, StageColours colours) {
+    public static void sentence(Graphics2D g, String sentence, int width, StageColours colours) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
         FontMetrics metrics = g.getFontMetrics();
-        Color ground = colours.ground();
-        var plate = new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), OPAQUE);
+        Color plate = nearlyOpaque(colours.ground());
         int y = Rulers.top() + metrics.getAscent() + 10;
         int room = width - Rulers.left() - 32;
         for (String line : Wrapping.lines(sentence, room, metrics::stringWidth)) {

@@ -45,6 +45,11 @@ public final class Rulers {
                 left(), top(), Math.max(1, view.width - left()), Math.max(1, view.height - top()));
     }
 
+    /** Where a square of that size begins, so that its middle is at {@code view} if it fits. */
+    public static int square(double view, int from, int to, int size) {
+        return (int) Math.round(Math.max(from, Math.min(to - size, view - size / 2.0)));
+    }
+
     public void paintGrid(Graphics2D g) {
         g.setColor(colours.ground());
         g.fillRect(0, 0, view.width, view.height);

@@ -1,21 +1,74 @@
 package rasterlab.app.canvas;
 
+import java.awt.Dimension;
 import java.awt.Graphics;
+import java.awt.Rectangle;
+import java.awt.geom.Point2D;
+import java.util.List;
 import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Texts;
 
-/** Three small buttons in a corner of the stage: nearer, farther, everything. */
+/** Three small buttons in a corner of the stage: nearer, farther, everything; and their keys. */
 public final class ZoomButtons extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    public ZoomButtons(Texts texts, Runnable nearer, Runnable farther, Runnable everything) {
+    /** Of one press, or of one notch of the wheel. */
+    private static final double FACTOR = 1.25;
+
+    private static final int EDGE = 8;
+
+    private final JComponent stage;
+    private final transient Zooming zooming;
+
+    /**
+     * @param stage has rulers, and the keyboard where the keys are to work
+     */
+    public ZoomButtons(Texts texts, JComponent stage, Zooming zooming) {
         super(new MigLayout("insets 0, gap 3"));
+        this.stage = stage;
+        this.zooming = zooming;
         setOpaque(false);
-        add(button("zoom.out", "−", texts, farther));
-        add(button("zoom.in", "+", texts, nearer));
-        add(button("zoom.fit", "□", texts, everything));
+        add(button("zoom.out", "−", texts, this::farther));
+        add(button("zoom.in", "+", texts, this::nearer));
+        add(button("zoom.fit", "□", texts, zooming::fit));
+        for (String key : List.of("typed +", "typed ="))
+            KeyBinding.within(stage, KeyStroke.getKeyStroke(key), this::nearer);
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("typed -"), this::farther);
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("typed 0"), zooming::fit);
+    }
+
+    private void nearer() {
+        zooming.zoom(FACTOR, centre());
+    }
+
+    private void farther() {
+        zooming.zoom(1 / FACTOR, centre());
+    }
+
+    private Point2D centre() {
+        Rectangle inside = Rulers.inside(stage.getSize());
+        return new Point2D.Double(inside.getCenterX(), inside.getCenterY());
+    }
+
+    /**
+     * @param rotation of the wheel, in notches towards the user
+     */
+    public static double factor(double rotation) {
+        return Math.pow(FACTOR, -rotation);
+    }
+
+    /** Puts them into their corner of the stage. */
+    public void place() {
+        Dimension size = getPreferredSize();
+        setBounds(
+                stage.getWidth() - size.width - EDGE,
+                stage.getHeight() - size.height - EDGE,
+                size.width,
+                size.height);
     }
 
     /** They are on the screen only, in no copied picture. */

@@ -1,13 +1,11 @@
 package rasterlab.app.line;
 
 import com.formdev.flatlaf.util.UIScale;
-import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
-import java.awt.RenderingHints;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
@@ -17,10 +15,10 @@ import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.Wrapping;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.line.Segment;
 
@@ -50,19 +48,7 @@ record LineFrame(
      * @throws CancellationException soon after {@code cancelled} says true
      */
     BufferedImage painted(BooleanSupplier cancelled) {
-        var image =
-                new BufferedImage(
-                        DevicePixels.count(width, scale),
-                        DevicePixels.count(height, scale),
-                        BufferedImage.TYPE_INT_RGB);
-        Graphics2D g = image.createGraphics();
-        try {
-            g.scale(scale, scale);
-            paint(g, cancelled);
-        } finally {
-            g.dispose();
-        }
-        return image;
+        return DevicePixels.painted(width, height, scale, g -> paint(g, cancelled));
     }
 
     /**
@@ -70,18 +56,15 @@ record LineFrame(
      * @throws CancellationException soon after {@code cancelled} says true
      */
     void paint(Graphics2D g, BooleanSupplier cancelled) {
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        g.setRenderingHint(
-                RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        DevicePixels.smooth(g);
         var rulers = new Rulers(grid, new Dimension(width, height), colours, font);
         rulers.paintGrid(g);
         new LinePainter(g, grid, colours, cancelled).paint(drawings, step);
         g.setFont(font.deriveFont(Font.BOLD));
         paintLetters(g);
         rulers.paintMargins(g);
-        g.setFont(font.deriveFont(Font.BOLD));
-        if (!note.isEmpty()) paintNote(g);
+        g.setFont(font);
+        if (!note.isEmpty()) Plates.sentence(g, note, width, colours);
     }
 
     /**
@@ -93,15 +76,10 @@ record LineFrame(
     static Rectangle around(End end, Segment segment, PixelGrid grid, int width, int height) {
         int size = (int) Math.max(UIScale.scale(26), Math.min(60, grid.cell() * 1.5 + 6));
         return new Rectangle(
-                within(grid.viewX(end.x(segment)), Rulers.left(), width, size),
-                within(grid.viewY(end.y(segment)), Rulers.top(), height, size),
+                Rulers.square(grid.viewX(end.x(segment)), Rulers.left(), width, size),
+                Rulers.square(grid.viewY(end.y(segment)), Rulers.top(), height, size),
                 size,
                 size);
-    }
-
-    /** Where a square of that size begins, so that its middle is at {@code view} if it fits. */
-    private static int within(double view, int from, int to, int size) {
-        return (int) Math.round(Math.max(from, Math.min(to - size, view - size / 2.0)));
     }
 
     /** The ends' letters and coordinates. */
@@ -120,13 +98,19 @@ record LineFrame(
             String text = label(end, segment, locale);
             Rectangle place =
                     EndLabels.place(
-                            metrics.stringWidth(text) + 10,
-                            metrics.getHeight() + 3,
+                            metrics.stringWidth(text) + 8,
+                            metrics.getHeight() + 1,
                             around(end, segment, grid, width, height),
                             (end == End.A) == (segment.y0() <= segment.y1()),
                             within,
                             seen);
-            plate(g, text, place.x + 5, place.y + 2 + metrics.getAscent());
+            Plates.plate(
+                    g,
+                    text,
+                    place.x + 4,
+                    place.y + 1 + metrics.getAscent(),
+                    Plates.nearlyOpaque(colours.ground()),
+                    colours.ink());
             seen.add(place);
         }
     }
@@ -150,31 +134,5 @@ record LineFrame(
         drawings.drawing().marks().missing(step, square);
         drawings.drawing().marks().extra(step, square);
         return marked;
-    }
-
-    /** A sentence in the middle of the stage's upper edge, wrapped to its width. */
-    private void paintNote(Graphics2D g) {
-        FontMetrics metrics = g.getFontMetrics();
-        int y = Rulers.top() + metrics.getAscent() + 12;
-        int room = width - Rulers.left() - 32;
-        for (String line : Wrapping.lines(note, room, metrics::stringWidth)) {
-            plate(g, line, Rulers.left() + 16, y);
-            y += metrics.getHeight() + 2;
-        }
-    }
-
-    private void plate(Graphics2D g, String text, int x, int y) {
-        FontMetrics metrics = g.getFontMetrics();
-        Color ground = colours.ground();
-        g.setColor(new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 225));
-        g.fillRoundRect(
-                x - 5,
-                y - metrics.getAscent() - 2,
-                metrics.stringWidth(text) + 10,
-                metrics.getHeight() + 3,
-                8,
-                8);
-        g.setColor(colours.ink());
-        g.drawString(text, x, y);
     }
 }

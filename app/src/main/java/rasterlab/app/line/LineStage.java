@@ -5,7 +5,6 @@ import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
-import java.awt.Rectangle;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
@@ -18,14 +17,12 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
-import javax.swing.JLabel;
-import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.DevicePixels;
-import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.ReadOut;
 import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
@@ -33,6 +30,7 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.ZoomButtons;
+import rasterlab.app.canvas.Zooming;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.Segment;
 
@@ -44,13 +42,11 @@ import rasterlab.engine.line.Segment;
 final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     private static final long serialVersionUID = 1L;
 
-    private static final double ZOOM = 1.25;
-
     private final transient LineLabModel model;
     private final transient Texts texts;
     private final List<EndHandle> handles;
     private final ZoomButtons zoom;
-    private final JLabel pointed = new JLabel();
+    private final ReadOut pointed = new ReadOut();
     private final transient LatestOnly<LineFrame, BufferedImage> frames;
     private transient Optional<LineFrame> asked = Optional.empty();
     private transient Optional<BufferedImage> shown = Optional.empty();
@@ -75,27 +71,13 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         setBorder(BorderFactory.createLineBorder(UIManager.getColor("Component.borderColor")));
         getAccessibleContext().setAccessibleName(texts.text("stage"));
         handles = List.of(handle(End.A), handle(End.B));
-        zoom =
-                new ZoomButtons(
-                        Texts.of("canvas", texts.language()),
-                        this::zoomIn,
-                        this::zoomOut,
-                        this::fit);
+        zoom = new ZoomButtons(Texts.of("canvas", texts.language()), this, new Zoom());
         add(zoom);
-        pointed.setOpaque(true);
-        pointed.setBackground(StageColours.now().ground());
-        pointed.setForeground(StageColours.now().ink());
-        pointed.setBorder(BorderFactory.createEmptyBorder(2, 5, 2, 5));
-        pointed.setVisible(false);
         add(pointed);
         var mouse = new Pan();
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
         addMouseWheelListener(mouse);
-        for (String key : List.of("typed +", "typed ="))
-            KeyBinding.within(this, KeyStroke.getKeyStroke(key), this::zoomIn);
-        KeyBinding.within(this, KeyStroke.getKeyStroke("typed -"), this::zoomOut);
-        KeyBinding.within(this, KeyStroke.getKeyStroke("typed 0"), this::fit);
         arrangement = model.state().arrangement();
     }
 
@@ -146,14 +128,6 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         revalidate();
     }
 
-    private void zoomIn() {
-        zoom(ZOOM, centre());
-    }
-
-    private void zoomOut() {
-        zoom(1 / ZOOM, centre());
-    }
-
     /** Shows the whole segment again, and keeps doing so when the stage changes its size. */
     private void fit() {
         chosen = Optional.empty();
@@ -169,26 +143,14 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         return chosen.orElseGet(() -> LineFraming.of(model.state(), Rulers.inside(getSize())));
     }
 
-    private Point2D centre() {
-        Rectangle inside = Rulers.inside(getSize());
-        return new Point2D.Double(inside.getCenterX(), inside.getCenterY());
-    }
-
     /**
      * Puts the handles around their ends, one whose end is out of sight at the edge, and asks for
      * the picture when another is due.
      */
     @Override
     public void doLayout() {
-        Dimension corner = zoom.getPreferredSize();
-        zoom.setBounds(
-                getWidth() - corner.width - 8,
-                getHeight() - corner.height - 8,
-                corner.width,
-                corner.height);
-        Dimension place = pointed.getPreferredSize();
-        pointed.setBounds(
-                Rulers.left() + 5, getHeight() - place.height - 6, place.width, place.height);
+        zoom.place();
+        pointed.place(getHeight());
         Segment segment = model.state().choice().segment();
         for (End end : End.values()) {
             EndHandle handle = handles.get(end.ordinal());
@@ -245,6 +207,18 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         g.dispose();
     }
 
+    private final class Zoom implements Zooming {
+        @Override
+        public void zoom(double factor, Point2D view) {
+            LineStage.this.zoom(factor, view);
+        }
+
+        @Override
+        public void fit() {
+            LineStage.this.fit();
+        }
+    }
+
     /** Moves the grid by dragging its ground, zooms it by the wheel, reads off pixels. */
     private final class Pan extends MouseAdapter {
         private Point last = new Point();
@@ -275,7 +249,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
 
         @Override
         public void mouseWheelMoved(MouseWheelEvent e) {
-            zoom(Math.pow(ZOOM, -e.getPreciseWheelRotation()), e.getPoint());
+            zoom(ZoomButtons.factor(e.getPreciseWheelRotation()), e.getPoint());
         }
 
         private void point(MouseEvent e) {

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.Graphics;
+import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.HashSet;
 import java.util.Set;
@@ -23,8 +24,7 @@ class CopyingTest {
         var stage = new JPanel(null);
         stage.setBackground(Color.WHITE);
         stage.setSize(200, 100);
-        var buttons =
-                new ZoomButtons(Texts.of("canvas", Language.ENGLISH), () -> {}, () -> {}, () -> {});
+        var buttons = new ZoomButtons(Texts.of("canvas", Language.ENGLISH), stage, new Unmoved());
         buttons.setBounds(80, 50, 120, 40);
         buttons.doLayout();
         var picture = new Picture();
@@ -32,6 +32,14 @@ class CopyingTest {
         stage.add(buttons);
         stage.add(picture);
         return stage;
+    }
+
+    private static final class Unmoved implements Zooming {
+        @Override
+        public void zoom(double factor, Point2D view) {}
+
+        @Override
+        public void fit() {}
     }
 
     private static final class Picture extends SelfDrawn {
