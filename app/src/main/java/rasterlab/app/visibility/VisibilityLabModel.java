@@ -31,9 +31,6 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         Raster picture(RenderRequest request, BooleanSupplier cancelled);
     }
 
-    /** View pixels between two pictures. */
-    static final int GAP = 6;
-
     private final LatestOnly<Frame, Frame.Pictures> pictures;
     private final LatestOnly<Frame, Optional<Differences>> differences;
     private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
@@ -43,11 +40,9 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
             new History<>(() -> state().choice(), this::draw);
     private final FrameTimes times = new FrameTimes();
     private final List<Consumer<VisibilityLabState>> listeners = new ArrayList<>();
-    private final List<Method<Visibility>> methods = Renderer.visibilityMethods();
     private final ChartStudies charts;
     private Optional<Frame> compared = Optional.empty();
-    private int width;
-    private int height;
+    private StagePictures stage = new StagePictures(Renderer.visibilityMethods(), 0, 0);
     private VisibilityLabState state = VisibilityLabState.of(VisibilityChoice.first());
 
     /**
@@ -93,7 +88,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     public List<Method<Visibility>> methods() {
-        return methods;
+        return stage.methods();
     }
 
     /** The charts that the stage can show instead of pictures. */
@@ -103,13 +98,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Whether the chosen method can draw the faces' edges. */
     public boolean canDrawEdges() {
-        return canDrawEdges(state.choice().visibility());
-    }
-
-    private boolean canDrawEdges(String name) {
-        return methods.stream()
-                .filter(method -> method.name().equals(name))
-                .anyMatch(method -> method.implementation().drawsOutlines());
+        return stage.canDrawEdges(state.choice().visibility());
     }
 
     /** Whether the picture of the present choice has edges. */
@@ -119,8 +108,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Whether a picture of the present choice by that method has edges. */
     boolean drawsEdges(String method) {
-        VisibilityChoice choice = state.choice();
-        return choice.edges() && canDrawEdges(method) && !choice.shading().equals("wire");
+        return stage.drawsEdges(state.choice(), method);
     }
 
     /** Tells the listener each new state from now on; the answer ends that. */
@@ -134,17 +122,12 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
      * first call nothing is drawn.
      */
     public void resize(int newWidth, int newHeight) {
-        if (newWidth == width && newHeight == height) return;
+        StagePictures sized = stage.sized(newWidth, newHeight);
+        if (sized.equals(stage)) return;
         Raster.checkSize(newWidth, newHeight);
-        width = newWidth;
-        height = newHeight;
+        stage = sized;
         times.clear();
         draw(state.choice());
-    }
-
-    /** Width of each picture: two share the stage. */
-    private int pictureWidth(VisibilityChoice choice) {
-        return choice.comparison().isEmpty() ? width : Math.max(1, (width - GAP) / 2);
     }
 
     /**
@@ -225,7 +208,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         int next = step >= lastStep() ? Frame.ALL : Math.max(0, step);
         if (next == state.step()) return;
         publish(state.at(next).withProblem(""));
-        if (width > 0) pictures.ask(frame(state.choice()));
+        if (stage.known()) pictures.ask(stage.frame(state.choice(), state.step()));
     }
 
     /** How many steps the method made; 0 while that is not known. */
@@ -235,21 +218,17 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Asks what happened at a pixel; one outside goes to the nearest one. */
     void choosePixel(ChosenPixel pixel) {
-        if (width == 0) return;
-        int x = Math.max(0, Math.min(pictureWidth(state.choice()) - 1, pixel.x()));
-        int y = Math.max(0, Math.min(height - 1, pixel.y()));
-        boolean second = pixel.second() && !state.choice().comparison().isEmpty();
-        publish(state.choosing(Optional.of(new ChosenPixel(second, x, y))));
+        if (!stage.known()) return;
+        publish(state.choosing(Optional.of(stage.nearest(state.choice(), pixel))));
         askPixel();
     }
 
     /** Moves the chosen pixel; without one, to the middle. */
     void movePixel(int right, int down) {
-        ChosenPixel middle = new ChosenPixel(false, pictureWidth(state.choice()) / 2, height / 2);
         choosePixel(
                 state.chosen()
                         .map(at -> new ChosenPixel(at.second(), at.x() + right, at.y() + down))
-                        .orElse(middle));
+                        .orElseGet(() -> stage.middle(state.choice())));
     }
 
     /** Opens a scene, a model or a texture; what goes wrong is told in the state. */
@@ -311,48 +290,18 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         publish(keepsSteps ? next : next.withDrawn(Optional.empty()));
         differences.cancel();
         histories.cancel();
-        if (width == 0) return;
-        pictures.ask(frame(choice));
-        compared = Optional.of(choice).filter(now -> now.isCounted(old)).map(this::plainFrame);
+        if (!stage.known()) return;
+        pictures.ask(stage.frame(choice, state.step()));
+        compared = Optional.of(choice).filter(now -> now.isCounted(old)).map(stage::plain);
         compared.ifPresent(differences::ask);
-        if (choice.drawing()) walks.ask(request(choice, choice.visibility()));
+        if (choice.drawing()) walks.ask(stage.request(choice, choice.visibility()));
         askPixel();
     }
 
-    private Frame frame(VisibilityChoice choice) {
-        return new Frame(
-                request(choice, choice.visibility()),
-                second(choice).map(method -> request(choice, method)),
-                choice.view() == StageView.DEPTHS,
-                choice.drawing() ? state.step() : Frame.ALL);
-    }
-
-    private Frame plainFrame(VisibilityChoice choice) {
-        return new Frame(
-                choice.plain(pictureWidth(choice), height),
-                second(choice).map(method -> choice.plain(method, pictureWidth(choice), height)),
-                false,
-                Frame.ALL);
-    }
-
-    private static Optional<String> second(VisibilityChoice choice) {
-        return Optional.of(choice.comparison()).filter(method -> !method.isEmpty());
-    }
-
-    private RenderRequest request(VisibilityChoice choice, String method) {
-        RenderRequest plain = choice.plain(method, pictureWidth(choice), height);
-        return drawsEdges(method) ? plain.withOutline() : plain;
-    }
-
     private void askPixel() {
-        if (state.chosen().isEmpty()) return;
-        ChosenPixel pixel = state.chosen().get();
-        VisibilityChoice choice = state.choice();
-        boolean inside = pixel.x() < pictureWidth(choice) && pixel.y() < height;
-        boolean there = !pixel.second() || !choice.comparison().isEmpty();
-        if (!inside || !there) return;
-        String method = pixel.second() ? choice.comparison() : choice.visibility();
-        histories.ask(new PixelReport.Question(request(choice, method), pixel.x(), pixel.y()));
+        state.chosen()
+                .flatMap(pixel -> stage.question(state.choice(), pixel))
+                .ifPresent(histories::ask);
     }
 
     private void accept(Frame.Pictures made) {

@@ -247,7 +247,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
 
     /** Where the second picture begins, in view units; between the two is a gap. */
     private static double secondLeft(Picture picture, double scale) {
-        return (picture.raster().width() + VisibilityLabModel.GAP) / scale;
+        return (picture.raster().width() + StagePictures.GAP) / scale;
     }
 
     /** Says why the method drew nothing: in its own words where those are the window's language. */

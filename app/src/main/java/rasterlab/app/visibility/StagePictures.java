@@ -1,0 +1,92 @@
+package rasterlab.app.visibility;
+
+import java.util.List;
+import java.util.Optional;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.visibility.Visibility;
+
+/**
+ * What is drawn for a choice on a stage of some size.
+ *
+ * @param width device pixels; 0 before the size is known
+ * @param height device pixels
+ */
+record StagePictures(List<Method<Visibility>> methods, int width, int height) {
+    /** View pixels between two pictures. */
+    static final int GAP = 6;
+
+    boolean known() {
+        return width > 0;
+    }
+
+    StagePictures sized(int newWidth, int newHeight) {
+        return new StagePictures(methods, newWidth, newHeight);
+    }
+
+    /** Whether the method can draw the faces' edges. */
+    boolean canDrawEdges(String name) {
+        return methods.stream()
+                .filter(method -> method.name().equals(name))
+                .anyMatch(method -> method.implementation().drawsOutlines());
+    }
+
+    /** Whether a picture by that method has edges. */
+    boolean drawsEdges(VisibilityChoice choice, String method) {
+        return choice.edges() && canDrawEdges(method) && !choice.shading().equals("wire");
+    }
+
+    /** Two share the stage. */
+    private int pictureWidth(VisibilityChoice choice) {
+        return choice.comparison().isEmpty() ? width : Math.max(1, (width - GAP) / 2);
+    }
+
+    private static Optional<String> second(VisibilityChoice choice) {
+        return Optional.of(choice.comparison()).filter(method -> !method.isEmpty());
+    }
+
+    RenderRequest request(VisibilityChoice choice, String method) {
+        RenderRequest plain = choice.plain(method, pictureWidth(choice), height);
+        return drawsEdges(choice, method) ? plain.withOutline() : plain;
+    }
+
+    /**
+     * @param step after which the picture is shown, where the steps are watched
+     */
+    Frame frame(VisibilityChoice choice, int step) {
+        return new Frame(
+                request(choice, choice.visibility()),
+                second(choice).map(method -> request(choice, method)),
+                choice.view() == StageView.DEPTHS,
+                choice.drawing() ? step : Frame.ALL);
+    }
+
+    /** The whole pictures without edges, whose wrong pixels are counted. */
+    Frame plain(VisibilityChoice choice) {
+        return new Frame(
+                choice.plain(pictureWidth(choice), height),
+                second(choice).map(method -> choice.plain(method, pictureWidth(choice), height)),
+                false,
+                Frame.ALL);
+    }
+
+    /** The pixel of a picture that is nearest to that one. */
+    ChosenPixel nearest(VisibilityChoice choice, ChosenPixel pixel) {
+        int x = Math.max(0, Math.min(pictureWidth(choice) - 1, pixel.x()));
+        int y = Math.max(0, Math.min(height - 1, pixel.y()));
+        return new ChosenPixel(pixel.second() && second(choice).isPresent(), x, y);
+    }
+
+    ChosenPixel middle(VisibilityChoice choice) {
+        return new ChosenPixel(false, pictureWidth(choice) / 2, height / 2);
+    }
+
+    /** What happened at a pixel; empty where the pictures do not have it. */
+    Optional<PixelReport.Question> question(VisibilityChoice choice, ChosenPixel pixel) {
+        boolean inside = pixel.x() < pictureWidth(choice) && pixel.y() < height;
+        boolean there = !pixel.second() || second(choice).isPresent();
+        if (!inside || !there) return Optional.empty();
+        String method = pixel.second() ? choice.comparison() : choice.visibility();
+        return Optional.of(new PixelReport.Question(request(choice, method), pixel.x(), pixel.y()));
+    }
+}
