@@ -131,6 +131,7 @@ class LabsFileTest {
         models.coordinates().transformations().turnBy(10, 5);
         models.coordinates().stack().clear();
         models.coordinates().rotation().turnBy(7);
+        models.coordinates().meeting().chooseMethod("unrounded");
         models.polygon().show(PolygonMode.TRIANGLE, "past-2-15");
         models.line().show(new Segment(-7, 3, 2_000_000_000, 4));
         models.line().chooseMethod("dda");
