@@ -38,6 +38,8 @@ final class HazardTable extends JTable {
     private final transient Cells cells = new Cells();
     private final HazardNames names;
     private transient Topic<?, ?, ?> shown;
+    private transient List<? extends Hazard<?>> hazards = List.of();
+    private transient List<? extends Method<?>> methods = List.of();
     private boolean refreshing;
 
     /**
@@ -80,22 +82,17 @@ final class HazardTable extends JTable {
     private void choose() {
         int row = getSelectedRow();
         int column = getSelectedColumn();
-        if (refreshing || row < 0 || column < 0 || column >= methods().size()) return;
-        model.choose(hazards().get(row).name(), methods().get(column).name());
-    }
-
-    private List<? extends Hazard<?>> hazards() {
-        return model.state().topic().hazards();
-    }
-
-    private List<? extends Method<?>> methods() {
-        return model.state().topic().methods();
+        if (refreshing || row < 0 || column < 0 || column >= methods.size()) return;
+        model.choose(hazards.get(row).name(), methods.get(column).name());
     }
 
     void refresh() {
         refreshing = true;
         if (shown != model.state().topic()) {
             shown = model.state().topic();
+            // A topic makes its lists anew with every call, too slow for each cell.
+            hazards = shown.hazards();
+            methods = shown.methods();
             setModel(cells);
             cells.fireTableStructureChanged();
             shape();
@@ -109,7 +106,7 @@ final class HazardTable extends JTable {
             width(i, COLUMN);
             getColumnModel().getColumn(i).setHeaderRenderer(new UprightHeader(false));
         }
-        names.show(hazards());
+        names.show(hazards);
     }
 
     private void width(int column, int width) {
@@ -120,12 +117,12 @@ final class HazardTable extends JTable {
     }
 
     private Verdict.Kind recorded(int row, int column) {
-        var hazard = hazards().get(row);
-        return hazard.recorded().getOrDefault(methods().get(column).name(), Verdict.Kind.EXACT);
+        var hazard = hazards.get(row);
+        return hazard.recorded().getOrDefault(methods.get(column).name(), Verdict.Kind.EXACT);
     }
 
     private Optional<Cell> fresh(int row, int column) {
-        return model.state().cell(hazards().get(row).name(), methods().get(column).name());
+        return model.state().cell(hazards.get(row).name(), methods.get(column).name());
     }
 
     @Override
@@ -149,8 +146,8 @@ final class HazardTable extends JTable {
             setToolTipText(
                     texts.text(
                             fresh.isPresent() ? "cell.fresh" : "cell.recorded",
-                            methods().get(column).name(),
-                            hazards().get(row).name(),
+                            methods.get(column).name(),
+                            hazards.get(row).name(),
                             texts.text("verdict." + kind.code())));
             return this;
         }
@@ -165,17 +162,17 @@ final class HazardTable extends JTable {
 
         @Override
         public int getRowCount() {
-            return hazards().size();
+            return hazards.size();
         }
 
         @Override
         public int getColumnCount() {
-            return methods().size();
+            return methods.size();
         }
 
         @Override
         public String getColumnName(int column) {
-            return methods().get(column).name();
+            return methods.get(column).name();
         }
 
         @Override
