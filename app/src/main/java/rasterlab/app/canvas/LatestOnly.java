@@ -37,6 +37,7 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
     private Optional<Q> waiting = Optional.empty();
     private boolean busy;
     private boolean closed;
+    private Runnable last = () -> {};
     private boolean lastWasCancelled;
     private AtomicBoolean cancelled = new AtomicBoolean();
 
@@ -76,7 +77,17 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
     }
 
     @Override
-    public synchronized void close() {
+    public void close() {
+        close(() -> {});
+    }
+
+    /**
+     * Ends the thread as soon as its present question is over; nobody waits for that.
+     *
+     * @param after run at the end of the thread, such as giving back what the work used
+     */
+    public synchronized void close(Runnable after) {
+        last = after;
         closed = true;
         cancel();
         notifyAll();
@@ -85,6 +96,15 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
     private void run() {
         for (Optional<Q> question = next(); question.isPresent(); question = next())
             answer(question.get(), currentSign());
+        try {
+            atEnd().run();
+        } catch (Throwable e) {
+            failed.accept(e);
+        }
+    }
+
+    private synchronized Runnable atEnd() {
+        return last;
     }
 
     private synchronized AtomicBoolean currentSign() {

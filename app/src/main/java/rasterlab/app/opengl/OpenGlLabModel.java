@@ -116,7 +116,8 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
                 Optional.of(Comparison.of(openGl, software)));
     }
 
-    private synchronized SoftwarePainter painter() {
+    /** On the thread that draws, as all that uses the painter. */
+    private SoftwarePainter painter() {
         if (painter.isEmpty()) painter = Optional.of(new SoftwarePainter());
         return painter.get();
     }
@@ -248,15 +249,15 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         pictures.settle();
     }
 
-    /** Ends the threads and gives OpenGL's objects back. */
+    /** Ends the threads; the one that draws gives OpenGL's objects back when it is done. */
     @Override
     public void close() {
-        pictures.close();
         files.close();
-        offscreen.close();
-        synchronized (this) {
-            painter.ifPresent(SoftwarePainter::close);
-        }
+        pictures.close(
+                () -> {
+                    offscreen.close();
+                    painter.ifPresent(SoftwarePainter::close);
+                });
     }
 
     private void draw(GlChoice choice, Setting touched) {

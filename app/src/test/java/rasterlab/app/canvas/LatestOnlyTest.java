@@ -113,4 +113,15 @@ class LatestOnlyTest {
         rows.close();
         assertEquals(List.of(14), answers);
     }
+
+    @Test
+    void isClosedAtOnceAndGivesBackWhatTheWorkUsesOnlyAfterTheWork() throws InterruptedException {
+        var givenBack = new LinkedBlockingQueue<String>();
+        latest.ask(1);
+        begun.take();
+        latest.close(() -> givenBack.add(Thread.currentThread().getName()));
+        assertTrue(givenBack.isEmpty());
+        mayEnd.release();
+        assertEquals("test", givenBack.take());
+    }
 }
