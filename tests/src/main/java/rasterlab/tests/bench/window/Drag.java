@@ -4,7 +4,6 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Point;
 import java.awt.Toolkit;
-import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.util.concurrent.TimeUnit;
@@ -18,16 +17,17 @@ final class Drag {
     private static final int EVENTS_PER_SECOND = 125;
     private static final double ROUNDS_PER_SECOND = 0.5;
 
-    private final Window window;
+    private final Component told;
     private final Point from;
     private final int radius;
 
     /**
-     * @param from where the button is pressed, in the window's view units
+     * @param told the window, or a part with a window of its own, whose mouse it is
+     * @param from where the button is pressed, in view units of what is told
      * @param radius of the circle, which begins there, in view units
      */
-    Drag(Window window, Point from, int radius) {
-        this.window = window;
+    Drag(Component told, Point from, int radius) {
+        this.told = told;
         this.from = from;
         this.radius = radius;
     }
@@ -71,7 +71,7 @@ final class Drag {
                 .getSystemEventQueue()
                 .postEvent(
                         new MouseEvent(
-                                window,
+                                told,
                                 kind,
                                 System.currentTimeMillis(),
                                 InputEvent.BUTTON1_DOWN_MASK,

@@ -20,4 +20,9 @@ final class EventWatch extends EventQueue {
         longestNanos = 0;
         return found;
     }
+
+    /** Gives events back to the queue before. */
+    void leave() {
+        pop();
+    }
 }

@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
@@ -69,7 +70,12 @@ public final class WindowBench {
                             "dragging a control point",
                             "spline",
                             "point.1",
-                            models -> models.spline().curve().state().drawings()));
+                            models -> models.spline().curve().state().drawings()),
+                    new Work(
+                            "turning OpenGL's scene",
+                            "opengl",
+                            "opengl.canvas",
+                            models -> models.opengl().state().pictures()));
 
     private final int starts;
     private final double seconds;
@@ -148,6 +154,7 @@ public final class WindowBench {
                     });
             // The closed window keeps its settings in an event of its own.
             onEventThread(() -> null);
+            events.leave();
         }
         if (failure.get() != null)
             throw new IllegalStateException("the lab reported a failure", failure.get());
@@ -174,7 +181,12 @@ public final class WindowBench {
     }
 
     private void drag(LabFrame frame, LabModels models, Work work) throws InterruptedException {
-        Drag drag = grip(frame, work);
+        Optional<Drag> gripped = grip(frame, work);
+        if (gripped.isEmpty()) {
+            out.println(work.name() + " | not measured: there is no " + work.grip() + " | |");
+            return;
+        }
+        Drag drag = gripped.get();
         drag.run(Math.min(WARM_UP_SECONDS, seconds));
         onEventThread(
                 () -> {
@@ -214,8 +226,11 @@ public final class WindowBench {
         return longest / 1e6;
     }
 
-    /** Shows the tab, and waits until what it first shows is painted. */
-    private Drag grip(LabFrame frame, Work work) throws InterruptedException {
+    /**
+     * Shows the tab, and waits until what it first shows is painted; empty where it lacks the part
+     * that is taken, as without OpenGL.
+     */
+    private Optional<Drag> grip(LabFrame frame, Work work) throws InterruptedException {
         onEventThread(
                 () -> {
                     frame.showTab(work.tab());
@@ -227,11 +242,12 @@ public final class WindowBench {
         return onEventThread(
                 () -> {
                     Component grip = Drag.named(frame.getContentPane(), work.grip());
-                    if (grip == null)
-                        throw new IllegalStateException(work.tab() + " has no " + work.grip());
+                    if (grip == null) return Optional.empty();
                     var middle = new Point(grip.getWidth() / 2, grip.getHeight() / 2);
-                    Point place = SwingUtilities.convertPoint(grip, middle, frame);
-                    return new Drag(frame, place, 60);
+                    // The window tells its light parts of the mouse, not those with own windows.
+                    Component told = grip.isLightweight() ? frame : grip;
+                    Point place = SwingUtilities.convertPoint(grip, middle, told);
+                    return Optional.of(new Drag(told, place, 60));
                 });
     }
 
@@ -249,7 +265,10 @@ public final class WindowBench {
                             frame.wear(look.with(LabTheme.values()[round % 3]));
                             return null;
                         });
-                for (Work work : WORKS) grip(frame, work).run(1);
+                for (Work work : WORKS) {
+                    Optional<Drag> drag = grip(frame, work);
+                    if (drag.isPresent()) drag.get().run(1);
+                }
             }
             last = heldMebibytes();
             if (minute == 0) first = last;

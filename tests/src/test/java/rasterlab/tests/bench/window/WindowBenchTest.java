@@ -29,7 +29,8 @@ class WindowBenchTest {
                         .lines()
                         .filter(line -> line.contains("frames a second"))
                         .toList();
-        assertEquals(4, frames.size(), text::toString);
+        boolean openGl = !text.toString(StandardCharsets.UTF_8).contains("not measured");
+        assertEquals(openGl ? 5 : 4, frames.size(), text::toString);
         for (String line : frames) assertFalse(line.contains(" 0 frames"), line);
     }
 }

@@ -1,0 +1,206 @@
+package rasterlab.tests.watchdog;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeFalse;
+import static org.junit.platform.engine.discovery.DiscoverySelectors.selectClass;
+
+import java.awt.EventQueue;
+import java.awt.GraphicsEnvironment;
+import java.awt.event.ActionEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import javax.swing.JDialog;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.jupiter.api.extension.ParameterContext;
+import org.junit.jupiter.api.extension.ParameterResolver;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.platform.engine.TestExecutionResult;
+import org.junit.platform.launcher.TestExecutionListener;
+import org.junit.platform.launcher.TestIdentifier;
+import org.junit.platform.launcher.core.LauncherDiscoveryRequestBuilder;
+import org.junit.platform.launcher.core.LauncherFactory;
+import rasterlab.app.opengl.software.SoftwarePainter;
+import rasterlab.app.opengl.state.GlChoice;
+import rasterlab.app.opengl.state.GlFrame;
+import rasterlab.app.opengl.state.Images;
+
+/** Each event here lasts until the watchdog has seen what it does. */
+@Timeout(60)
+class EventWatchdogTest {
+    @BeforeEach
+    void hasDisplay() {
+        assumeFalse(GraphicsEnvironment.isHeadless(), "no display");
+    }
+
+    private interface Work {
+        void run() throws Exception;
+    }
+
+    /** What the watchdog says of an event that repeats something until it is noticed. */
+    private static String fault(Work work) throws Exception {
+        try (var watch = Watch.begin()) {
+            EventQueue.invokeAndWait(() -> repeat(watch, work));
+            return watch.takeFaults().get(0);
+        }
+    }
+
+    private static void repeat(Watch watch, Work work) {
+        try {
+            while (!watch.hasFault()) work.run();
+        } catch (Exception e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @Test
+    void listenerThatSleepsIsBlamed() throws Exception {
+        String fault = fault(() -> TimeUnit.MILLISECONDS.sleep(5));
+        assertTrue(fault.contains(Blame.WAITS.said()), fault);
+        assertTrue(fault.contains("EventWatchdogTest.java"), fault);
+    }
+
+    @Test
+    void listenerThatWaitsForAnotherThreadIsBlamed() throws Exception {
+        var never = new CountDownLatch(1);
+        String fault = fault(() -> never.await(5, TimeUnit.MILLISECONDS));
+        assertTrue(fault.contains(Blame.WAITS.said()), fault);
+    }
+
+    @Test
+    void listenerThatReadsAFileIsBlamed(@TempDir Path folder) throws Exception {
+        Path file = Files.write(folder.resolve("large"), new byte[1 << 22]);
+        String fault = fault(() -> Files.readAllBytes(file));
+        assertTrue(fault.contains(Blame.READS.said()), fault);
+    }
+
+    @Test
+    void listenerThatMakesAPictureIsBlamed() throws Exception {
+        GlChoice choice = GlChoice.first();
+        var frame = new GlFrame(choice, 640, 480, new Images().of(choice));
+        try (var painter = new SoftwarePainter()) {
+            String fault = fault(() -> painter.draw(frame, () -> false));
+            assertTrue(fault.contains("rasterlab.app.opengl.software.SoftwarePainter"), fault);
+        }
+    }
+
+    /** The event that opens it lasts as long as the dialog, whose loop keeps the thread free. */
+    @Test
+    void openDialogIsNotBlamed() throws Exception {
+        try (var watch = Watch.begin()) {
+            var opened = new CountDownLatch(1);
+            var dialog = new JDialog[1];
+            EventQueue.invokeLater(
+                    () -> {
+                        dialog[0] = new JDialog();
+                        dialog[0].setModal(true);
+                        dialog[0].addWindowListener(opening(opened));
+                        dialog[0].setVisible(true);
+                    });
+            opened.await();
+            EventQueue.invokeAndWait(() -> {});
+            assertEquals(Optional.empty(), free(watch));
+            EventQueue.invokeAndWait(() -> dialog[0].dispose());
+            EventQueue.invokeAndWait(() -> {});
+            assertEquals(List.of(), watch.takeFaults());
+        }
+    }
+
+    private static WindowAdapter opening(CountDownLatch opened) {
+        return new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent e) {
+                opened.countDown();
+            }
+        };
+    }
+
+    /** What keeps the thread once it waits for events, for which is waited. */
+    private static Optional<Stay> free(Watch watch) throws Exception {
+        while (watch.now().isPresent()) Thread.onSpinWait();
+        return watch.now();
+    }
+
+    @Test
+    void longEventIsPrintedWithItsPlace() throws Exception {
+        try (var watch = Watch.begin()) {
+            var stays = new ArrayList<Stay>();
+            while (stays.isEmpty()) {
+                EventQueue.invokeAndWait(() -> count(new Stay[1]));
+                stays.addAll(watch.takeLongStays());
+            }
+            String text = LongStays.text("Shown", stays);
+            assertTrue(text.startsWith("Shown: 1 events kept the event thread"), text);
+            assertTrue(text.contains("EventWatchdogTest.count"), text);
+            assertEquals(List.of(), watch.takeFaults());
+        }
+    }
+
+    /** Longer than an event may last, at work that is none of what is blamed. */
+    private static void count(Stay[] sink) {
+        var stay = new Stay(new ActionEvent("", 0, ""));
+        while (stay.age() < 4 * Watch.LONG_NANOS) sink[0] = stay;
+    }
+
+    @Test
+    void testThatBlocksTheEventThreadFailsAndTheNextOnePasses() {
+        var failed = new ArrayList<String>();
+        var passed = new ArrayList<String>();
+        LauncherFactory.create()
+                .execute(
+                        LauncherDiscoveryRequestBuilder.request()
+                                .selectors(selectClass(Blocking.class))
+                                .configurationParameter(
+                                        "junit.jupiter.extensions.autodetection.enabled", "true")
+                                .build(),
+                        new TestExecutionListener() {
+                            @Override
+                            public void executionFinished(
+                                    TestIdentifier test, TestExecutionResult result) {
+                                if (!test.isTest()) return;
+                                boolean good =
+                                        result.getStatus() == TestExecutionResult.Status.SUCCESSFUL;
+                                (good ? passed : failed).add(test.getDisplayName());
+                            }
+                        });
+        assertEquals(List.of("blocks(Watch)"), failed);
+        assertEquals(List.of("isQuick()"), passed);
+    }
+
+    /** Run by the test above alone. */
+    @ExtendWith(Watching.class)
+    static class Blocking {
+        @Test
+        void blocks(Watch watch) throws Exception {
+            EventQueue.invokeAndWait(() -> repeat(watch, () -> TimeUnit.MILLISECONDS.sleep(5)));
+        }
+
+        @Test
+        void isQuick() throws Exception {
+            EventQueue.invokeAndWait(() -> {});
+        }
+    }
+
+    static final class Watching implements ParameterResolver {
+        @Override
+        public boolean supportsParameter(ParameterContext parameter, ExtensionContext context) {
+            return parameter.getParameter().getType() == Watch.class;
+        }
+
+        @Override
+        public Object resolveParameter(ParameterContext parameter, ExtensionContext context) {
+            return EventWatchdog.watch(context).orElseThrow();
+        }
+    }
+}
