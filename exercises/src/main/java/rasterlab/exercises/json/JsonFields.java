@@ -98,15 +98,15 @@ public final class JsonFields {
                 || !value.canConvertToInt()
                 || value.intValue() < least
                 || value.intValue() > most)
-            throw wrong(
-                    field,
-                    "must be a whole number from "
-                            + least
-                            + " to "
-                            + most
-                            + ", got "
-                            + shown(value));
+            throw wrong(field, "must be " + wholeNumber(least, most) + ", got " + shown(value));
         return value.intValue();
+    }
+
+    /** What is allowed, in words: a range, or the one number. */
+    public static String wholeNumber(int least, int most) {
+        return least == most
+                ? String.valueOf(least)
+                : "a whole number from " + least + " to " + most;
     }
 
     public int integer(String field, int least, int most, int otherwise) {

@@ -10,6 +10,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.json.JsonMistake;
 
 /** A place of a JSON text that knows its path; whatever is wrong there is refused with it. */
@@ -89,8 +90,7 @@ final class Place {
     int integer(int least, int most) {
         boolean whole = node.isIntegralNumber() && node.canConvertToInt();
         if (!whole || node.intValue() < least || node.intValue() > most)
-            throw wrong(
-                    "must be a whole number from %d to %d, got ".formatted(least, most) + shown());
+            throw wrong("must be " + JsonFields.wholeNumber(least, most) + ", got " + shown());
         return node.intValue();
     }
 

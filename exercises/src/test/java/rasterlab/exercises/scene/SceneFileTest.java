@@ -126,7 +126,7 @@ class SceneFileTest {
                         "a later version is read as this one",
                         "\"version\": 1",
                         "\"version\": 2",
-                        "$.version: must be a whole number from 1 to 1, got 2"),
+                        "$.version: must be 1, got 2"),
                 argumentSet(
                         "a misspelt field is passed over",
                         "\"theta\"",
