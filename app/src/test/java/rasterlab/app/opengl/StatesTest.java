@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.opengl.context.NoOpenGl;
@@ -95,8 +96,12 @@ class StatesTest {
     }
 
     private static Comparison compared(GlChoice choice) {
+        return compared(choice, WIDTH, HEIGHT);
+    }
+
+    private static Comparison compared(GlChoice choice, int width, int height) {
         assumeTrue(missing.isEmpty(), missing);
-        var frame = new GlFrame(choice, WIDTH, HEIGHT, images.of(choice));
+        var frame = new GlFrame(choice, width, height, images.of(choice));
         return Comparison.of(openGl.draw(frame).picture(), software.draw(frame, () -> false));
     }
 
@@ -113,6 +118,14 @@ class StatesTest {
                                 state,
                                 found.plain().wrongPixels(),
                                 found.plain().largestLevelDifference()));
+    }
+
+    /** Small pictures, as in a small window, where the ends of lines are many. */
+    @ParameterizedTest(name = "ends of lines differ in a small picture: {0}×{1}")
+    @CsvSource({"289, 200", "385, 192", "294, 252", "276, 157", "250, 162", "442, 291"})
+    void bothHalvesAgreeAtEverySize(int width, int height) {
+        Comparison found = compared(GlChoice.first(), width, height);
+        assertTrue(found.share() <= BOUND, found.plain().wrongPixels() + " pixels are off");
     }
 
     @ParameterizedTest(name = "{0} is named and both halves have it")

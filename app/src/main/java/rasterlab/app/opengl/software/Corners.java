@@ -8,6 +8,9 @@ final class Corners {
     /** x, y, z, red, green, blue, alpha, s, t. */
     static final int NUMBERS = 9;
 
+    static final int RED = 3;
+    static final int ALPHA = 6;
+
     private float[] numbers = new float[NUMBERS * 1024];
     private int count;
 

@@ -1,5 +1,6 @@
 package rasterlab.app.opengl.software;
 
+import java.util.Arrays;
 import org.joml.Matrix4d;
 
 /**
@@ -39,6 +40,18 @@ final class Strokes {
         double dx = pixelX(b) - pixelX(a);
         double dy = pixelY(b) - pixelY(a);
         boolean across = Math.abs(dx) >= Math.abs(dy);
+        double[] from = end(a, a, b, across);
+        double[] to = end(b, a, b, across);
+        double[] first = inRange(from);
+        if (Arrays.equals(first, from)) band(from, to, across);
+        else {
+            band(first, a, across);
+            band(a, to, across);
+        }
+    }
+
+    /** The parallelogram about a to b. */
+    private void band(double[] a, double[] b, boolean across) {
         double aside = across ? 0 : 0.5;
         double up = across ? 0.5 : 0;
         double[] a0 = moved(a, -aside, -up);
@@ -47,6 +60,52 @@ final class Strokes {
         double[] b1 = moved(b, aside, up);
         triangle(a0, b0, b1);
         triangle(a0, b1, a1);
+    }
+
+    /** With colours from 0 to 1, which they may leave where an end moved outwards. */
+    private static double[] inRange(double[] corner) {
+        double[] limited = corner.clone();
+        for (int k = Corners.RED; k <= Corners.ALPHA; k++)
+            limited[k] = Math.max(0, Math.min(1, limited[k]));
+        return limited;
+    }
+
+    /**
+     * An end of the line from a to b as the parallelogram has it. A line has the pixels whose
+     * diamond |x| + |y| &lt; ½ about the middle it leaves: where an end is in a diamond and past
+     * its middle, the first pixel is left and the last one is not, so both ends go back to the
+     * pixel's border.
+     */
+    private double[] end(double[] end, double[] a, double[] b, boolean across) {
+        double x = halfWidth + pixelX(end);
+        double y = halfHeight + pixelY(end);
+        double right = x - Math.floor(x) - 0.5;
+        double up = y - Math.floor(y) - 0.5;
+        if (Math.abs(right) + Math.abs(up) >= 0.5) return end;
+        double along = across ? right : up;
+        boolean grows = across ? pixelX(b) > pixelX(a) : pixelY(b) > pixelY(a);
+        if (!past(along, across, grows)) return end;
+        double back = grows ? -along - 0.5 : 0.5 - along;
+        return across
+                ? at((pixelX(end) + back) / (halfWidth * projection.m00()), 0, a, b)
+                : at((pixelY(end) + back) / (halfHeight * projection.m11()), 1, a, b);
+    }
+
+    /** As the raster decides it: the left and the upper edge belong to what they bound. */
+    private static boolean past(double along, boolean across, boolean grows) {
+        long steps = Math.round(along / (2 * TIE));
+        boolean beyond = across ? steps > 0 : steps >= 0;
+        return beyond == grows;
+    }
+
+    /** Where x or y over w has that value, on the line through a and b. */
+    private double[] at(double value, int coordinate, double[] a, double[] b) {
+        double t =
+                (value * w(a) - a[coordinate])
+                        / (b[coordinate] - a[coordinate] - value * (w(b) - w(a)));
+        double[] point = new double[Corners.NUMBERS];
+        for (int k = 0; k < point.length; k++) point[k] = a[k] + t * (b[k] - a[k]);
+        return point;
     }
 
     void point(double[] a) {
