@@ -4,11 +4,14 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Rectangle;
+import java.util.HashSet;
+import java.util.Set;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSeparator;
+import javax.swing.JSlider;
 import javax.swing.Scrollable;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Language;
@@ -22,6 +25,8 @@ public final class Inspector extends JPanel implements Scrollable {
     private static final int ROUNDING = 6;
 
     private final transient Texts texts;
+    private final boolean stacked = LargeType.now();
+    private final transient Set<Component> lowered = new HashSet<>();
 
     public Inspector(Texts texts) {
         super(
@@ -45,7 +50,8 @@ public final class Inspector extends JPanel implements Scrollable {
 
     /**
      * A control behind its label, whose mnemonic goes to the control. A list of choices is never
-     * narrower than its longest one; other controls give way.
+     * narrower than its longest one, and in large type stands below its label; other controls give
+     * way.
      */
     public void row(String key, JComponent control) {
         var label = new JLabel(texts.label(key));
@@ -55,8 +61,9 @@ public final class Inspector extends JPanel implements Scrollable {
             label.setDisplayedMnemonic(texts.mnemonic(key));
             label.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
         }
-        add(label);
-        add(control, control instanceof JComboBox ? "wmin pref" : "wmin 0");
+        boolean list = control instanceof JComboBox;
+        add(label, list && stacked ? "span 2" : "");
+        add(control, (list ? "wmin pref" : "wmin 0") + (list && stacked ? ", span 2, growx" : ""));
     }
 
     /** A number that changes while the lab works. */
@@ -73,6 +80,47 @@ public final class Inspector extends JPanel implements Scrollable {
         for (Component each : getComponents())
             if (each instanceof JLabel label && label.getLabelFor() == control)
                 label.setVisible(shown);
+    }
+
+    /** Whether the type is so large that lists stand below their labels, to take less width. */
+    boolean stacked() {
+        return stacked;
+    }
+
+    @Override
+    public void doLayout() {
+        super.doLayout();
+        if (stacked && getWidth() >= getMinimumSize().width && lowerWide()) {
+            super.doLayout();
+            revalidate();
+        }
+    }
+
+    /**
+     * Puts what lacks width below its label, for good: a row that went to and fro with its number
+     * would move all others.
+     */
+    private boolean lowerWide() {
+        boolean any = false;
+        for (Component each : getComponents())
+            if (each instanceof JLabel label
+                    && label.getLabelFor() instanceof JComponent control
+                    && lacksWidth(control)
+                    && lowered.add(control)) {
+                var layout = (MigLayout) getLayout();
+                layout.setComponentConstraints(label, "span 2");
+                layout.setComponentConstraints(control, "span 2, growx, wmin 0");
+                any = true;
+            }
+        return any;
+    }
+
+    /** A slider is as good short as long; lists are below their labels already. */
+    private static boolean lacksWidth(JComponent control) {
+        if (!control.isVisible() || control instanceof JComboBox) return false;
+        if (control instanceof JSlider) return false;
+        for (Component part : control.getComponents()) if (part instanceof JSlider) return false;
+        return control.getWidth() < control.getPreferredSize().width;
     }
 
     public void wide(JComponent component) {

@@ -20,10 +20,13 @@ public final class LabLayout extends JPanel {
     private static final long serialVersionUID = 1L;
 
     /**
-     * Width of the inspector at 100 %; more where a list of choices needs more, and at most half of
-     * the lab: what then does not fit is scrolled.
+     * Width of the inspector at 100 %; more where a list of choices or the buttons below need more,
+     * and at most half of the lab: what then does not fit is scrolled.
      */
     public static final int INSPECTOR = 352;
+
+    /** The same where lists stand below their labels. */
+    private static final int STACKED = 336;
 
     private static final String HIDDEN = "Rasterlab.inspectorsHidden";
 
@@ -48,7 +51,8 @@ public final class LabLayout extends JPanel {
         hiding = new InspectorSwitch(inspector.language(), () -> toggle(stage));
         add(chips, "wmin 0, growx");
         add(hiding, "spany 3, growy");
-        int wide = Math.max(UIScale.scale(INSPECTOR), needed(inspector));
+        int usual = UIScale.scale(inspector.stacked() ? STACKED : INSPECTOR);
+        int wide = Math.max(usual, Math.max(needed(inspector), actions.getMinimumSize().width));
         String width = "w 0:" + wide + "px:50%, ";
         add(column, width + "spany 3, growy, wrap, hmin 0");
         add(stage, "wmin 100, hmin 100, wrap");

@@ -1,6 +1,7 @@
 package rasterlab.app.exercise;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -12,6 +13,7 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.LargeType;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.language.Language;
@@ -63,6 +65,7 @@ public final class ExercisePanel extends LabPanel {
         notice.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.setForeground(VerdictLook.colour("wrong"));
+        if (LargeType.now()) add(chooser("8 10 0 10"), BorderLayout.NORTH);
         add(split());
         keys();
         unsubscribe = model.listen(state -> refresh());
@@ -115,11 +118,20 @@ public final class ExercisePanel extends LabPanel {
         var task =
                 new JPanel(
                         new MigLayout(
-                                "insets 8 10 8 6, gap 8 8", "[][grow,fill]", "[][grow,fill]"));
-        task.add(Controls.label("exercise", texts, exercise));
-        task.add(exercise, "wmin 0, wrap");
-        task.add(scroll, "span, grow, wmin 0, hmin 0");
+                                "insets 8 10 8 6, gap 8 8, wrap 1",
+                                "[grow,fill]",
+                                LargeType.now() ? "[grow,fill]" : "[][grow,fill]"));
+        if (!LargeType.now()) task.add(chooser("0"), "wmin 0");
+        task.add(scroll, "grow, wmin 0, hmin 0");
         return task;
+    }
+
+    /** Beside its label above the statement, in large type above all, where it has room. */
+    private JPanel chooser(String insets) {
+        var row = new JPanel(new MigLayout("insets " + insets + ", gap 8", "[][grow,fill]"));
+        row.add(Controls.label("exercise", texts, exercise));
+        row.add(exercise, "wmin 0");
+        return row;
     }
 
     private JPanel work() {

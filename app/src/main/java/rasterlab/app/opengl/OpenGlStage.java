@@ -14,7 +14,6 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
@@ -45,7 +44,7 @@ final class OpenGlStage extends JPanel implements Settling {
     private final PicturePane software;
     private final PicturePane difference;
     private final CallLog log;
-    private final JLabel reading = new JLabel(" ");
+    private final FittingText reading = new FittingText("reading");
     private transient Optional<GlCanvas> canvas = Optional.empty();
     private transient Optional<Point> pointed = Optional.empty();
     private boolean unusable;
@@ -87,7 +86,6 @@ final class OpenGlStage extends JPanel implements Settling {
         fields.add(field("difference", difference));
         fields.add(field("calls", new JScrollPane(log)));
         add(fields);
-        reading.setName("reading");
         reading.setMinimumSize(new Dimension());
         add(reading, BorderLayout.SOUTH);
         setTransferHandler(new ImageDrop(onImage));
@@ -103,9 +101,9 @@ final class OpenGlStage extends JPanel implements Settling {
     }
 
     private JPanel field(String key, JComponent content) {
-        var label = new JLabel(texts.text(key));
-        label.setName("title." + key);
+        var label = new FittingText("title." + key);
         label.setFont(label.getFont().deriveFont(Font.BOLD));
+        label.show(texts.text(key), texts.textOr(key + ".brief", texts.text(key)));
         var field = new JPanel(new BorderLayout(0, 4));
         field.add(label, BorderLayout.NORTH);
         field.add(content);
@@ -243,12 +241,16 @@ final class OpenGlStage extends JPanel implements Settling {
 
     private void read() {
         double scale = DevicePixels.scale(this);
-        String text =
+        Optional<PixelReading> read =
                 pointed.flatMap(
-                                at ->
-                                        new PixelReading(model.state().pictures(), texts)
-                                                .at((int) (at.x * scale), (int) (at.y * scale)))
-                        .orElse(texts.text("stage.hint"));
-        reading.setText(text);
+                        at ->
+                                PixelReading.at(
+                                        model.state().pictures(),
+                                        (int) (at.x * scale),
+                                        (int) (at.y * scale)));
+        reading.show(
+                read.map(found -> found.text(texts, "reading")).orElse(texts.text("stage.hint")),
+                read.map(found -> found.text(texts, "reading.brief"))
+                        .orElse(texts.text("stage.hint.brief")));
     }
 }

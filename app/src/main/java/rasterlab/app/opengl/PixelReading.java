@@ -4,24 +4,19 @@ import java.util.Optional;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.raster.Raster;
 
-/** The colours of one pixel in both pictures, as the stage writes them. */
-final class PixelReading {
-    private final OpenGlLabState.Pictures pictures;
-    private final Texts texts;
-
-    PixelReading(OpenGlLabState.Pictures pictures, Texts texts) {
-        this.pictures = pictures;
-        this.texts = texts;
-    }
-
+/**
+ * The colours of one pixel in both pictures, as the stage writes them.
+ *
+ * @param openGl levels of red, green and blue, or a dash where there is no picture
+ */
+record PixelReading(int x, int y, String openGl, String software) {
     /** Empty where there is no such pixel yet. */
-    Optional<String> at(int x, int y) {
+    static Optional<PixelReading> at(OpenGlLabState.Pictures pictures, int x, int y) {
         return pictures.software()
                 .filter(raster -> raster.contains(x, y))
                 .map(
                         raster ->
-                                texts.text(
-                                        "reading",
+                                new PixelReading(
                                         x,
                                         y,
                                         pictures.openGl()
@@ -29,6 +24,13 @@ final class PixelReading {
                                                 .map(other -> levels(other, x, y))
                                                 .orElse("–"),
                                         levels(raster, x, y)));
+    }
+
+    /**
+     * @param key of a text with places for x, y and the two colours
+     */
+    String text(Texts texts, String key) {
+        return texts.text(key, x, y, openGl, software);
     }
 
     private static String levels(Raster raster, int x, int y) {

@@ -12,6 +12,7 @@ import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LargeType;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
@@ -115,7 +116,11 @@ final class PolygonInspector {
     }
 
     private static JPanel buttons(JButton one, JButton other) {
-        var buttons = new JPanel(new MigLayout("insets 0, gap 6", "[grow,fill,sg][grow,fill,sg]"));
+        var buttons =
+                new JPanel(
+                        LargeType.now()
+                                ? new MigLayout("insets 0, gap 6, wrap 1", "[grow,fill]")
+                                : new MigLayout("insets 0, gap 6", "[grow,fill,sg][grow,fill,sg]"));
         buttons.add(one, "wmin 0");
         buttons.add(other, "wmin 0");
         return buttons;

@@ -6,13 +6,14 @@ import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
+import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.SteppedCurve;
@@ -46,7 +47,7 @@ final class CurveInspector {
     private final JLabel point;
     private final JLabel derivative;
     private final JLabel curvature;
-    private final JLabel noMatrix;
+    private final WrappedText noMatrix;
     private final FormulaView formulas = new FormulaView("formulas");
     private final BlendingChart blending;
     private final AboutText about;
@@ -88,7 +89,8 @@ final class CurveInspector {
         derivative = column.value("derivative");
         curvature = column.value("curvature");
 
-        noMatrix = new JLabel(texts.text("noMatrix"));
+        noMatrix = new WrappedText("noMatrix");
+        noMatrix.show(texts.text("noMatrix"));
         blending = new BlendingChart(texts.text("blending"));
         about = new AboutText("about", texts.language());
         addMatricesAndAbout();
@@ -130,7 +132,6 @@ final class CurveInspector {
 
     private void addMatricesAndAbout() {
         column.heading("heading.matrix");
-        noMatrix.setName("noMatrix");
         column.wide(noMatrix);
         column.wide(formulas);
         column.wide(blending);
@@ -139,7 +140,8 @@ final class CurveInspector {
     }
 
     private void addBoxes() {
-        var row = new JPanel(new MigLayout("insets 0, gap 8", "[][][]push"));
+        var row = new JPanel(new FlowRows(8));
+        FlowRows.keepWrapped(row);
         for (JCheckBox box : List.of(construction, comb, hull)) row.add(box);
         column.wide(row);
     }

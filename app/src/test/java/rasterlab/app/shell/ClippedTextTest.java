@@ -78,7 +78,9 @@ class ClippedTextTest {
                                         Arguments.of(language, LabTheme.LIGHT, 100, 900, 560),
                                         Arguments.of(language, LabTheme.LIGHT, 100, 1280, 680),
                                         Arguments.of(language, LabTheme.LIGHT, 100, 2560, 1380),
+                                        Arguments.of(language, LabTheme.LIGHT, 150, 900, 560),
                                         Arguments.of(language, LabTheme.LIGHT, 150, 1280, 680),
+                                        Arguments.of(language, LabTheme.PROJECTOR, 100, 900, 560),
                                         Arguments.of(
                                                 language, LabTheme.PROJECTOR, 100, 1280, 680)));
     }

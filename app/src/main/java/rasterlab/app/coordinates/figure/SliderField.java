@@ -1,5 +1,6 @@
 package rasterlab.app.coordinates.figure;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.util.Locale;
 import java.util.function.DoubleConsumer;
 import javax.swing.JPanel;
@@ -50,6 +51,9 @@ public final class SliderField extends JPanel {
         }
     }
 
+    /** Width of the field in type of usual size. */
+    private static final int FIELD = 112;
+
     /**
      * @param name of the slider; the field is called {@code NAME.field}
      * @param said its name for assistive technology
@@ -57,7 +61,11 @@ public final class SliderField extends JPanel {
      */
     public SliderField(
             String name, String said, Range range, Locale locale, DoubleConsumer changed) {
-        super(new MigLayout("insets 0, gap 6", "[grow,fill,0::][112!,fill]", "[center]"));
+        super(
+                new MigLayout(
+                        "insets 0, gap 6",
+                        "[grow,fill,0::][" + UIScale.scale(FIELD) + "!,fill]",
+                        "[center]"));
         this.range = range;
         slider.setName(name);
         slider.setToolTipText(said);
