@@ -21,7 +21,7 @@ final class LongStays {
                         .sorted(Comparator.comparingLong(LongStays::longest).reversed())
                         .toList();
         String rest = alike.size() > LINES ? "\n  and " + (alike.size() - LINES) + " more" : "";
-        return "%s: %d events kept the event thread for more than 50 ms%n"
+        return "%s: the event thread was kept for more than 50 ms, %d ×%n"
                         .formatted(test, stays.size())
                 + alike.stream().limit(LINES).map(LongStays::line).collect(Collectors.joining("\n"))
                 + rest;
