@@ -1,5 +1,7 @@
 package rasterlab.engine.study;
 
+import java.util.regex.Pattern;
+
 /**
  * A named implementation of a contract.
  *
@@ -10,8 +12,10 @@ package rasterlab.engine.study;
  * @param <C> the contract
  */
 public record Method<C>(String name, About about, C implementation) {
+    private static final Pattern NAME = Pattern.compile("[a-z0-9]+(-[a-z0-9]+)*");
+
     public Method {
-        if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*"))
+        if (!NAME.matcher(name).matches())
             throw new IllegalArgumentException(
                     "method name must be lower-case words with hyphens, got '" + name + "'");
     }
