@@ -115,12 +115,17 @@ public final class Inspector extends JPanel implements Scrollable {
         return any;
     }
 
-    /** A slider is as good short as long; lists are below their labels already. */
+    /** A slider is nearly as good short as long; lists are below their labels already. */
     private static boolean lacksWidth(JComponent control) {
         if (!control.isVisible() || control instanceof JComboBox) return false;
-        if (control instanceof JSlider) return false;
-        for (Component part : control.getComponents()) if (part instanceof JSlider) return false;
+        if (control instanceof JSlider) return tooShort(control);
+        for (Component part : control.getComponents())
+            if (part instanceof JSlider) return tooShort(part);
         return control.getWidth() < control.getPreferredSize().width;
+    }
+
+    private static boolean tooShort(Component slider) {
+        return slider.getWidth() < slider.getMinimumSize().width;
     }
 
     public void wide(JComponent component) {
