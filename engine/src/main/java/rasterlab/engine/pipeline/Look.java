@@ -1,6 +1,7 @@
 package rasterlab.engine.pipeline;
 
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import rasterlab.engine.light.LightTerm;
@@ -8,6 +9,7 @@ import rasterlab.engine.pipeline.paint.DepthCue;
 import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.WireStyle;
+import rasterlab.engine.visibility.ClipPlane;
 
 /**
  * How a scene is drawn, wherever it is seen from.
@@ -22,6 +24,7 @@ import rasterlab.engine.pipeline.wire.WireStyle;
  * @param outline whether faces get edges of 0.96 of their tone; painters only
  * @param cue how things fade with depth
  * @param stereo whether two eyes see the scene
+ * @param clipPlanes planes in the world that cut off what is beyond them
  */
 public record Look(
         String visibility,
@@ -33,9 +36,11 @@ public record Look(
         WireStyle wire,
         boolean outline,
         Optional<DepthCue> cue,
-        Optional<Stereo> stereo) {
+        Optional<Stereo> stereo,
+        List<ClipPlane> clipPlanes) {
     public Look {
         Renderer.checkNames(visibility, outline && shading != ShadingMethod.WIRE);
+        clipPlanes = ClipPlane.checked(clipPlanes);
         terms = terms.isEmpty() ? Set.of() : Set.copyOf(EnumSet.copyOf(terms));
     }
 
@@ -51,35 +56,99 @@ public record Look(
                 WireStyle.USUAL,
                 false,
                 Optional.empty(),
-                Optional.empty());
+                Optional.empty(),
+                List.of());
     }
 
     public Look withVisibility(String other) {
-        return new Look(other, shading, texture, terms, sides, cull, wire, outline, cue, stereo);
+        return new Look(
+                other,
+                shading,
+                texture,
+                terms,
+                sides,
+                cull,
+                wire,
+                outline,
+                cue,
+                stereo,
+                clipPlanes);
     }
 
     public Look withShading(ShadingMethod other) {
-        return new Look(visibility, other, texture, terms, sides, cull, wire, outline, cue, stereo);
+        return new Look(
+                visibility,
+                other,
+                texture,
+                terms,
+                sides,
+                cull,
+                wire,
+                outline,
+                cue,
+                stereo,
+                clipPlanes);
     }
 
     public Look withTexture(TextureMode other) {
-        return new Look(visibility, shading, other, terms, sides, cull, wire, outline, cue, stereo);
+        return new Look(
+                visibility,
+                shading,
+                other,
+                terms,
+                sides,
+                cull,
+                wire,
+                outline,
+                cue,
+                stereo,
+                clipPlanes);
     }
 
     /** Lit by some terms only, backs as told. */
     public Look withLight(Set<LightTerm> seen, Sides backs) {
         return new Look(
-                visibility, shading, texture, seen, backs, cull, wire, outline, cue, stereo);
+                visibility,
+                shading,
+                texture,
+                seen,
+                backs,
+                cull,
+                wire,
+                outline,
+                cue,
+                stereo,
+                clipPlanes);
     }
 
     public Look withCull(Cull other) {
         return new Look(
-                visibility, shading, texture, terms, sides, other, wire, outline, cue, stereo);
+                visibility,
+                shading,
+                texture,
+                terms,
+                sides,
+                other,
+                wire,
+                outline,
+                cue,
+                stereo,
+                clipPlanes);
     }
 
     public Look withWire(WireStyle other) {
         return new Look(
-                visibility, shading, texture, terms, sides, cull, other, outline, cue, stereo);
+                visibility,
+                shading,
+                texture,
+                terms,
+                sides,
+                cull,
+                other,
+                outline,
+                cue,
+                stereo,
+                clipPlanes);
     }
 
     /**
@@ -88,7 +157,18 @@ public record Look(
      * @throws IllegalArgumentException if the visibility method draws none
      */
     public Look withOutline() {
-        return new Look(visibility, shading, texture, terms, sides, cull, wire, true, cue, stereo);
+        return new Look(
+                visibility,
+                shading,
+                texture,
+                terms,
+                sides,
+                cull,
+                wire,
+                true,
+                cue,
+                stereo,
+                clipPlanes);
     }
 
     public Look withCue(DepthCue other) {
@@ -102,7 +182,8 @@ public record Look(
                 wire,
                 outline,
                 Optional.of(other),
-                stereo);
+                stereo,
+                clipPlanes);
     }
 
     public Look withStereo(Stereo other) {
@@ -116,7 +197,24 @@ public record Look(
                 wire,
                 outline,
                 cue,
-                Optional.of(other));
+                Optional.of(other),
+                clipPlanes);
+    }
+
+    /** Cut by planes in the world. */
+    public Look withClipPlanes(List<ClipPlane> other) {
+        return new Look(
+                visibility,
+                shading,
+                texture,
+                terms,
+                sides,
+                cull,
+                wire,
+                outline,
+                cue,
+                stereo,
+                other);
     }
 
     /**

@@ -118,6 +118,11 @@ public final class Renderer implements AutoCloseable {
                             .formatted(visibility, String.join(", ", outlining())));
     }
 
+    /** Whether a method of that name can draw the faces' edges. */
+    public static boolean drawsOutlines(String visibility) {
+        return visibility.equals(AUTO) || outlining().contains(visibility);
+    }
+
     private static List<String> outlining() {
         return KNOWN.stream()
                 .filter(method -> method.implementation().drawsOutlines())

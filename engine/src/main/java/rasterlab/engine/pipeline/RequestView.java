@@ -38,7 +38,8 @@ record RequestView(Scene scene, ViewedMesh viewed) {
                 new ViewTransform(request.camera(), request.projection(), toTheRight),
                 fit.forEye(toTheRight),
                 request.depth().near(),
-                request.depth().far());
+                request.depth().far(),
+                request.look().clipPlanes());
     }
 
     private static RequestView culled(RenderRequest request, RequestView whole, double eye) {

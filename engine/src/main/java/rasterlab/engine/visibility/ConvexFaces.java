@@ -8,7 +8,7 @@ import rasterlab.engine.raster.Raster;
  * other and are drawn unsorted.
  *
  * <p>Inner sides are drawn before them only where they can be seen: through a transparent face, or
- * where the near plane cuts the body open.
+ * where the near plane or a clip plane cuts the body open.
  */
 final class ConvexFaces implements SteppedVisibility {
     @Override
@@ -41,7 +41,8 @@ final class ConvexFaces implements SteppedVisibility {
     }
 
     private static boolean insideShows(ViewedMesh view, FacePaint paint) {
-        for (double z : view.eyeZ) if (z < view.near()) return true;
-        return IntStream.range(0, view.mesh().faceCount()).anyMatch(face -> !paint.opaque(face));
+        return view.cutsOpen()
+                || IntStream.range(0, view.mesh().faceCount())
+                        .anyMatch(face -> !paint.opaque(face));
     }
 }

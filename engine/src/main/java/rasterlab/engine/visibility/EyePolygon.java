@@ -1,7 +1,7 @@
 package rasterlab.engine.visibility;
 
 /**
- * A convex polygon in eye space that is cut at planes of constant z, or through the eye.
+ * A convex polygon in eye space that is cut at planes of constant z, through the eye, or any.
  *
  * <p>A new corner is computed from the kept end of its edge to the lost one, so two polygons that
  * share an edge get bit-equal ones.
@@ -58,6 +58,27 @@ final class EyePolygon {
             if (atA >= 0 != atB >= 0) {
                 double t = atA / (atA - atB);
                 kept.add(between(x, a, b, t), between(y, a, b, t), between(z, a, b, t));
+            }
+            if (atB >= 0) kept.add(x[b], y[b], z[b]);
+        }
+    }
+
+    /**
+     * What of this polygon is on the drawn side of a view's clip plane.
+     *
+     * @param plane its number
+     * @param kept receives it
+     */
+    void cut(ViewedMesh view, int plane, EyePolygon kept) {
+        kept.size = 0;
+        for (int a = size - 1, b = 0; b < size; a = b++) {
+            double atA = view.clipDistance(plane, x[a], y[a], z[a]);
+            double atB = view.clipDistance(plane, x[b], y[b], z[b]);
+            if (atA >= 0 != atB >= 0) {
+                int in = atA >= 0 ? a : b;
+                int out = in == a ? b : a;
+                double t = Math.max(atA, atB) / Math.abs(atA - atB);
+                kept.add(between(x, in, out, t), between(y, in, out, t), between(z, in, out, t));
             }
             if (atB >= 0) kept.add(x[b], y[b], z[b]);
         }

@@ -12,7 +12,7 @@ public final class FaceOutlines {
      * between the near and the far plane.
      */
     public static double[] corners(ViewedMesh view, int face) {
-        var polygon = new ScreenPolygon(view.mesh().mostCorners());
+        var polygon = new ScreenPolygon(view);
         polygon.load(view, face);
         var corners = new double[2 * polygon.size()];
         for (int k = 0; k < polygon.size(); k++) {
@@ -27,7 +27,7 @@ public final class FaceOutlines {
      * ends, in pixels; empty where the plane passes it by.
      */
     public static Optional<double[]> cut(ViewedMesh view, int face, int by) {
-        var polygon = new ScreenPolygon(view.mesh().mostCorners());
+        var polygon = new ScreenPolygon(view);
         polygon.load(view, face);
         double[] corners = polygon.eyeCorners();
         var ends = new double[4];

@@ -29,7 +29,7 @@ final class FaceSequence implements VisibilityWalk {
         this.values = values;
         this.tally = tally;
         brush = new FaceBrush(paint, out, tally);
-        polygon = new ScreenPolygon(view.mesh().mostCorners());
+        polygon = new ScreenPolygon(view);
     }
 
     @Override

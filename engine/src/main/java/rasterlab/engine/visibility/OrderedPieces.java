@@ -74,7 +74,7 @@ final class OrderedPieces implements SteppedVisibility {
             this.out = out;
             space = new SightSpace(view);
             brush = new FaceBrush(paint, out, tally);
-            whole = new ScreenPolygon(view.mesh().mostCorners());
+            whole = new ScreenPolygon(view);
             order = started(pulse);
         }
 

@@ -118,7 +118,7 @@ public final class PixelHistory {
         touches.forEach(touch -> known[touch.face()] = true);
         int colour = touches.isEmpty() ? out.argb(x, y) : touches.get(touches.size() - 1).after();
         var rest = new ArrayList<PixelTouch>();
-        var polygon = new ScreenPolygon(view.mesh().mostCorners());
+        var polygon = new ScreenPolygon(view);
         for (int face = 0; face < known.length; face++) {
             Cancellation.check(cancelled);
             if (known[face] || !owns(polygon, face)) continue;

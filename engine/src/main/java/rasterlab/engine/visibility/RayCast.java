@@ -37,7 +37,7 @@ final class RayCast implements Visibility {
                         row -> {
                             Cancellation.check(cancelled);
                             var tally = new Tally();
-                            var hits = new RayHits(targets, paint, view.near(), view.far(), tally);
+                            var hits = new RayHits(targets, paint, new RaySpan(view), tally);
                             castRow(row, rays, boxes, hits, new FaceBrush(paint, out, tally), out);
                             return tally.work();
                         })

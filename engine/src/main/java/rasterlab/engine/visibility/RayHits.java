@@ -9,25 +9,23 @@ import java.util.Arrays;
 final class RayHits {
     private final RayTargets targets;
     private final FacePaint paint;
-    private final double nearest;
-    private final double farthest;
+    private final RaySpan drawn;
     private final Tally tally;
     private final double[] inverse = new double[3];
     private double[] ray;
+    private double nearest;
     private double end;
     private double[] depths = new double[8];
     private int[] faces = new int[8];
     private int count;
 
     /**
-     * @param nearest the smallest t that counts
-     * @param farthest the largest one
+     * @param drawn what counts of a ray
      */
-    RayHits(RayTargets targets, FacePaint paint, double nearest, double farthest, Tally tally) {
+    RayHits(RayTargets targets, FacePaint paint, RaySpan drawn, Tally tally) {
         this.targets = targets;
         this.paint = paint;
-        this.nearest = nearest;
-        this.farthest = farthest;
+        this.drawn = drawn;
         this.tally = tally;
     }
 
@@ -39,7 +37,9 @@ final class RayHits {
     void start(double[] ray) {
         this.ray = ray;
         for (int axis = 0; axis < 3; axis++) inverse[axis] = 1 / ray[3 + axis];
-        end = farthest;
+        drawn.load(ray);
+        nearest = drawn.begin();
+        end = drawn.end();
         count = 0;
     }
 

@@ -28,7 +28,7 @@ final class ScreenFaces {
         opaque = new boolean[faces];
         x = new double[4 * faces + 8];
         y = new double[4 * faces + 8];
-        var polygon = new ScreenPolygon(view.mesh().mostCorners());
+        var polygon = new ScreenPolygon(view);
         var plane = new NearnessPlane();
         for (int f = 0; f < faces; f++) {
             if (!plane.load(view, f)) continue;

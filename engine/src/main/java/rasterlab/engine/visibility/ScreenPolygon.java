@@ -3,7 +3,8 @@ package rasterlab.engine.visibility;
 import rasterlab.engine.transform.PictureFit;
 
 /**
- * One face at a time, clipped at the near and the far plane, projected to pixels and filled.
+ * One face at a time, clipped at the near, the far and the clip planes, projected to pixels and
+ * filled.
  *
  * <p>Each row is filled as {@link RowSpan} says. Corners are rounded to 2⁻²⁴ pixel: an edge that
  * lies on pixel centres then does so exactly, whatever the rounding before.
@@ -12,22 +13,21 @@ final class ScreenPolygon {
     private static final double SUBPIXELS = 1 << 24;
 
     private final EyePolygon whole;
-    private final EyePolygon nearCut;
-    private final EyePolygon cut;
+    private EyePolygon spare;
+    private EyePolygon cut;
     private final double[] x;
     private final double[] y;
     private final RowSpan span = new RowSpan();
     private int size;
 
-    /**
-     * @param mostCorners the most corners of a face; the near and the far plane may add one each
-     */
-    ScreenPolygon(int mostCorners) {
+    /** For the faces of a view, to whose corners each plane may add one. */
+    ScreenPolygon(ViewedMesh view) {
+        int mostCorners = view.mesh().mostCorners() + 2 + view.clipPlaneCount();
         whole = new EyePolygon(mostCorners);
-        nearCut = new EyePolygon(mostCorners + 1);
-        cut = new EyePolygon(mostCorners + 2);
-        x = new double[mostCorners + 2];
-        y = new double[mostCorners + 2];
+        spare = new EyePolygon(mostCorners);
+        cut = new EyePolygon(mostCorners);
+        x = new double[mostCorners];
+        y = new double[mostCorners];
     }
 
     int size() {
@@ -61,8 +61,14 @@ final class ScreenPolygon {
     }
 
     private void load(ViewedMesh view) {
-        whole.cut(view.near(), 1, nearCut);
-        nearCut.cut(view.far(), -1, cut);
+        whole.cut(view.near(), 1, spare);
+        spare.cut(view.far(), -1, cut);
+        for (int plane = 0; plane < view.clipPlaneCount(); plane++) {
+            cut.cut(view, plane, spare);
+            EyePolygon before = cut;
+            cut = spare;
+            spare = before;
+        }
         size = 0;
         for (int k = 0; k < cut.size; k++) add(view, cut.x[k], cut.y[k], cut.z[k]);
     }
@@ -106,7 +112,7 @@ final class ScreenPolygon {
         if (from < to) out.span(row, from, to);
     }
 
-    /** What is left of the polygon between the near and the far plane: x, y, z of each corner. */
+    /** What is left of the polygon between the planes: x, y, z of each corner. */
     double[] eyeCorners() {
         var corners = new double[3 * cut.size];
         for (int k = 0; k < cut.size; k++) {

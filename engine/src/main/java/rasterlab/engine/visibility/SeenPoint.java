@@ -32,7 +32,7 @@ public record SeenPoint(int face, boolean behind, double[] position, double[] no
 
     /** The nearest face that owns the pixel; empty where none does. */
     public static Optional<SeenPoint> at(ViewedMesh view, int x, int y) {
-        var polygon = new ScreenPolygon(view.mesh().mostCorners());
+        var polygon = new ScreenPolygon(view);
         var plane = new NearnessPlane();
         var owned = new boolean[1];
         double nearest = Double.NEGATIVE_INFINITY;

@@ -33,7 +33,7 @@ final class SightSpace {
         central = view.transform().central();
         List<double[]> cut = new ArrayList<>();
         faces = new int[view.mesh().faceCount()];
-        var polygon = new ScreenPolygon(view.mesh().mostCorners());
+        var polygon = new ScreenPolygon(view);
         var owned = new boolean[1];
         for (int f = 0; f < faces.length; f++) {
             owned[0] = false;

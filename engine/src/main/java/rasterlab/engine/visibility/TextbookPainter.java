@@ -50,7 +50,7 @@ final class TextbookPainter implements SteppedVisibility {
             z = rounded(view.eyeZ, view.transform().distance());
             depth = depths(view, z);
             drawn = new boolean[depth.length];
-            polygon = new ScreenPolygon(view.mesh().mostCorners());
+            polygon = new ScreenPolygon(view);
             brush = new FaceBrush(paint, out, tally);
         }
 

@@ -1,5 +1,6 @@
 package rasterlab.engine.visibility;
 
+import java.util.List;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.transform.ViewTransform;
@@ -21,6 +22,8 @@ public final class ViewedMesh {
     private final PictureFit fit;
     private final double near;
     private final double far;
+    private final List<ClipPlane> clipPlanes;
+    private final double[][] eyePlanes;
     final double[] eyeX;
     final double[] eyeY;
     final double[] eyeZ;
@@ -30,8 +33,15 @@ public final class ViewedMesh {
      * @param near the smallest eye z that is drawn, above 0 in perspective
      * @param far the largest one, above {@code near}; infinity in perspective, and infinities in
      *     parallel projection, cut nothing off
+     * @param clipPlanes what else cuts
      */
-    public ViewedMesh(Mesh mesh, ViewTransform transform, PictureFit fit, double near, double far) {
+    public ViewedMesh(
+            Mesh mesh,
+            ViewTransform transform,
+            PictureFit fit,
+            double near,
+            double far,
+            List<ClipPlane> clipPlanes) {
         if (!(near < far) || transform.central() && !(near > 0))
             throw new IllegalArgumentException(
                     "near must be below far%s, got near %s, far %s"
@@ -41,6 +51,8 @@ public final class ViewedMesh {
         this.fit = fit;
         this.near = near;
         this.far = far;
+        this.clipPlanes = ClipPlane.checked(clipPlanes);
+        eyePlanes = this.clipPlanes.stream().map(p -> p.inEye(transform)).toArray(double[][]::new);
         int n = mesh.vertexCount();
         eyeX = new double[n];
         eyeY = new double[n];
@@ -52,6 +64,11 @@ public final class ViewedMesh {
             eyeZ[v] = transform.toEye(2, mesh.x(v), mesh.y(v), mesh.z(v));
         }
         for (int f = 0; f < mesh.faceCount(); f++) turnNormal(f);
+    }
+
+    /** Without clip planes. */
+    public ViewedMesh(Mesh mesh, ViewTransform transform, PictureFit fit, double near, double far) {
+        this(mesh, transform, fit, near, far, List.of());
     }
 
     /** With the nearest near plane there can be, and no far one. */
@@ -130,5 +147,31 @@ public final class ViewedMesh {
     /** The largest z in eye space that is drawn: infinity where there is no bound. */
     public double far() {
         return far;
+    }
+
+    /** The planes that cut besides near and far ones, in the world. */
+    public List<ClipPlane> clipPlanes() {
+        return clipPlanes;
+    }
+
+    /** How many planes cut besides near and far ones. */
+    public int clipPlaneCount() {
+        return eyePlanes.length;
+    }
+
+    /** a·x + b·y + c·z + d of a clip plane for a point in eye space: drawn from 0 up. */
+    public double clipDistance(int plane, double x, double y, double z) {
+        double[] p = eyePlanes[plane];
+        return p[0] * x + p[1] * y + p[2] * z + p[3];
+    }
+
+    /** Whether a plane of any kind cuts off a corner of the mesh that is not too far away. */
+    boolean cutsOpen() {
+        for (int v = 0; v < eyeX.length; v++) {
+            if (eyeZ[v] < near) return true;
+            for (int plane = 0; plane < eyePlanes.length; plane++)
+                if (clipDistance(plane, eyeX[v], eyeY[v], eyeZ[v]) < 0) return true;
+        }
+        return false;
     }
 }

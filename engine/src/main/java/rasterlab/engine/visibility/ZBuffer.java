@@ -80,7 +80,7 @@ final class ZBuffer implements SteppedVisibility {
             order = opaque == faces ? hiding : transparentLast(hiding, paint);
             depths = format.over(NearnessRange.of(view));
             codes = new int[width];
-            polygon = new ScreenPolygon(view.mesh().mostCorners());
+            polygon = new ScreenPolygon(view);
             nearest = takeBuffer(width * height);
         }
 

@@ -6,9 +6,15 @@ import java.util.Random;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.engine.scene.Mesh;
+import rasterlab.engine.transform.PictureFit;
+import rasterlab.engine.transform.Projection;
+import rasterlab.engine.transform.SphericalView;
+import rasterlab.engine.transform.ViewTransform;
 
 class BoxTreeTest {
     private static final long SEED = 1980;
+    private static final ViewTransform FRONT =
+            new ViewTransform(new SphericalView(0, 1, 400), Projection.FRONT);
 
     @Test
     @DisplayName("a box is missed that holds a face which the ray meets")
@@ -19,8 +25,9 @@ class BoxTreeTest {
             var paint = TestScenes.numbers(mesh);
             var targets = new RayTargets(mesh);
             var boxes = new BoxTree(mesh);
-            var one = new RayHits(targets, paint, -1e3, 1e3, new Tally());
-            var all = new RayHits(targets, paint, -1e3, 1e3, new Tally());
+            var view = new ViewedMesh(mesh, FRONT, PictureFit.of(8, 8, 1), -1e3, 1e3);
+            var one = new RayHits(targets, paint, new RaySpan(view), new Tally());
+            var all = new RayHits(targets, paint, new RaySpan(view), new Tally());
             for (int k = 0; k < 2000; k++) {
                 double[] ray = random.doubles(6, -150, 150).toArray();
                 if (k % 3 == 0) ray[3 + k / 3 % 3] = 0;

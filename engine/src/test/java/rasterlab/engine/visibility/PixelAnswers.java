@@ -90,7 +90,7 @@ public final class PixelAnswers {
         private final boolean edgeOn;
 
         Outline(ViewedMesh view, int face) {
-            var polygon = new ScreenPolygon(view.mesh().mostCorners());
+            var polygon = new ScreenPolygon(view);
             polygon.load(view, face);
             x = IntStream.range(0, polygon.size()).mapToDouble(polygon::x).toArray();
             y = IntStream.range(0, polygon.size()).mapToDouble(polygon::y).toArray();

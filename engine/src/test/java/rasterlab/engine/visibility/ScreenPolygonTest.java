@@ -115,7 +115,7 @@ class ScreenPolygonTest {
         int width = view.fit().width();
         int height = view.fit().height();
         int[] counts = new int[width * height];
-        var polygon = new ScreenPolygon(view.mesh().mostCorners());
+        var polygon = new ScreenPolygon(view);
         for (int f = 0; f < view.mesh().faceCount(); f++) {
             polygon.load(view, f);
             polygon.fill(

@@ -22,12 +22,17 @@ final class ClipSpace {
 
     private final ViewTransform transform;
     private final PictureFit fit;
+    private final List<double[]> planes;
     private final double near;
     private final double far;
 
     ClipSpace(ViewedMesh view) {
         transform = view.transform();
         fit = view.fit();
+        planes =
+                view.clipPlanes().stream()
+                        .map(plane -> new double[] {plane.a(), plane.b(), plane.c(), plane.d()})
+                        .toList();
         double nearest = Double.POSITIVE_INFINITY;
         double farthest = Double.NEGATIVE_INFINITY;
         for (int v = 0; v < view.mesh().vertexCount(); v++) {
@@ -44,8 +49,9 @@ final class ClipSpace {
         return !(near < far);
     }
 
+    /** Its eye space is the world. */
     TriangleView view() {
-        return new TriangleView(new Matrix4d(), worldToClip(), List.of(), Culling.NONE);
+        return new TriangleView(new Matrix4d(), worldToClip(), planes, Culling.NONE);
     }
 
     private Matrix4d worldToClip() {

@@ -13,6 +13,7 @@ import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.LaidTexture;
 import rasterlab.engine.texture.TextureSampler;
 import rasterlab.engine.transform.ViewTransform;
+import rasterlab.engine.visibility.RaySpan;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
@@ -74,6 +75,7 @@ public final class SurfacePicture {
         private final ExactSurfaces.Caster caster = surfaces.caster();
         private final PointLighting[] lighting = lights.forThread();
         private final double[] ray = new double[6];
+        private final RaySpan drawn = new RaySpan(view);
         private final List<TextureSampler> samplers = samplers();
         private final int[] layers = new int[MOST_LAYERS];
 
@@ -110,10 +112,11 @@ public final class SurfacePicture {
         /** Writes the colours met, the nearest first, down to the first opaque one. */
         private int layers() {
             int count = 0;
-            double least = Math.max(view.near(), -Double.MAX_VALUE);
+            drawn.load(ray);
+            double least = Math.max(drawn.begin(), -Double.MAX_VALUE);
             while (count < MOST_LAYERS) {
                 int finish = caster.meet(ray, least);
-                if (finish < 0 || caster.distance() > view.far()) break;
+                if (finish < 0 || caster.distance() > drawn.end()) break;
                 layers[count] = argb(finish);
                 if (layers[count++] >>> 24 == 255) break;
                 least = caster.distance() + STEP * view.transform().distance();

@@ -5,7 +5,7 @@ import rasterlab.engine.visibility.EyeSegment;
 import rasterlab.engine.visibility.ViewedMesh;
 
 /**
- * One edge at a time, cut at the near and the far plane and by the picture, in pixels.
+ * One edge at a time, cut at the near, the far and the clip planes and by the picture, in pixels.
  *
  * <p>Nearness is ρ/z in perspective and −z in parallel projection: linear in the pixel, larger for
  * what is nearer.
@@ -32,6 +32,11 @@ final class ScreenEdge {
         leave = 1;
         if (!keep(-dz, piece.z0() - view.near()) || !keep(dz, view.far() - piece.z0()))
             return false;
+        for (int plane = 0; plane < view.clipPlaneCount(); plane++) {
+            double start = view.clipDistance(plane, piece.x0(), piece.y0(), piece.z0());
+            double finish = view.clipDistance(plane, piece.x1(), piece.y1(), piece.z1());
+            if (!keep(start - finish, start)) return false;
+        }
         double first = enter;
         double last = leave;
         project(0, piece, first);
