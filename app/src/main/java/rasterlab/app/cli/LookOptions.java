@@ -1,12 +1,14 @@
 package rasterlab.app.cli;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import picocli.CommandLine.Option;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Cull;
 import rasterlab.engine.pipeline.Look;
+import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.Stereo;
 import rasterlab.engine.pipeline.paint.DepthCue;
@@ -14,6 +16,9 @@ import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.pipeline.wire.WireStyle;
+import rasterlab.engine.transform.Projection;
+import rasterlab.engine.visibility.ClipPlane;
+import rasterlab.exercises.scene.Setting;
 
 /** The options of {@code ./lab render} that say how a scene is drawn. */
 final class LookOptions {
@@ -78,6 +83,17 @@ final class LookOptions {
     private boolean outline;
 
     @Option(
+            names = "--clip-plane",
+            paramLabel = "A,B,C,D",
+            description =
+                    "cuts off what has Ax + By + Cz + D below 0, in the world's x, y, z and units;"
+                            + " may be given "
+                            + ClipPlane.MOST
+                            + " times",
+            converter = ClipPlaneOption.class)
+    private List<ClipPlane> clipPlanes;
+
+    @Option(
             names = "--depth-cue",
             paramLabel = "SHARE",
             arity = "0..1",
@@ -104,27 +120,41 @@ final class LookOptions {
     private EyesOption.Distance eyes;
 
     /**
+     * What only another shading, method or projection has a use for is refused where the command
+     * line says it and passed over where the file does.
+     *
      * @param shown may say what the command line does not
      * @param rho the camera's distance from the origin
      * @throws IllegalArgumentException for an unknown name or a number out of range
      */
-    Look look(ShownScene shown, String visibility, double rho) {
-        ShadingMethod chosen = ShadingMethod.named(shown.option("--shading", shading));
+    Look look(ShownScene shown, String visibility, Projection projection, double rho) {
+        ShadingMethod chosen = shading(shown);
         requireLight(chosen);
+        requireWire(chosen);
         Look look =
                 Look.of(visibility, chosen)
                         .withTexture(texture(shown))
-                        .withLight(seenTerms(), sides())
-                        .withCull(Cull.named(cull))
-                        .withWire(wire(chosen));
+                        .withLight(seenTerms(shown), sides(shown))
+                        .withCull(shown.option("--cull", Cull.named(cull), Setting.CULL))
+                        .withWire(wire(shown))
+                        .withClipPlanes(
+                                shown.option(clipPlanes, Setting.CLIP_PLANES).orElse(List.of()));
         if (outline) look = outlined(look);
-        if (depthCue != null) look = look.withCue(new DepthCue(depthCue));
-        return stereo == null ? onePicture(look) : look.withStereo(stereo(rho));
+        else if (outlines(shown, look)) look = look.withOutline();
+        DepthCue given = depthCue == null ? null : new DepthCue(depthCue);
+        Optional<DepthCue> cue = shown.option(given, Setting.DEPTH_CUE);
+        if (cue.isPresent()) look = look.withCue(cue.get());
+        Optional<Stereo> eyesApart = stereo(shown, projection, rho);
+        return eyesApart.isPresent() ? look.withStereo(eyesApart.get()) : look;
+    }
+
+    private ShadingMethod shading(ShownScene shown) {
+        return shown.option("--shading", ShadingMethod.named(shading), Setting.SHADING);
     }
 
     /** How textures are looked up. */
     TextureMode texture(ShownScene shown) {
-        return TextureMode.named(shown.option("--texture", texture));
+        return shown.option("--texture", TextureMode.named(texture), Setting.TEXTURE);
     }
 
     /**
@@ -137,7 +167,7 @@ final class LookOptions {
         TextureMode mode = texture(shown);
         boolean given = shown.onCommandLine().test("--texture");
         boolean asked = laid || given && mode != TextureMode.AUTO && mode != TextureMode.NONE;
-        if (asked && ShadingMethod.named(shown.option("--shading", shading)) == ShadingMethod.WIRE)
+        if (asked && shading(shown) == ShadingMethod.WIRE)
             throw new IllegalArgumentException(
                     "--texture, --texture-image, --wrap and --environment need faces; --shading wire"
                             + " draws nothing but edges");
@@ -162,32 +192,43 @@ final class LookOptions {
         return look.withOutline();
     }
 
-    private WireStyle wire(ShadingMethod chosen) {
-        if (chosen != ShadingMethod.WIRE) {
-            if (hiddenLines != null) throw needsWire("--hidden-lines");
-            if (crease != null) throw needsWire("--crease");
-        }
+    /** Whether the file asks for edges that can be drawn. */
+    private static boolean outlines(ShownScene shown, Look look) {
+        return shown.said().get(Setting.OUTLINE).orElse(false)
+                && look.shading() != ShadingMethod.WIRE
+                && Renderer.drawsOutlines(look.visibility());
+    }
+
+    private void requireWire(ShadingMethod chosen) {
+        if (chosen == ShadingMethod.WIRE) return;
+        if (hiddenLines != null) throw needsWire("--hidden-lines");
+        if (crease != null) throw needsWire("--crease");
+    }
+
+    private WireStyle wire(ShownScene shown) {
+        HiddenLines given = hiddenLines == null ? null : HiddenLines.named(hiddenLines);
         return new WireStyle(
-                hiddenLines == null ? HiddenLines.REMOVED : HiddenLines.named(hiddenLines),
-                crease == null ? 0 : crease);
+                shown.option(given, Setting.HIDDEN_LINES).orElse(HiddenLines.REMOVED),
+                shown.option(crease, Setting.CREASE).orElse(0.0));
     }
 
     private static IllegalArgumentException needsWire(String option) {
         return new IllegalArgumentException(option + " needs --shading wire");
     }
 
-    private Look onePicture(Look look) {
-        if (eyes != null) throw new IllegalArgumentException("--eyes needs --stereo");
-        return look;
+    private Optional<Stereo> stereo(ShownScene shown, Projection projection, double rho) {
+        boolean two = stereo != null || projection == Projection.PERSPECTIVE;
+        Stereo.Kind given = stereo == null ? null : Stereo.Kind.named(stereo);
+        Optional<Stereo.Kind> kind = two ? shown.option(given, Setting.STEREO) : Optional.empty();
+        if (kind.isEmpty() && eyes != null)
+            throw new IllegalArgumentException("--eyes needs --stereo");
+        Double apart = eyes == null ? null : (Double) eyes.units(rho);
+        double separation = shown.option(apart, Setting.EYES).orElse(Stereo.USUAL * rho);
+        return kind.map(shownAs -> new Stereo(shownAs, separation));
     }
 
-    private Stereo stereo(double rho) {
-        return new Stereo(
-                Stereo.Kind.named(stereo), eyes == null ? Stereo.USUAL * rho : eyes.units(rho));
-    }
-
-    private Set<LightTerm> seenTerms() {
-        if (terms == null) return LightTerm.all();
+    private Set<LightTerm> seenTerms(ShownScene shown) {
+        if (terms == null) return shown.said().get(Setting.TERMS).orElse(LightTerm.all());
         if (terms.isEmpty())
             throw new IllegalArgumentException(
                     "--terms needs one of " + String.join(", ", LightTerm.names()));
@@ -198,8 +239,9 @@ final class LookOptions {
         return seen;
     }
 
-    private Sides sides() {
-        if (twoSided == null) return Sides.SCENE;
-        return twoSided ? Sides.TWO : Sides.ONE;
+    private Sides sides(ShownScene shown) {
+        return shown.option(twoSided, Setting.TWO_SIDED)
+                .map(two -> two ? Sides.TWO : Sides.ONE)
+                .orElse(Sides.SCENE);
     }
 }

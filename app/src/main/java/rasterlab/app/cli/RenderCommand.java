@@ -26,6 +26,7 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.visibility.VisibilityWork;
+import rasterlab.exercises.scene.Setting;
 
 /** Renders a scene in software. */
 @Command(
@@ -38,11 +39,10 @@ import rasterlab.engine.visibility.VisibilityWork;
         footer = {
             "",
             "Example: ./lab render vase --visibility painter --out vase.png",
-            "         ./lab render vase --reference --diff vase.png"
+            "         ./lab render vase --reference --diff vase.png",
+            "         ./lab render torus --clip-plane 1,0,0,0 --out half.png"
         })
 final class RenderCommand implements Callable<Integer> {
-    private static final double MOST_ZOOM = 1e6;
-
     private final Console console;
 
     @Mixin private SceneArgument shown;
@@ -162,32 +162,37 @@ final class RenderCommand implements Callable<Integer> {
             ShownScene opened = shown.open(console);
             requireZoom();
             look.requireFaces(opened, texture.given());
-            Scene scene = texture.laid(opened.scene().zoomed(zoom), look.texture(opened));
+            double scale = opened.option("--zoom", zoom, Setting.ZOOM);
+            Scene scene = texture.laid(opened, opened.scene().zoomed(scale), look.texture(opened));
             SphericalView eye = camera == null ? scene.defaultCamera() : camera;
-            Projection chosen = Projection.named(opened.option("--projection", projection));
-            String method = opened.option("--visibility", visibility);
+            Projection chosen =
+                    opened.option("--projection", Projection.named(projection), Setting.PROJECTION);
+            String method = opened.option("--visibility", visibility, Setting.VISIBILITY);
             return new RenderRequest(
                     scene,
                     eye,
                     chosen,
-                    depths(chosen, eye.rho()),
+                    depths(opened, chosen, eye.rho()),
                     size.width(),
                     size.height(),
-                    look.look(opened, reference ? Renderer.REFERENCE : method, eye.rho()));
+                    look.look(opened, reference ? Renderer.REFERENCE : method, chosen, eye.rho()));
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());
         }
     }
 
     private void requireZoom() {
-        if (!(zoom >= 1 / MOST_ZOOM && zoom <= MOST_ZOOM))
+        double most = Setting.MOST_ZOOM;
+        if (!(zoom >= 1 / most && zoom <= most))
             throw new IllegalArgumentException(
-                    "zoom must be from %s to %s, got %s".formatted(1 / MOST_ZOOM, MOST_ZOOM, zoom));
+                    "zoom must be from %s to %s, got %s".formatted(1 / most, most, zoom));
     }
 
-    private DrawnDepths depths(Projection chosen, double rho) {
+    private DrawnDepths depths(ShownScene opened, Projection chosen, double rho) {
         DrawnDepths all = DrawnDepths.all(chosen, rho);
-        return new DrawnDepths(near == null ? all.near() : near, far == null ? all.far() : far);
+        return new DrawnDepths(
+                opened.option(near, Setting.NEAR).orElse(all.near()),
+                opened.option(far, Setting.FAR).orElse(all.far()));
     }
 
     private static void requireErrors(Look look) {

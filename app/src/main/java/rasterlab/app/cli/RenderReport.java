@@ -5,6 +5,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
 import rasterlab.engine.light.LightTerm;
@@ -15,6 +16,7 @@ import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.Sides;
 import rasterlab.engine.raster.PictureDifference;
+import rasterlab.engine.visibility.ClipPlane;
 import rasterlab.engine.visibility.VisibilityWork;
 
 /**
@@ -111,9 +113,16 @@ record RenderReport(
             json.writeNumberField("crease", look.wire().creaseDegrees());
         }
         if (look.cue().isPresent()) json.writeNumberField("depthCue", look.cue().get().strength());
+        if (!look.clipPlanes().isEmpty()) writePlanes(json, look.clipPlanes());
         if (look.stereo().isEmpty()) return;
         json.writeStringField("stereo", look.stereo().get().kind().code());
         json.writeNumberField("eyes", look.stereo().get().separation(request.camera().rho()));
+    }
+
+    private static void writePlanes(JsonGenerator json, List<ClipPlane> planes) throws IOException {
+        json.writeArrayFieldStart("clipPlanes");
+        for (ClipPlane p : planes) json.writeArray(new double[] {p.a(), p.b(), p.c(), p.d()}, 0, 4);
+        json.writeEndArray();
     }
 
     private void writeDifference(JsonGenerator json, PictureDifference found) throws IOException {

@@ -1,9 +1,8 @@
 package rasterlab.app.cli;
 
 import java.nio.file.Path;
-import java.util.HashMap;
 import java.util.Locale;
-import java.util.Map;
+import java.util.Optional;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -14,6 +13,8 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.exercises.scene.SceneView;
+import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.Settings;
 
 /** What {@code ./lab render} shows: a scene by name, or a file. */
 final class SceneArgument {
@@ -24,7 +25,8 @@ final class SceneArgument {
                 "${COMPLETION-CANDIDATES};",
                 "or a Wavefront model, FILE.obj, fitted into the picture, with the materials and"
                         + " textures that lie in its folder;",
-                "or a scene file, FILE.scene.json"
+                "or a scene file, FILE.scene.json, which may say how it is drawn: the options given"
+                        + " here count before it (its format: README, Scene files)"
             },
             completionCandidates = EngineNames.OfScenes.class)
     private String scene;
@@ -44,6 +46,12 @@ final class SceneArgument {
             completionCandidates = EngineNames.OfUpAxes.class)
     private String up;
 
+    @Option(
+            names = "--scene-only",
+            description =
+                    "of a scene file: takes the scene, not what the file says about drawing it")
+    private boolean sceneOnly;
+
     /** Of the command that this is an argument of. */
     @Spec(Spec.Target.MIXEE)
     private CommandSpec command;
@@ -60,7 +68,9 @@ final class SceneArgument {
             throw new IllegalArgumentException("--detail is for scenes by name, not for a file");
         if (up != null && !model)
             throw new IllegalArgumentException("--up is for a model, FILE.obj; scenes have z up");
-        if (view) return shown(SceneText.view(Path.of(scene)));
+        if (sceneOnly && !view)
+            throw new IllegalArgumentException("--scene-only is for a scene file, FILE.scene.json");
+        if (view) return shown(Path.of(scene));
         if (model)
             return plain(
                     ModelFile.read(
@@ -71,19 +81,18 @@ final class SceneArgument {
     }
 
     private ShownScene plain(Scene opened) {
-        return new ShownScene(opened, Map.of(), option -> true);
+        return new ShownScene(opened, Settings.NONE, Optional.empty(), option -> true);
     }
 
-    private ShownScene shown(SceneView view) {
-        Map<String, String> said = new HashMap<>();
-        view.projection().ifPresent(value -> said.put("--projection", value));
-        view.visibility().ifPresent(value -> said.put("--visibility", value));
-        view.shading().ifPresent(value -> said.put("--shading", value));
-        view.texture().ifPresent(value -> said.put("--texture", value));
+    private ShownScene shown(Path file) {
+        SceneView view = SceneText.view(file);
         Scene held = view.source().scene();
+        if (sceneOnly) return plain(held);
+        Settings said = view.settings();
         return new ShownScene(
-                view.camera().map(held::seenFrom).orElse(held),
+                said.get(Setting.CAMERA).map(held::seenFrom).orElse(held),
                 said,
+                SceneText.image(file, said),
                 command.commandLine().getParseResult()::hasMatchedOption);
     }
 }

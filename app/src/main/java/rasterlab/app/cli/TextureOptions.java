@@ -9,6 +9,7 @@ import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
 import rasterlab.engine.texture.Wrap;
+import rasterlab.exercises.scene.Setting;
 
 /** The options of {@code ./lab render} that say what lies on the faces. */
 final class TextureOptions {
@@ -41,34 +42,47 @@ final class TextureOptions {
     }
 
     /**
-     * The scene with its textures as told.
+     * The scene with its textures as told; what its file tells is passed over where it has none.
      *
+     * @param shown the scene's file
      * @param mode how they are looked up
      * @throws IllegalArgumentException if it has none, or no place for one, or none is shown
      */
-    Scene laid(Scene scene, TextureMode mode) {
+    Scene laid(ShownScene shown, Scene scene, TextureMode mode) {
         if (mode == TextureMode.NONE && given())
             throw new IllegalArgumentException(
                     "--texture-image, --wrap and --environment need a texture to be seen; --texture"
                             + " none shows none");
         Scene changed =
-                image == null ? scene : TextureChange.covered(scene, PictureFile.texture(image));
-        if (wrap == null && environment == null) return changed;
-        if (changed.finishes().stream().allMatch(finish -> finish.texture().isEmpty()))
-            throw new IllegalArgumentException(
-                    "--wrap and --environment need a texture; scene '%s' has none, --texture-image"
-                                    .formatted(scene.name())
-                            + " lays one");
+                Optional.ofNullable(image)
+                        .or(shown::image)
+                        .map(file -> TextureChange.covered(scene, PictureFile.texture(file)))
+                        .orElse(scene);
+        if (changed.finishes().stream().allMatch(finish -> finish.texture().isEmpty())) {
+            requireNothing(shown, scene, mode);
+            return changed;
+        }
+        Wrap along = wrap == null ? null : EngineNames.constant("wrap", Wrap.values(), wrap);
+        Mode mixed =
+                environment == null
+                        ? null
+                        : EngineNames.constant("texture environment", Mode.values(), environment);
         return new TextureChange(
-                        Optional.ofNullable(wrap)
-                                .map(name -> EngineNames.constant("wrap", Wrap.values(), name)),
-                        Optional.ofNullable(environment)
-                                .map(
-                                        name ->
-                                                EngineNames.constant(
-                                                        "texture environment",
-                                                        Mode.values(),
-                                                        name)))
+                        shown.option(along, Setting.WRAP), shown.option(mixed, Setting.ENVIRONMENT))
                 .of(changed);
+    }
+
+    /** Passes unless the command line asks for something of a texture that is not there. */
+    private void requireNothing(ShownScene shown, Scene scene, TextureMode mode) {
+        boolean looked =
+                mode != TextureMode.AUTO
+                        && mode != TextureMode.NONE
+                        && shown.onCommandLine().test("--texture");
+        String asked =
+                looked ? "--texture " + mode.code() + " needs" : "--wrap and --environment need";
+        if (looked || wrap != null || environment != null)
+            throw new IllegalArgumentException(
+                    "%s a texture; scene '%s' has none, --texture-image lays one"
+                            .formatted(asked, scene.name()));
     }
 }

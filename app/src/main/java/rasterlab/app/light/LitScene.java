@@ -18,6 +18,19 @@ import rasterlab.engine.transform.Projection;
 final class LitScene {
     private LitScene() {}
 
+    /** The body in the light, as large as it is by itself. */
+    static Scene scene(LightChoice choice, Scene body) {
+        return new Scene(
+                body.name(),
+                body.mesh(),
+                List.of(Finish.of(choice.material().material())),
+                new int[body.mesh().faceCount()],
+                new SceneLight(choice.model(), Optional.empty()),
+                body.backgroundRgb(),
+                body.defaultCamera(),
+                body.pictureScale());
+    }
+
     /**
      * The picture by one of the shadings.
      *
@@ -25,22 +38,12 @@ final class LitScene {
      */
     static RenderRequest request(
             LightChoice choice, Scene body, ShadingMethod shading, int width, int height) {
-        var lit =
-                new Scene(
-                        body.name(),
-                        body.mesh(),
-                        List.of(Finish.of(choice.material().material())),
-                        new int[body.mesh().faceCount()],
-                        new SceneLight(choice.model(), Optional.empty()),
-                        body.backgroundRgb(),
-                        body.defaultCamera(),
-                        choice.zoom() * body.pictureScale());
         Look look =
                 Look.of(Renderer.PIPELINE, shading)
                         .withTexture(TextureMode.NONE)
                         .withLight(choice.terms(), Sides.SCENE);
         return new RenderRequest(
-                lit,
+                scene(choice, body).zoomed(choice.zoom()),
                 choice.camera(),
                 Projection.PERSPECTIVE,
                 DrawnDepths.all(Projection.PERSPECTIVE, choice.camera().rho()),

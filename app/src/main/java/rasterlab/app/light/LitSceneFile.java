@@ -1,23 +1,23 @@
 package rasterlab.app.light;
 
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import rasterlab.app.canvas.ShellPath;
+import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
-import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.light.LightTerm;
-import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
+import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.Settings;
 
 /**
  * A scene in its light as a file, which {@code ./lab render} and the lab of hidden surfaces open.
@@ -31,18 +31,17 @@ record LitSceneFile(Path file, LightChoice choice) {
      * @throws Complaint if the file cannot be written
      */
     static LitSceneFile write(LightChoice choice, Path file) {
-        WholeFile.requireWritable(file);
-        RenderRequest request =
-                LitScene.request(choice, choice.body().scene(), ShadingMethod.PHONG, 1, 1);
-        var view =
-                new SceneView(
-                        new SceneSource.Inline(request.scene()),
-                        Optional.of(choice.camera()),
-                        Optional.of(Projection.PERSPECTIVE.code()),
-                        Optional.of(Renderer.PIPELINE),
-                        Optional.of(ShadingMethod.PHONG.code()),
-                        Optional.of(TextureMode.NONE.code()));
-        WholeFile.write(file, (view.write() + "\n").getBytes(StandardCharsets.UTF_8));
+        Settings said =
+                Settings.NONE
+                        .with(Setting.CAMERA, choice.camera())
+                        .with(Setting.PROJECTION, Projection.PERSPECTIVE)
+                        .with(Setting.ZOOM, choice.zoom())
+                        .with(Setting.VISIBILITY, Renderer.PIPELINE)
+                        .with(Setting.SHADING, ShadingMethod.PHONG)
+                        .with(Setting.TEXTURE, TextureMode.NONE)
+                        .with(Setting.TERMS, choice.terms());
+        Scene scene = LitScene.scene(choice, choice.body().scene());
+        SceneText.write(file, new SceneView(new SceneSource.Inline(scene), said));
         return new LitSceneFile(file, choice);
     }
 
@@ -86,10 +85,15 @@ record LitSceneFile(Path file, LightChoice choice) {
                 List.of(
                         "./lab render",
                         ShellPath.quoted(file),
+                        "--scene-only",
+                        "--visibility",
+                        Renderer.PIPELINE,
                         "--shading",
                         shading.code(),
                         "--camera",
                         eye.thetaRadians() + "," + eye.phiRadians() + "," + eye.rho(),
+                        "--zoom",
+                        Double.toString(now.zoom()),
                         "--size",
                         width + "x" + height + terms,
                         "--out",

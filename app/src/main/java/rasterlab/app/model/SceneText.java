@@ -6,11 +6,14 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
 import rasterlab.exercises.scene.SceneView;
+import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.Settings;
 
 /** Scene files on disk. */
 public final class SceneText {
@@ -54,6 +57,33 @@ public final class SceneText {
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(file + ": " + e.getMessage());
         }
+    }
+
+    /**
+     * The picture that a scene file lays on its faces; empty where it names none.
+     *
+     * @throws Complaint if it is not in the file's folder
+     */
+    public static Optional<Path> image(Path file, Settings settings) {
+        Optional<String> name = settings.get(Setting.TEXTURE_IMAGE);
+        if (name.isEmpty()) return Optional.empty();
+        try {
+            Optional<Path> found = new OwnFolder(file).find(name.get());
+            if (found.isPresent()) return found;
+        } catch (IOException e) {
+            throw Complaint.badInput(
+                    "%s: texture '%s' cannot be read: %s"
+                            .formatted(file, name.get(), WholeFile.reason(e)));
+        }
+        throw Complaint.badInput(
+                "%s: $.look.%s: there is no texture '%s' in its folder"
+                        .formatted(file, Setting.TEXTURE_IMAGE.field(), name.get()));
+    }
+
+    /** Writes a view whole or not at all. */
+    public static void write(Path file, SceneView view) {
+        WholeFile.requireWritable(file);
+        WholeFile.write(file, (view.write() + "\n").getBytes(StandardCharsets.UTF_8));
     }
 
     /** The file with the ending of scene files, whether that was written or not. */

@@ -1,5 +1,6 @@
 package rasterlab.app.visibility;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import rasterlab.app.model.TextureChange;
@@ -17,6 +18,7 @@ import rasterlab.engine.pipeline.wire.WireStyle;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
 import rasterlab.engine.texture.Wrap;
 import rasterlab.engine.transform.Projection;
+import rasterlab.engine.visibility.ClipPlane;
 
 /**
  * How a scene is drawn beside method, shading and projection.
@@ -33,6 +35,7 @@ import rasterlab.engine.transform.Projection;
  * @param eyes their separation as a share of ρ
  * @param near the nearest depth as a share of ρ; 0 for all
  * @param far the farthest as a share of ρ, above near; infinite for all
+ * @param clipPlanes that cut besides, in the world
  */
 record LookChoice(
         TextureMode texture,
@@ -46,7 +49,8 @@ record LookChoice(
         Optional<Stereo.Kind> stereo,
         double eyes,
         double near,
-        double far) {
+        double far,
+        List<ClipPlane> clipPlanes) {
     /** Everything as it usually is. */
     static final LookChoice USUAL =
             new LookChoice(
@@ -61,18 +65,32 @@ record LookChoice(
                     Optional.empty(),
                     Stereo.USUAL,
                     0,
-                    Double.POSITIVE_INFINITY);
+                    Double.POSITIVE_INFINITY,
+                    List.of());
 
     LookChoice {
         if (!(near >= 0 && near < far))
             throw new IllegalArgumentException(
                     "near must be from 0 to below far, got near %s, far %s".formatted(near, far));
         terms = Set.copyOf(terms);
+        clipPlanes = ClipPlane.checked(clipPlanes);
     }
 
     LookChoice withTexture(TextureMode other) {
         return new LookChoice(
-                other, change, terms, sides, cull, hidden, crease, cue, stereo, eyes, near, far);
+                other,
+                change,
+                terms,
+                sides,
+                cull,
+                hidden,
+                crease,
+                cue,
+                stereo,
+                eyes,
+                near,
+                far,
+                clipPlanes);
     }
 
     LookChoice withWrap(Optional<Wrap> wrap) {
@@ -85,48 +103,155 @@ record LookChoice(
 
     private LookChoice with(TextureChange other) {
         return new LookChoice(
-                texture, other, terms, sides, cull, hidden, crease, cue, stereo, eyes, near, far);
+                texture,
+                other,
+                terms,
+                sides,
+                cull,
+                hidden,
+                crease,
+                cue,
+                stereo,
+                eyes,
+                near,
+                far,
+                clipPlanes);
     }
 
     LookChoice withTerms(Set<LightTerm> other) {
         return new LookChoice(
-                texture, change, other, sides, cull, hidden, crease, cue, stereo, eyes, near, far);
+                texture,
+                change,
+                other,
+                sides,
+                cull,
+                hidden,
+                crease,
+                cue,
+                stereo,
+                eyes,
+                near,
+                far,
+                clipPlanes);
     }
 
     LookChoice withSides(Sides other) {
         return new LookChoice(
-                texture, change, terms, other, cull, hidden, crease, cue, stereo, eyes, near, far);
+                texture,
+                change,
+                terms,
+                other,
+                cull,
+                hidden,
+                crease,
+                cue,
+                stereo,
+                eyes,
+                near,
+                far,
+                clipPlanes);
     }
 
     LookChoice withCull(Cull other) {
         return new LookChoice(
-                texture, change, terms, sides, other, hidden, crease, cue, stereo, eyes, near, far);
+                texture,
+                change,
+                terms,
+                sides,
+                other,
+                hidden,
+                crease,
+                cue,
+                stereo,
+                eyes,
+                near,
+                far,
+                clipPlanes);
     }
 
     LookChoice withHidden(HiddenLines other) {
         return new LookChoice(
-                texture, change, terms, sides, cull, other, crease, cue, stereo, eyes, near, far);
+                texture,
+                change,
+                terms,
+                sides,
+                cull,
+                other,
+                crease,
+                cue,
+                stereo,
+                eyes,
+                near,
+                far,
+                clipPlanes);
     }
 
     LookChoice withCrease(double degrees) {
         return new LookChoice(
-                texture, change, terms, sides, cull, hidden, degrees, cue, stereo, eyes, near, far);
+                texture,
+                change,
+                terms,
+                sides,
+                cull,
+                hidden,
+                degrees,
+                cue,
+                stereo,
+                eyes,
+                near,
+                far,
+                clipPlanes);
     }
 
     LookChoice withCue(double share) {
         return new LookChoice(
-                texture, change, terms, sides, cull, hidden, crease, share, stereo, eyes, near,
-                far);
+                texture,
+                change,
+                terms,
+                sides,
+                cull,
+                hidden,
+                crease,
+                share,
+                stereo,
+                eyes,
+                near,
+                far,
+                clipPlanes);
     }
 
     LookChoice withStereo(Optional<Stereo.Kind> other) {
         return new LookChoice(
-                texture, change, terms, sides, cull, hidden, crease, cue, other, eyes, near, far);
+                texture,
+                change,
+                terms,
+                sides,
+                cull,
+                hidden,
+                crease,
+                cue,
+                other,
+                eyes,
+                near,
+                far,
+                clipPlanes);
     }
 
     LookChoice withEyes(double share) {
         return new LookChoice(
-                texture, change, terms, sides, cull, hidden, crease, cue, stereo, share, near, far);
+                texture,
+                change,
+                terms,
+                sides,
+                cull,
+                hidden,
+                crease,
+                cue,
+                stereo,
+                share,
+                near,
+                far,
+                clipPlanes);
     }
 
     /** A near plane that would pass the far one stays before it. */
@@ -143,7 +268,8 @@ record LookChoice(
                 stereo,
                 eyes,
                 Math.min(share, 0.99 * far),
-                far);
+                far,
+                clipPlanes);
     }
 
     /** A far plane that would pass the near one stays behind it. */
@@ -160,7 +286,14 @@ record LookChoice(
                 stereo,
                 eyes,
                 near,
-                Math.max(share, near / 0.99));
+                Math.max(share, near / 0.99),
+                clipPlanes);
+    }
+
+    LookChoice withClipPlanes(List<ClipPlane> other) {
+        return new LookChoice(
+                texture, change, terms, sides, cull, hidden, crease, cue, stereo, eyes, near, far,
+                other);
     }
 
     /** Two eyes need perspective. */
@@ -173,7 +306,8 @@ record LookChoice(
                 Look.of(visibility, shading)
                         .withTexture(texture)
                         .withLight(terms, sides)
-                        .withCull(cull);
+                        .withCull(cull)
+                        .withClipPlanes(clipPlanes);
         if (shading == ShadingMethod.WIRE) look = look.withWire(new WireStyle(hidden, crease));
         if (cue > 0) look = look.withCue(new DepthCue(cue));
         Optional<Stereo.Kind> kind = seenStereo(projection);

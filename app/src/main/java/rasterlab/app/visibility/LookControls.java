@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JPanel;
@@ -26,6 +27,7 @@ import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
 import rasterlab.engine.texture.Wrap;
+import rasterlab.engine.visibility.ClipPlane;
 
 /** The controls of everything in a {@link LookChoice}. */
 final class LookControls {
@@ -52,6 +54,7 @@ final class LookControls {
     private final NumberSlider cue;
     private final NumberSlider near;
     private final NumberSlider far;
+    private final JCheckBox planes;
     private final NameChooser stereo;
     private final NumberSlider eyes;
 
@@ -74,6 +77,7 @@ final class LookControls {
         cue = slider("cue", 0, 1, 20, LookChoice::withCue);
         near = slider("near", NEAREST, 2, NOTCHES, LookChoice::withNear);
         far = slider("far", 0.1, FARTHEST, NOTCHES, LookControls::withFar);
+        planes = planes();
         stereo = names("stereo", withOneEye(), this::stereo);
         eyes = slider("eyes", 0.005, WIDEST_EYES, NOTCHES, LookChoice::withEyes);
     }
@@ -158,6 +162,30 @@ final class LookControls {
         return slider;
     }
 
+    /** Planes come with a scene file; without the check mark they are gone until that is undone. */
+    private JCheckBox planes() {
+        var box = new JCheckBox();
+        box.setName("clip-planes");
+        box.addActionListener(e -> choose(look -> look.withClipPlanes(List.of())));
+        column.row("clip-planes", box);
+        return box;
+    }
+
+    private void refreshPlanes(List<ClipPlane> cutting) {
+        column.showRow(planes, !cutting.isEmpty());
+        planes.setSelected(true);
+        planes.setText(texts.text("clip-planes.count", cutting.size()));
+        planes.setToolTipText(
+                texts.text("clip-planes.hint")
+                        + cutting.stream()
+                                .map(LookControls::written)
+                                .collect(Collectors.joining("; ", " ", "")));
+    }
+
+    private static String written(ClipPlane p) {
+        return "(%s, %s, %s, %s)".formatted(p.a(), p.b(), p.c(), p.d());
+    }
+
     private JPanel terms() {
         var boxes = new JPanel(new FlowRows(4));
         FlowRows.keepWrapped(boxes);
@@ -199,6 +227,7 @@ final class LookControls {
         far.show(
                 Math.min(FARTHEST, look.far()),
                 endless ? texts.text("off") : number(look.far(), 2) + " ρ");
+        refreshPlanes(look.clipPlanes());
         boolean central = choice.projection().equals("perspective");
         stereo.setEnabled(central);
         stereo.show(look.stereo().map(Stereo.Kind::code).orElse(ONE_EYE));

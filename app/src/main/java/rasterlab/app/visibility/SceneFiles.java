@@ -1,6 +1,7 @@
 package rasterlab.app.visibility;
 
-import java.nio.charset.StandardCharsets;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -12,12 +13,14 @@ import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.PictureFile;
 import rasterlab.app.outcome.WholeFile;
-import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.texture.Texture;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
+import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.Settings;
 
 /** Scenes, models and textures from files, and views of scenes into files. */
 final class SceneFiles {
@@ -72,37 +75,54 @@ final class SceneFiles {
     }
 
     private static UnaryOperator<VisibilityChoice> seen(Path file, SceneView view) {
-        SceneChoice found =
+        SceneChoice held =
                 view.source() instanceof SceneSource.ByName named && named.detail().isEmpty()
                         ? SceneChoice.named(named.name())
                         : SceneChoice.opened(file, view.source().scene());
+        SceneChoice found =
+                SceneText.image(file, view.settings())
+                        .map(picture -> held.covered(picture, PictureFile.texture(picture)))
+                        .orElse(held);
         return choice -> {
-            VisibilityChoice next = choice.with(found);
-            if (view.camera().isPresent()) next = next.withCamera(view.camera().get());
-            if (view.projection().isPresent()) next = next.withProjection(view.projection().get());
-            if (view.visibility().isPresent()) next = next.withVisibility(view.visibility().get());
-            if (view.shading().isPresent()) next = next.withShading(view.shading().get());
-            if (view.texture().isPresent())
-                next = next.with(next.look().withTexture(TextureMode.named(view.texture().get())));
-            return next;
+            try {
+                VisibilityChoice next = SavedView.applied(choice, found, view.settings());
+                next.plain(2, 1); // Refuses what cannot be drawn so.
+                return next;
+            } catch (IllegalArgumentException e) {
+                throw new IllegalArgumentException(file + ": " + e.getMessage(), e);
+            }
         };
     }
 
     private static void save(Path file, VisibilityChoice choice) {
-        SceneChoice shown = choice.shown();
-        SceneSource source =
-                shown.known()
-                        ? new SceneSource.ByName(shown.name(), OptionalInt.empty())
-                        : new SceneSource.Inline(shown.scene());
-        var view =
-                new SceneView(
-                        source,
-                        Optional.of(choice.camera()),
-                        Optional.of(choice.projection()),
-                        Optional.of(choice.visibility()),
-                        Optional.of(choice.shading()),
-                        Optional.of(choice.look().texture().code()));
-        WholeFile.requireWritable(file);
-        WholeFile.write(file, (view.write() + "\n").getBytes(StandardCharsets.UTF_8));
+        Settings said = SavedView.of(choice);
+        Optional<Path> image = choice.shown().image();
+        if (image.isPresent())
+            said = said.with(Setting.TEXTURE_IMAGE, nameBeside(file, image.get()));
+        SceneText.write(file, new SceneView(source(choice.shown()), said));
+    }
+
+    private static SceneSource source(SceneChoice shown) {
+        boolean covered = shown.image().isPresent();
+        if (shown.known() || covered && shown.file().isEmpty())
+            return new SceneSource.ByName(shown.name(), OptionalInt.empty());
+        if (!covered) return new SceneSource.Inline(shown.scene());
+        return new SceneSource.Inline(
+                shown.scene().with(f -> new Finish(f.front(), f.back(), Optional.empty())));
+    }
+
+    /** A scene file finds pictures in its own folder only. */
+    private static String nameBeside(Path file, Path image) {
+        try {
+            Path folder = file.toAbsolutePath().getParent();
+            if (Files.isDirectory(folder)
+                    && Files.isSameFile(folder, image.toAbsolutePath().getParent()))
+                return image.getFileName().toString();
+        } catch (IOException e) {
+            throw Complaint.badInput(file + ": cannot be written: " + WholeFile.reason(e));
+        }
+        throw Complaint.badInput(
+                "%s: the picture on the faces, %s, lies in another folder; save the scene beside it"
+                        .formatted(file, image));
     }
 }

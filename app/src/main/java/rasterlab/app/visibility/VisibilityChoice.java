@@ -73,9 +73,12 @@ public record VisibilityChoice(
 
     /** Zooms by a factor; stops at the ends of the range. */
     VisibilityChoice zoomed(double factor) {
-        double next = Math.max(SMALLEST, Math.min(LARGEST, zoom * factor));
+        return withZoom(Math.max(SMALLEST, Math.min(LARGEST, zoom * factor)));
+    }
+
+    VisibilityChoice withZoom(double other) {
         var draft = new Draft(this);
-        draft.zoom = next;
+        draft.zoom = other;
         return draft.choice();
     }
 

@@ -1,5 +1,6 @@
 package rasterlab.app.visibility;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -18,6 +19,7 @@ import rasterlab.engine.raster.Raster;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
 import rasterlab.engine.texture.Wrap;
 import rasterlab.engine.transform.SphericalView;
+import rasterlab.engine.visibility.ClipPlane;
 
 /** The shell command that draws the picture that the lab shows, pixel by pixel. */
 final class VisibilityCommand {
@@ -47,6 +49,7 @@ final class VisibilityCommand {
         SceneChoice scene = choice.shown();
         words.addAll(List.of("./lab", "render"));
         words.add(scene.file().map(ShellPath::quoted).orElse(named(scene)));
+        if (scene.file().filter(VisibilityCommand::says).isPresent()) words.add("--scene-only");
         scene.image().ifPresent(image -> add("--texture-image", ShellPath.quoted(image)));
         SphericalView camera = choice.camera();
         add("--visibility", method);
@@ -60,6 +63,11 @@ final class VisibilityCommand {
         boolean two = !choice.comparison().isEmpty();
         add("--out", stem(scene.name()) + (two ? "-" + method : "") + ".png");
         return String.join(" ", words);
+    }
+
+    /** Whether a file says more than the scene. */
+    private static boolean says(Path file) {
+        return file.toString().endsWith(SceneText.EXTENSION);
     }
 
     /** A scene that no name brings back, as it is called when it is saved. */
@@ -81,6 +89,8 @@ final class VisibilityCommand {
         if (look.cue() > 0) add("--depth-cue", look.cue());
         if (look.near() > 0) add("--near", request.depth().near());
         if (look.far() < Double.POSITIVE_INFINITY) add("--far", request.depth().far());
+        for (ClipPlane p : look.clipPlanes())
+            add("--clip-plane", p.a() + "," + p.b() + "," + p.c() + "," + p.d());
         request.look()
                 .stereo()
                 .ifPresent(
@@ -91,8 +101,8 @@ final class VisibilityCommand {
     }
 
     private void addFaces(LookChoice look, ShadingMethod shading) {
-        if (look.texture() != TextureMode.AUTO) add("--texture", look.texture().code());
         if (choice.shown().textured()) {
+            if (look.texture() != TextureMode.AUTO) add("--texture", look.texture().code());
             look.change().wrap().ifPresent(wrap -> add("--wrap", code(wrap)));
             look.change().environment().ifPresent(mode -> add("--environment", code(mode)));
         }

@@ -2,13 +2,20 @@ package rasterlab.app.cli;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class SceneFileCommandTest {
     private static final String VIEW =
@@ -68,14 +75,117 @@ class SceneFileCommandTest {
                         "--shading",
                         "flat",
                         "--texture",
-                        "linear",
+                        "auto",
                         "--camera",
                         "0,1,200");
         assertEquals("front", said.path("projection").asText());
         assertEquals("zfloat", said.path("visibility").asText());
         assertEquals("flat", said.path("shading").asText());
-        assertEquals("linear", said.path("texture").asText());
+        assertNotEquals("asked for", said.path("textureBecause").asText());
         assertEquals(200, said.path("camera").path("rho").asDouble());
+    }
+
+    @ParameterizedTest(
+            name = "{1} in a file is not {2} on the command line, or not overruled by {3}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "torus | 'zoom': 1.5 | --zoom 1.5 | --zoom 0.7",
+                "torus | 'near': 480 | --near 480 | --near 450",
+                "torus | 'far': 470 | --far 470 | --far 500",
+                "torus | 'clipPlanes': [[1,0,0,0],[0,1,1,9]] | --clip-plane 1,0,0,0 --clip-plane"
+                        + " 0,1,1,9 | --clip-plane 0,0,1,0",
+                "torus | 'look': {'terms': ['ambient','specular']} | --terms ambient,specular |"
+                        + " --terms diffuse",
+                "vase | 'camera': {'theta': 0.5, 'phi': 0.4, 'rho': 500}, 'look': {'twoSided': false,"
+                        + " 'shading': 'flat'} | --camera 0.5,0.4,500 --shading flat --no-two-sided |"
+                        + " --two-sided",
+                "vase | 'camera': {'theta': 0.5, 'phi': 0.4, 'rho': 500}, 'look': {'cull': 'back'} |"
+                        + " --camera 0.5,0.4,500 --cull back | --cull none",
+                "cube | 'look': {'shading': 'wire', 'hiddenLines': 'dashed'} | --shading wire"
+                        + " --hidden-lines dashed | --hidden-lines shown",
+                "sphere | 'look': {'shading': 'wire', 'crease': 25} | --shading wire --crease 25 |"
+                        + " --crease 0",
+                "cube | 'look': {'visibility': 'painter', 'shading': 'tone', 'outline': true} |"
+                        + " --visibility painter --shading tone --outline | --visibility zfloat",
+                "torus | 'look': {'depthCue': 0.9} | --depth-cue 0.9 | --depth-cue 0.2",
+                "torus | 'look': {'stereo': 'anaglyph'} | --stereo anaglyph | --stereo side-by-side",
+                "torus | 'look': {'stereo': 'anaglyph', 'eyes': 40} | --stereo anaglyph --eyes 40 |"
+                        + " --eyes 9",
+                "textured-quad | 'look': {'wrap': 'clamp'} | --wrap clamp | --wrap mirrored",
+                "textured-quad | 'look': {'environment': 'replace'} | --environment replace |"
+                        + " --environment modulate",
+            })
+    void everySettingIsDrawn(String scene, String said, String options, String other)
+            throws Exception {
+        String file =
+                written(
+                        "{'version': 1, 'scene': '%s', %s}"
+                                .formatted(scene, said)
+                                .replace('\'', '"'));
+        byte[] asFile = drawn(file, "");
+        assertArrayEquals(drawn(scene, options), asFile, "the file is drawn otherwise");
+        assertFalse(Arrays.equals(drawn(scene, ""), asFile), "the file says nothing to see");
+        assertFalse(Arrays.equals(drawn(file, other), asFile), "the command line is overruled");
+        assertArrayEquals(drawn(scene, ""), drawn(file, "--scene-only"), "more than the scene");
+    }
+
+    private byte[] drawn(String scene, String options) throws Exception {
+        Path out = folder.resolve("drawn.png");
+        String words = "render " + scene + " --size 120x90 " + options + " --out " + out;
+        Ran.lab(words.strip().split(" +")).assertDone();
+        return Files.readAllBytes(out);
+    }
+
+    @Test
+    void passesOverWhatOnlyAnotherShadingOrProjectionUses() throws Exception {
+        String file =
+                written(
+                        """
+                        {"version": 1, "scene": "torus", "look": {"shading": "wire", "crease": 30,
+                         "hiddenLines": "dashed", "stereo": "anaglyph", "terms": ["diffuse"]}}
+                        """);
+        drawn(file, "--shading phong");
+        drawn(file, "--projection front");
+        drawn(file, "--shading tone");
+    }
+
+    @Test
+    void laysThePictureBesideTheFile() throws Exception {
+        Path picture = folder.resolve("red.png");
+        var image = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 16; i++) image.setRGB(i % 4, i / 4, i * 0x0F0301);
+        ImageIO.write(image, "png", picture.toFile());
+        String file =
+                written(
+                        "{\"version\": 1, \"scene\": \"sphere\", \"look\": {\"textureImage\":"
+                                + " \"red.png\"}}");
+        assertArrayEquals(drawn("sphere", "--texture-image " + picture), drawn(file, ""));
+        String none = written(Files.readString(Path.of(file)).replace("red", "blue"));
+        Ran.lab("render", none, "--out", "x.png")
+                .assertComplains(
+                        2,
+                        "./lab render: "
+                                + none
+                                + ": $.look.textureImage: there is no texture 'blue.png' in its"
+                                + " folder");
+    }
+
+    @Test
+    void refusesPlanesThatCannotCut() {
+        Ran.lab("render", "cube", "--clip-plane", "1,0,0", "--out", "x.png")
+                .assertComplains(
+                        2,
+                        "./lab render: invalid value for option '--clip-plane' (A,B,C,D): '1,0,0' is not a"
+                                + " plane; expected four numbers A,B,C,D such as 1,0,0,-20 (see `./lab render --help`)");
+        Ran.lab("render", "cube", "--clip-plane", "0,0,0,1", "--out", "x.png")
+                .assertComplains(
+                        2,
+                        "./lab render: invalid value for option '--clip-plane' (A,B,C,D): '0,0,0,1': a clip"
+                                + " plane needs a direction: a, b or c other than 0 (see `./lab render --help`)");
+        Ran.lab("render", "cube", "--scene-only", "--out", "x.png")
+                .assertComplains(
+                        2, "./lab render: --scene-only is for a scene file, FILE.scene.json");
     }
 
     private JsonNode rendered(String... options) throws Exception {

@@ -1,6 +1,7 @@
 package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -44,6 +45,24 @@ class FileComplaintsTest {
                 "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"texture\": \"x\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"visibility\": \"x\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"camera\": {\"theta\": \"x\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"zoom\": 0}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"near\": 7, \"far\": 5}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"near\": -7}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"zoom\": 100}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"clipPlanes\": [[0, 0, 0, 1]]}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"clipPlanes\": [[1,0,0,1],[1,0,0,1],[1,0,0,1],[1,0,0,1],[1,0,0,1],[1,0,0,1],[1,0,0,1]]}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"wrap\": \"x\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"environment\": \"x\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"terms\": [\"x\"]}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"terms\": [\"diffuse\", \"diffuse\"]}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"twoSided\": 2}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"cull\": \"x\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"hiddenLines\": \"x\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"crease\": 200}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"depthCue\": 0}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"stereo\": \"x\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"textureImage\": \"gone.png\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"textureImage\": \"../up.png\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": {\"name\": \"\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": {\"name\": \"n\", \"vertices\": [[1, 2]]}}",
                 "one.obj | f 1 2 3",
@@ -62,7 +81,16 @@ class FileComplaintsTest {
             })
     void brokenFileIsToldInRussian(String name, String content) throws IOException {
         Path file = Files.writeString(folder.resolve(name), content);
-        assertRussian(SceneFiles.done(new SceneFiles.Task(file, Optional.empty())).problem());
+        SceneFiles.Answer answer = SceneFiles.done(new SceneFiles.Task(file, Optional.empty()));
+        assertRussian(answer.problem().isEmpty() ? refusal(answer) : answer.problem());
+    }
+
+    /** What the lab cannot show of a file that could be read. */
+    private static String refusal(SceneFiles.Answer answer) {
+        return assertThrows(
+                        IllegalArgumentException.class,
+                        () -> answer.change().apply(VisibilityChoice.first()))
+                .getMessage();
     }
 
     @Test

@@ -1,24 +1,11 @@
 package rasterlab.exercises.scene;
 
-import java.util.Optional;
-import rasterlab.engine.transform.SphericalView;
-
 /**
- * A scene as it is looked at; what is empty is left to whoever draws it.
+ * A scene as it is looked at.
  *
- * @param projection one of {@code Renderer.projections()}
- * @param visibility one of {@code Renderer.visibilities()}, or {@code Renderer.SURFACES}
- * @param shading one of {@code Renderer.shadings()}
- * @param texture one of {@code TextureMode.names()}
+ * @param settings what is said about that
  */
-public record SceneView(
-        SceneSource source,
-        Optional<SphericalView> camera,
-        Optional<String> projection,
-        Optional<String> visibility,
-        Optional<String> shading,
-        Optional<String> texture)
-        implements SceneFile {
+public record SceneView(SceneSource source, Settings settings) implements SceneFile {
     @Override
     public String write() {
         return ViewJson.write(this);

@@ -19,9 +19,12 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 
 class SceneFileTest {
@@ -63,20 +66,15 @@ class SceneFileTest {
         var view =
                 new SceneView(
                         new SceneSource.ByName("sphere", OptionalInt.of(20)),
-                        Optional.of(new SphericalView(0.1, 1 / 3.0, 450)),
-                        Optional.of("cabinet"),
-                        Optional.of("painter"),
-                        Optional.of("gouraud"),
-                        Optional.of("none"));
+                        Settings.NONE
+                                .with(Setting.CAMERA, new SphericalView(0.1, 1 / 3.0, 450))
+                                .with(Setting.PROJECTION, Projection.CABINET)
+                                .with(Setting.VISIBILITY, "painter")
+                                .with(Setting.SHADING, ShadingMethod.GOURAUD)
+                                .with(Setting.TEXTURE, TextureMode.NONE));
         assertEquals(view, SceneFile.read(view.write()));
         var bare =
-                new SceneView(
-                        new SceneSource.ByName("vase", OptionalInt.empty()),
-                        Optional.empty(),
-                        Optional.empty(),
-                        Optional.empty(),
-                        Optional.empty(),
-                        Optional.empty());
+                new SceneView(new SceneSource.ByName("vase", OptionalInt.empty()), Settings.NONE);
         assertEquals(bare, SceneFile.read(bare.write()));
     }
 
@@ -88,17 +86,15 @@ class SceneFileTest {
         var view =
                 new SceneView(
                         new SceneSource.Inline(scene),
-                        Optional.of(scene.defaultCamera()),
-                        Optional.empty(),
-                        Optional.empty(),
-                        Optional.empty(),
-                        Optional.empty());
+                        Settings.NONE.with(Setting.CAMERA, scene.defaultCamera()));
         var read = (SceneView) SceneFile.read(view.write());
         assertEquals(view.write(), read.write());
         assertTrue(
                 Arrays.equals(
                         picture(scene, scene.defaultCamera()),
-                        picture(read.source().scene(), read.camera().orElseThrow())));
+                        picture(
+                                read.source().scene(),
+                                read.settings().get(Setting.CAMERA).orElseThrow())));
     }
 
     private static Finish withoutTexture(Finish finish) {

@@ -1,0 +1,119 @@
+package rasterlab.exercises.scene;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** What a scene file says about how its scene is drawn; the rest is left to whoever draws it. */
+public final class Settings {
+    /** Nothing is said. */
+    public static final Settings NONE = new Settings(Map.of());
+
+    private static final String LOOK = "look";
+
+    private final Map<Setting<?>, Object> values;
+
+    private Settings(Map<Setting<?>, Object> values) {
+        this.values = Map.copyOf(values);
+    }
+
+    @SuppressWarnings("unchecked") // with and read put nothing but a setting's own values in
+    public <T> Optional<T> get(Setting<T> setting) {
+        return Optional.ofNullable((T) values.get(setting));
+    }
+
+    /**
+     * With one thing more, or another value of it.
+     *
+     * @throws IllegalArgumentException for a value that no file may have
+     */
+    public <T> Settings with(Setting<T> setting, T value) {
+        String json =
+                Place.MAPPER
+                        .createObjectNode()
+                        .set(setting.field(), setting.written(value))
+                        .toString();
+        return put(setting, setting.read(Place.root(json).at(setting.field())));
+    }
+
+    /** The same, if there is a value. */
+    public <T> Settings with(Setting<T> setting, Optional<T> value) {
+        return value.map(given -> with(setting, given)).orElse(this);
+    }
+
+    private Settings put(Setting<?> setting, Object value) {
+        var next = new HashMap<>(values);
+        next.put(setting, value);
+        return new Settings(next);
+    }
+
+    /** The fields of a file that may hold settings. */
+    static String[] fields(String... others) {
+        return Stream.of(Arrays.stream(others), names(Setting.OF_VIEW), Stream.of(LOOK))
+                .flatMap(names -> names)
+                .toArray(String[]::new);
+    }
+
+    private static Stream<String> names(List<Setting<?>> settings) {
+        return settings.stream().map(Setting::field);
+    }
+
+    static Settings read(Place file) {
+        Settings read = NONE.reading(file, Setting.OF_VIEW);
+        Optional<Place> look = file.optional(LOOK);
+        if (look.isPresent())
+            read =
+                    read.reading(
+                            look.get().object(names(Setting.OF_LOOK).toArray(String[]::new)),
+                            Setting.OF_LOOK);
+        Optional<Double> near = read.get(Setting.NEAR);
+        Optional<Double> far = read.get(Setting.FAR);
+        if (near.isPresent() && far.isPresent() && !(near.get() < far.get()))
+            throw file.at(Setting.FAR.field())
+                    .wrong("must be above near, %s, got %s".formatted(near.get(), far.get()));
+        return read;
+    }
+
+    private Settings reading(Place from, List<Setting<?>> settings) {
+        Settings read = this;
+        for (Setting<?> setting : settings) {
+            Optional<Place> place = from.optional(setting.field());
+            if (place.isPresent()) read = read.put(setting, setting.read(place.get()));
+        }
+        return read;
+    }
+
+    void write(ObjectNode file) {
+        write(Setting.OF_VIEW, file);
+        ObjectNode look = Place.MAPPER.createObjectNode();
+        write(Setting.OF_LOOK, look);
+        if (!look.isEmpty()) file.set(LOOK, look);
+    }
+
+    private void write(List<Setting<?>> settings, ObjectNode out) {
+        for (Setting<?> setting : settings) write(setting, out);
+    }
+
+    private <T> void write(Setting<T> setting, ObjectNode out) {
+        get(setting).ifPresent(value -> out.set(setting.field(), setting.written(value)));
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Settings that && values.equals(that.values);
+    }
+
+    @Override
+    public int hashCode() {
+        return values.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return values.toString();
+    }
+}
