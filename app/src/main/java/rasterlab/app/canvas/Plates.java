@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.util.List;
 
 /** Words on a rounded plate, so that they can be read over any picture. */
 public final class Plates {
@@ -32,6 +33,23 @@ public final class Plates {
     /** Under words that should be read rather than what lies behind them. */
     public static Color nearlyOpaque(Color ground) {
         return new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), OPAQUE);
+    }
+
+    /**
+     * A sentence over the lower part of a picture, wrapped to its width.
+     *
+     * @param width of the picture
+     * @param bottom view y below which nothing is written
+     */
+    public static void sentenceAbove(Graphics2D g, String sentence, int width, int bottom) {
+        FontMetrics metrics = g.getFontMetrics();
+        StageColours colours = StageColours.now();
+        Color ground = colours.ground();
+        var plate = new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), OPAQUE);
+        List<String> lines = Wrapping.lines(sentence, width - 48, metrics::stringWidth);
+        int high = metrics.getHeight() + 2;
+        int y = bottom - high * lines.size();
+        for (String line : lines) plate(g, line, 24, y += high, plate, colours.ink());
     }
 
     /**

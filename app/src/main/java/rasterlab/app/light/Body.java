@@ -1,5 +1,8 @@
 package rasterlab.app.light;
 
+import com.fasterxml.jackson.annotation.JsonCreator;
+import com.fasterxml.jackson.annotation.JsonIgnore;
+import com.fasterxml.jackson.annotation.JsonProperty;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.VertexNormals;
@@ -15,8 +18,9 @@ import rasterlab.engine.scene.catalogue.Scenes;
  * @param name of a scene, or {@code TOPIC/HAZARD}
  * @param detail faces once round, for a scene that is made in steps
  * @param normals {@value #OWN}, or a method of topic {@code vertex-normals}
+ * @param opened the scene of a file; kept as long as the program runs
  */
-record Body(String name, int detail, String normals) {
+record Body(String name, int detail, String normals, @JsonIgnore Optional<Scene> opened) {
     /** Normals as the scene has them: those of its surface. */
     static final String OWN = "own";
 
@@ -25,12 +29,36 @@ record Body(String name, int detail, String normals) {
     static final int COARSEST = 4;
     static final int FINEST = 64;
 
+    @JsonCreator
+    Body(
+            @JsonProperty("name") String name,
+            @JsonProperty("detail") int detail,
+            @JsonProperty("normals") String normals) {
+        this(name, detail, normals, Optional.empty());
+    }
+
+    /** A scene of a file of that name. */
+    static Body opened(String file, Scene scene) {
+        return new Body(file, COARSEST, OWN, Optional.of(scene));
+    }
+
+    Body withNormals(String other) {
+        return new Body(name, detail, other, opened);
+    }
+
+    /** The name without a file's ending. */
+    String stem() {
+        return name.replaceFirst("(\\.scene)?\\.[a-zA-Z]+$", "")
+                .replaceAll("[^\\p{L}\\p{N}_-]", "-");
+    }
+
     boolean hasDetail() {
-        return Scenes.namesWithDetail().contains(name);
+        return opened.isEmpty() && Scenes.namesWithDetail().contains(name);
     }
 
     /** Its faces with their normals; takes long for many faces. */
     Scene scene() {
+        if (opened.isPresent()) return smoothed(opened.get());
         if (TopicBodies.has(name)) return smoothed(TopicBodies.scene(name));
         Scene scene = hasDetail() ? Scenes.named(name, detail) : Scenes.named(name);
         return smoothed(scene);

@@ -14,7 +14,8 @@ import rasterlab.engine.transform.SphericalView;
  *
  * @param body what is lit
  * @param camera where it is seen from
- * @param zoom picture scale as a multiple of the scene's own, 0.25 to 8
+ * @param zoom picture scale as a multiple of the scene's own, {@value #SMALLEST} to {@value
+ *     #LARGEST}
  * @param material of the body
  * @param lamps at least one
  * @param selected the lamp whose settings are shown
@@ -43,6 +44,8 @@ record LightChoice(
         boolean mach,
         Marks line) {
     static final int MOST_LAMPS = 6;
+    static final double SMALLEST = 0.25;
+    static final double LARGEST = 8;
 
     /**
      * Places in the picture, each from 0 to 1, x to the right and y down.
@@ -92,9 +95,23 @@ record LightChoice(
     }
 
     LightChoice zoomed(double factor) {
+        return withZoom(Math.max(SMALLEST, Math.min(LARGEST, zoom * factor)));
+    }
+
+    /** Whether the lab shows a scene so much larger. */
+    static boolean zooms(double factor) {
+        return factor >= SMALLEST && factor <= LARGEST;
+    }
+
+    LightChoice withZoom(double factor) {
         var draft = new Draft(this);
-        draft.zoom = Math.max(0.25, Math.min(8, zoom * factor));
+        draft.zoom = factor;
         return draft.choice();
+    }
+
+    /** Other lamps, the first of them selected. */
+    LightChoice withLamps(List<Lamp> other) {
+        return with(other, 0);
     }
 
     LightChoice with(MaterialChoice other) {

@@ -118,7 +118,11 @@ final class LightInspector {
         material("kd", MaterialChoice.MOST, MaterialChoice::diffuse, MaterialChoice::withDiffuse);
         material("ks", MaterialChoice.MOST, MaterialChoice::specular, MaterialChoice::withSpecular);
         material("ke", 1, MaterialChoice::emission, MaterialChoice::withEmission);
-        material("shininess", 200, MaterialChoice::shininess, MaterialChoice::withShininess);
+        material(
+                "shininess",
+                MaterialChoice.SHINIEST,
+                MaterialChoice::shininess,
+                MaterialChoice::withShininess);
     }
 
     private static String code(Enum<?> constant) {
@@ -133,8 +137,13 @@ final class LightInspector {
     private void chooseBody(String name) {
         model.choose(
                 choice ->
-                        choice.with(
-                                new Body(name, choice.body().detail(), choice.body().normals())));
+                        name.equals(choice.body().name())
+                                ? choice
+                                : choice.with(
+                                        new Body(
+                                                name,
+                                                choice.body().detail(),
+                                                choice.body().normals())));
     }
 
     private void chooseDetail(double faces) {
@@ -148,10 +157,7 @@ final class LightInspector {
     }
 
     private void chooseNormals(String method) {
-        model.choose(
-                choice ->
-                        choice.with(
-                                new Body(choice.body().name(), choice.body().detail(), method)));
+        model.choose(choice -> choice.with(choice.body().withNormals(method)));
     }
 
     private NameChooser names(String key, List<String> names, Consumer<String> chosen) {

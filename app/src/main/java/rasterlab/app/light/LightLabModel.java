@@ -1,5 +1,6 @@
 package rasterlab.app.light;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -11,6 +12,7 @@ import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Unshown;
+import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.color.Colors;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
@@ -31,10 +33,19 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     /** What undo brings back. */
     record Chosen(LightChoice light, boolean colours, ColourChoice colour) {}
 
+    /** A file to open over what was shown. */
+    private record Asked(Path file, LightChoice before) {}
+
+    /**
+     * @param opened empty where there is a problem
+     */
+    private record Answer(Path file, Optional<OpenedLitScene> opened, String problem) {}
+
     /** The body drawn last; only the worker's thread uses it. */
     private record Made(Body body, Scene scene) {}
 
     private final LatestOnly<LightFrame, LightFrame.Drawn> pictures;
+    private final LatestOnly<Asked, Answer> files;
     private final Renderer renderer = new Renderer();
     private final History<Chosen> history = new History<>(this::chosen, this::show);
     private final List<Consumer<LightLabState>> listeners = new ArrayList<>();
@@ -43,7 +54,8 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private int width;
     private int height;
     private LightLabState state =
-            new LightLabState(LightChoice.first(), false, Optional.empty(), ColourChoice.first());
+            new LightLabState(
+                    LightChoice.first(), false, Optional.empty(), ColourChoice.first(), "");
 
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
@@ -56,6 +68,26 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
                         this::drawn,
                         (frame, drawn) -> events.execute(() -> accept(drawn)),
                         onFailure);
+        files =
+                new LatestOnly<>(
+                        "lit scene file",
+                        (asked, cancelled) -> opened(asked),
+                        (asked, answer) -> events.execute(() -> accept(answer)),
+                        onFailure);
+    }
+
+    private static Answer opened(Asked asked) {
+        try {
+            OpenedLitScene scene = OpenedLitScene.read(asked.file(), asked.before());
+            return new Answer(asked.file(), Optional.of(scene), "");
+        } catch (Complaint complaint) {
+            return new Answer(asked.file(), Optional.empty(), complaint.getMessage());
+        }
+    }
+
+    /** Opens a scene file; what goes wrong, or is not shown of it, is told in the state. */
+    void open(Path file) {
+        files.ask(new Asked(file, state.choice()));
     }
 
     private LightFrame.Drawn drawn(LightFrame frame, BooleanSupplier cancelled) {
@@ -72,7 +104,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     void keep(LitSceneFile file) {
         saved = Optional.of(file);
-        publish(state.choice(), state.drawn());
+        publish(state.choice(), state.drawn(), "");
     }
 
     LightLabState state() {
@@ -180,7 +212,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     void endDrag() {
         history.endDrag();
-        publish(state.choice(), state.drawn());
+        publish(state.choice(), state.drawn(), state.problem());
     }
 
     /** What can be undone and redone. */
@@ -203,7 +235,12 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     @Override
     public Chosen kept() {
-        return chosen();
+        Body body = state.choice().body();
+        LightChoice light =
+                body.opened().isEmpty()
+                        ? state.choice()
+                        : state.choice().with(LightChoice.first().body());
+        return new Chosen(light, state.colours(), state.colour());
     }
 
     @Override
@@ -213,12 +250,14 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
     void settle() throws InterruptedException {
+        files.settle();
         pictures.settle();
     }
 
     /** Ends the threads. */
     @Override
     public void close() {
+        files.close();
         pictures.close();
         renderer.close();
     }
@@ -229,17 +268,30 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     private void show(Chosen next) {
         boolean other = !next.light().equals(state.choice());
-        state = new LightLabState(next.light(), next.colours(), state.drawn(), next.colour());
-        publish(next.light(), state.drawn());
+        state = new LightLabState(next.light(), next.colours(), state.drawn(), next.colour(), "");
+        publish(next.light(), state.drawn(), "");
         if (other && width > 0) pictures.ask(new LightFrame(next.light(), width, height));
     }
 
     private void accept(LightFrame.Drawn drawn) {
-        publish(state.choice(), Optional.of(drawn));
+        publish(state.choice(), Optional.of(drawn), state.problem());
     }
 
-    private void publish(LightChoice choice, Optional<LightFrame.Drawn> drawn) {
-        state = new LightLabState(choice, state.colours(), drawn, state.colour());
+    private void accept(Answer answer) {
+        if (answer.opened().isEmpty()) {
+            publish(state.choice(), state.drawn(), answer.problem());
+            return;
+        }
+        OpenedLitScene scene = answer.opened().get();
+        if (scene.whole()) saved = Optional.of(new LitSceneFile(answer.file(), scene.choice()));
+        history.remember();
+        show(new Chosen(scene.choice(), false, state.colour()));
+        String notes = String.join("; ", scene.notes());
+        if (!notes.isEmpty()) publish(state.choice(), state.drawn(), answer.file() + ": " + notes);
+    }
+
+    private void publish(LightChoice choice, Optional<LightFrame.Drawn> drawn, String problem) {
+        state = new LightLabState(choice, state.colours(), drawn, state.colour(), problem);
         List.copyOf(listeners).forEach(listener -> listener.accept(state));
     }
 }

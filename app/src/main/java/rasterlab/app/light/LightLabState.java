@@ -8,9 +8,12 @@ import java.util.Optional;
  * @param colours whether colour models are shown instead of light
  * @param drawn the newest pictures, maybe of an earlier choice
  * @param colour the colour in all models
+ * @param problem why a file was not opened, or what of it is not shown; "" if nothing or something
+ *     else was chosen since
  */
 record LightLabState(
         LightChoice choice,
         boolean colours,
         Optional<LightFrame.Drawn> drawn,
-        ColourChoice colour) {}
+        ColourChoice colour,
+        String problem) {}

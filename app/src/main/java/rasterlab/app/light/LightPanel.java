@@ -6,6 +6,7 @@ import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.FileDrop;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.Shown;
@@ -56,7 +57,9 @@ public final class LightPanel extends LabPanel {
         colourActions = actions(canvas, () -> Copying.picture(cube, onFailure));
         lightActions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         saving = new LitSceneSaving(model, texts, this, onFailure);
+        lightActions.add("openScene", saving::open);
         lightActions.add("saveScene", saving::ask);
+        stage.setTransferHandler(new FileDrop(model::open, onFailure));
         lightActions.add(
                 "copyCommand",
                 () -> saving.commands().ifPresent(lines -> Copying.text(lines, onFailure)));

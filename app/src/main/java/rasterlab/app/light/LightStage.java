@@ -18,10 +18,12 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 
 /** Three shadings side by side above the profile; lamps, line and point are dragged. */
@@ -137,6 +139,12 @@ final class LightStage extends SelfDrawn implements Settling {
                         drawn ->
                                 new LightPainter(g, texts, drawn, state.choice(), scale)
                                         .paint(plan()));
+        if (!state.problem().isEmpty())
+            Plates.sentenceAbove(
+                    g,
+                    texts.text("problem", Complaints.said(texts.language(), state.problem())),
+                    getWidth(),
+                    plan().picture(0).height - 12);
     }
 
     @Override

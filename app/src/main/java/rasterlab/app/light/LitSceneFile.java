@@ -97,6 +97,6 @@ record LitSceneFile(Path file, LightChoice choice) {
                         "--size",
                         width + "x" + height + terms,
                         "--out",
-                        now.body().name() + "-" + shading.code() + ".png"));
+                        now.body().stem() + "-" + shading.code() + ".png"));
     }
 }

@@ -5,8 +5,10 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
+import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.SwingWorker;
+import javax.swing.filechooser.FileNameExtensionFilter;
 import rasterlab.app.canvas.SaveChooser;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
@@ -48,8 +50,22 @@ final class LitSceneSaving {
         var chooser = new SaveChooser(texts.language(), SceneText::named);
         chooser.setDialogTitle(texts.text("scene.save.title"));
         LightChoice choice = model.state().choice();
-        chooser.toSave(parent, choice.body().name() + "-lit" + SceneText.EXTENSION)
+        chooser.toSave(
+                        parent,
+                        choice.body().stem().replaceFirst("-lit$", "")
+                                + "-lit"
+                                + SceneText.EXTENSION)
                 .ifPresent(file -> write(choice, file));
+    }
+
+    /** Asks for a file and opens it. */
+    void open() {
+        var chooser = new JFileChooser();
+        chooser.setName("open.dialog");
+        chooser.setDialogTitle(texts.text("scene.open.title"));
+        chooser.setFileFilter(new FileNameExtensionFilter(texts.text("scene.files"), "json"));
+        if (chooser.showOpenDialog(parent) == JFileChooser.APPROVE_OPTION)
+            model.open(chooser.getSelectedFile().toPath());
     }
 
     private void write(LightChoice choice, Path file) {

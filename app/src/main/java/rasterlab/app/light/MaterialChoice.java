@@ -22,6 +22,7 @@ record MaterialChoice(
         double emission,
         double shininess) {
     static final double MOST = 2;
+    static final double SHINIEST = 200;
 
     static MaterialChoice of(Substance substance) {
         return new MaterialChoice(substance, 1, 1, 1, 0, substance.surface().shininess());

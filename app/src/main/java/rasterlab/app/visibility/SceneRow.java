@@ -1,19 +1,12 @@
 package rasterlab.app.visibility;
 
 import java.awt.Component;
-import java.awt.EventQueue;
-import java.awt.datatransfer.DataFlavor;
-import java.awt.datatransfer.UnsupportedFlavorException;
-import java.io.File;
-import java.io.IOException;
-import java.nio.file.Path;
-import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import javax.swing.TransferHandler;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.FileDrop;
 import rasterlab.app.language.Texts;
 import rasterlab.app.model.SceneText;
 
@@ -62,41 +55,6 @@ final class SceneRow extends JPanel {
     /** Lets files be dropped on a component. */
     static void acceptFiles(
             JComponent target, VisibilityLabModel model, Consumer<Throwable> onFailure) {
-        target.setTransferHandler(new Dropped(model, onFailure));
-    }
-
-    private static final class Dropped extends TransferHandler {
-        private static final long serialVersionUID = 1L;
-
-        private final transient VisibilityLabModel model;
-        private final transient Consumer<Throwable> onFailure;
-
-        Dropped(VisibilityLabModel model, Consumer<Throwable> onFailure) {
-            this.model = model;
-            this.onFailure = onFailure;
-        }
-
-        @Override
-        public boolean canImport(TransferSupport support) {
-            return support.isDataFlavorSupported(DataFlavor.javaFileListFlavor);
-        }
-
-        @Override
-        public boolean importData(TransferSupport support) {
-            if (!canImport(support)) return false;
-            try {
-                var files =
-                        (List<?>)
-                                support.getTransferable()
-                                        .getTransferData(DataFlavor.javaFileListFlavor);
-                if (files.isEmpty()) return false;
-                Path file = ((File) files.get(0)).toPath();
-                EventQueue.invokeLater(() -> model.open(file));
-                return true;
-            } catch (UnsupportedFlavorException | IOException e) {
-                onFailure.accept(e);
-                return false;
-            }
-        }
+        target.setTransferHandler(new FileDrop(model::open, onFailure));
     }
 }

@@ -13,6 +13,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.extension.ExtendWith;
+import rasterlab.exercises.scene.SceneFile;
+import rasterlab.exercises.scene.SceneView;
+import rasterlab.exercises.scene.Setting;
 import rasterlab.tests.ChildProcess;
 import rasterlab.tests.Repository;
 
@@ -20,6 +23,8 @@ import rasterlab.tests.Repository;
 @ExtendWith(FreshCopy.Provider.class)
 class ReadmeTest {
     private static final Pattern BLOCK = Pattern.compile("(?m)^```sh\\R(.*?)^```", Pattern.DOTALL);
+    private static final Pattern SCENE_FILE =
+            Pattern.compile("(?m)^```json\\R(.*?)^```", Pattern.DOTALL);
     private static final Pattern LINK = Pattern.compile("\\]\\(([^)#]+)[^)]*\\)");
 
     /** They open a window, are this very test run, or serve until stopped: tested elsewhere. */
@@ -52,6 +57,15 @@ class ReadmeTest {
                 broken.add(target);
         }
         assertEquals(List.of(), broken);
+    }
+
+    @Test
+    void theSceneFileIsReadAndSaysEverything() {
+        var block = SCENE_FILE.matcher(readme());
+        assertTrue(block.find(), "README shows no scene file");
+        var view = (SceneView) SceneFile.read(block.group(1));
+        for (var setting : Setting.all())
+            assertTrue(view.settings().get(setting).isPresent(), setting + " is not shown");
     }
 
     private static List<String> commands() {

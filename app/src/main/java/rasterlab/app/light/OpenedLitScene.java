@@ -1,0 +1,107 @@
+package rasterlab.app.light;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import rasterlab.app.model.SceneText;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.engine.pipeline.Cull;
+import rasterlab.engine.scene.Scene;
+import rasterlab.engine.transform.Projection;
+import rasterlab.exercises.scene.SceneSource;
+import rasterlab.exercises.scene.SceneView;
+import rasterlab.exercises.scene.Setting;
+import rasterlab.exercises.scene.Settings;
+
+/**
+ * A scene file as the lab of light shows it.
+ *
+ * <p>Light and material are the file's where lamps and substances of the lab make the same; else
+ * those of the choice stay, and a note says so.
+ *
+ * @param choice what is shown
+ * @param notes what of the file is not shown
+ * @param whole whether {@code ./lab render} draws what is shown from the file
+ */
+record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
+    /** What the lab does not draw. */
+    private static final List<Setting<?>> PASSED_OVER =
+            List.of(
+                    Setting.NEAR,
+                    Setting.FAR,
+                    Setting.CLIP_PLANES,
+                    Setting.TEXTURE_IMAGE,
+                    Setting.DEPTH_CUE,
+                    Setting.STEREO);
+
+    /**
+     * @param before what was shown, of which stays what the file does not say
+     * @throws Complaint naming the file and the place in it
+     */
+    static OpenedLitScene read(Path file, LightChoice before) {
+        SceneView view = SceneText.view(file);
+        Settings said = view.settings();
+        var notes = new ArrayList<String>();
+        LightChoice next = before.with(body(file, view.source(), before.body().detail()));
+        boolean inline = view.source() instanceof SceneSource.Inline;
+        if (inline) next = dressed(next, view.source().scene(), notes);
+        next =
+                next.with(said.get(Setting.CAMERA).orElse(next.camera()))
+                        .withTerms(said.get(Setting.TERMS).orElse(next.terms()))
+                        .withTwoSides(said.get(Setting.TWO_SIDED).orElse(next.twoSided()));
+        Optional<Double> zoom = said.get(Setting.ZOOM);
+        if (zoom.isPresent()) {
+            if (!LightChoice.zooms(zoom.get()))
+                throw Complaint.badInput(
+                        "%s: zoom must be in [%s, %s], got %s"
+                                .formatted(
+                                        file,
+                                        LightChoice.SMALLEST,
+                                        LightChoice.LARGEST,
+                                        zoom.get()));
+            next = next.withZoom(zoom.get());
+        }
+        String passed = passedOver(said);
+        if (!passed.isEmpty()) notes.add("this lab does not draw what the file says of " + passed);
+        return new OpenedLitScene(next, List.copyOf(notes), inline && notes.isEmpty());
+    }
+
+    private static Body body(Path file, SceneSource source, int detail) {
+        if (source instanceof SceneSource.ByName named && Body.NAMES.contains(named.name())) {
+            int steps = named.detail().orElse(detail);
+            boolean listed = steps >= Body.COARSEST && steps <= Body.FINEST;
+            var body = new Body(named.name(), listed ? steps : detail, Body.OWN);
+            if (listed && named.detail().isPresent() || !body.hasDetail()) return body;
+        }
+        return Body.opened(file.getFileName().toString(), source.scene());
+    }
+
+    private static LightChoice dressed(LightChoice choice, Scene scene, List<String> notes) {
+        Optional<LightChoice> lit = LampsOfFile.lit(choice, scene.light());
+        Optional<MaterialChoice> material = MaterialOfFile.of(scene.finishes());
+        if (lit.isEmpty())
+            notes.add("lamps of this lab cannot shine as the file's light does; its own stay");
+        if (material.isEmpty())
+            notes.add("no substance of this lab is what the file's faces are of; its own stays");
+        LightChoice next = lit.orElse(choice);
+        return material.map(next::with).orElse(next);
+    }
+
+    private static String passedOver(Settings said) {
+        var fields = new ArrayList<String>();
+        for (Setting<?> setting : PASSED_OVER)
+            if (said.get(setting).isPresent()) fields.add(setting.field());
+        said.get(Setting.PROJECTION)
+                .filter(projection -> projection != Projection.PERSPECTIVE)
+                .ifPresent(other -> fields.add(Setting.PROJECTION.field()));
+        said.get(Setting.CULL)
+                .filter(cull -> cull != Cull.NONE)
+                .ifPresent(other -> fields.add(Setting.CULL.field()));
+        said.get(Setting.OUTLINE)
+                .filter(drawn -> drawn)
+                .ifPresent(other -> fields.add(Setting.OUTLINE.field()));
+        return fields.stream().collect(Collectors.joining(", "));
+    }
+}

@@ -1,0 +1,188 @@
+package rasterlab.app.light;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
+import rasterlab.contract.Reflection;
+import rasterlab.engine.light.LightTerm;
+import rasterlab.engine.light.Substance;
+import rasterlab.engine.pipeline.Renderer;
+import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.transform.SphericalView;
+
+@Timeout(120)
+class OpenedLitSceneTest {
+    @TempDir Path folder;
+
+    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final LightLabModel model = new LightLabModel(events::add, failures::add);
+
+    @AfterEach
+    void close() {
+        model.close();
+        assertEquals(List.of(), failures);
+    }
+
+    @ParameterizedTest(name = "a saved scene is opened with other light or material: {0}")
+    @EnumSource(LightHazard.class)
+    void opensWhatWasSaved(LightHazard hazard) throws InterruptedException {
+        assertOpened(hazard.shown());
+    }
+
+    @Test
+    @DisplayName("a setting of the lab is lost between saving and opening")
+    void opensAllThatWasChosen() throws InterruptedException {
+        Lamp spot =
+                Lamp.at(50, 60, 90)
+                        .withKind(Lamp.Kind.SPOT)
+                        .withCutoff(33)
+                        .withExponent(7)
+                        .coloured(0x804020)
+                        .withStrength(1.3);
+        Lamp faint = Lamp.at(-80, 3, 20).attenuated(0.7, 0.3, 0.11).coloured(0x336699);
+        Lamp sun = Lamp.at(1, 2, 3).withKind(Lamp.Kind.SUN).withStrength(0.35);
+        assertOpened(
+                LightChoice.first()
+                        .with(new Body("torus", 9, "angle"))
+                        .with(new SphericalView(0.2, 0.9, 777))
+                        .withZoom(2.25)
+                        .withLamps(List.of(spot, faint, sun))
+                        .with(
+                                MaterialChoice.of(Substance.RUBY)
+                                        .withAmbient(1.7)
+                                        .withDiffuse(0.4)
+                                        .withSpecular(1.9)
+                                        .withEmission(0.2)
+                                        .withShininess(150))
+                        .with(Reflection.PHONG)
+                        .withAmbient(0.37)
+                        .withTerms(Set.of(LightTerm.DIFFUSE, LightTerm.EMISSION))
+                        .withLocalViewer(false)
+                        .withTwoSides(false));
+    }
+
+    private void assertOpened(LightChoice saved) throws InterruptedException {
+        Path file = folder.resolve("lit.scene.json");
+        LitSceneFile.write(saved, file);
+        LightChoice before = model.state().choice();
+        open(file);
+        LightChoice opened = model.state().choice();
+        assertEquals("", model.state().problem());
+        assertArrayEquals(picture(saved), picture(opened));
+        assertEquals(saved.material().substance(), opened.material().substance());
+        assertEquals(saved.terms(), opened.terms());
+        assertEquals(saved.camera(), opened.camera());
+        assertEquals(saved.zoom(), opened.zoom());
+        assertTrue(model.saved().orElseThrow().holds(opened), "the commands are not known");
+        model.history().undo();
+        assertEquals(before, model.state().choice());
+    }
+
+    private void open(Path file) throws InterruptedException {
+        model.open(file);
+        model.settle();
+        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+    }
+
+    private static int[] picture(LightChoice choice) {
+        try (var renderer = new Renderer()) {
+            return renderer.render(
+                            LitScene.request(
+                                    choice, choice.body().scene(), ShadingMethod.PHONG, 120, 90),
+                            () -> false)
+                    .argb();
+        }
+    }
+
+    @Test
+    @DisplayName("a scene by name loses its detail, or the lamps of the lab")
+    void opensScenesByName() throws IOException, InterruptedException {
+        LightChoice before = model.state().choice();
+        open(written("\"torus\", \"detail\": 20"));
+        assertEquals(new Body("torus", 20, Body.OWN), model.state().choice().body());
+        assertEquals(before.lamps(), model.state().choice().lamps());
+        assertEquals("", model.state().problem());
+        open(written("\"house\", \"zoom\": 2, \"look\": {\"terms\": [\"diffuse\"]}"));
+        assertEquals("one.scene.json", model.state().choice().body().name());
+        assertEquals(2, model.state().choice().zoom());
+        assertEquals(Set.of(LightTerm.DIFFUSE), model.state().choice().terms());
+        assertFalse(model.saved().isPresent(), "the commands would draw other lamps");
+        assertEquals(LightChoice.first().body(), model.kept().light().body());
+    }
+
+    @ParameterizedTest(name = "not said, or in English: {0}")
+    @CsvSource(
+            quoteCharacter = '`',
+            delimiter = '|',
+            value = {
+                "{ | in 1",
+                "{\"version\": 1, \"scene\": \"vase\", \"look\": {\"cull\": \"x\"}} | $.look.cull",
+                "{\"version\": 1, \"scene\": \"vase\", \"zoom\": 9} | 9",
+                "{\"version\": 1, \"scene\": \"vase\", \"look\": {\"cull\": \"back\","
+                        + " \"stereo\": \"anaglyph\"}} | stereo, cull",
+                "{\"version\": 1, \"topic\": \"line\", \"input\": {}} | lab run",
+            })
+    void saysWhatIsNotShown(String text, String part) throws IOException, InterruptedException {
+        Path file = Files.writeString(folder.resolve("one.scene.json"), text);
+        open(file);
+        String problem = model.state().problem();
+        String said = Complaints.said(Language.RUSSIAN, problem);
+        if (!part.equals("in 1")) assertTrue(said.contains(part), said);
+        assertTrue(said.contains(file.toString()), said);
+        assertNotEquals(problem, said);
+        String words = said.replace(file.toString(), "").replaceAll("(есть|известны) .*|`.*`", "");
+        assertFalse(
+                Pattern.compile("\\b(the|must|does|not|of|this|its)\\b").matcher(words).find(),
+                said);
+        model.choose(choice -> choice.withAmbient(0.9));
+        assertEquals("", model.state().problem());
+    }
+
+    @Test
+    @DisplayName("light and faces that the lab cannot make are taken for its own without a word")
+    void saysWhichLightStays() throws IOException, InterruptedException {
+        Path file = folder.resolve("lit.scene.json");
+        LitSceneFile.write(LightChoice.first(), file);
+        String text = Files.readString(file);
+        String other =
+                text.replaceFirst("\"shininess\" : [0-9.]+", "\"shininess\" : 5, \"alpha\" : 0.5")
+                        .replaceFirst(", \"alpha\" : 0.5,\\s*\"alpha\" : 1.0", ", \"alpha\" : 0.5")
+                        .replaceFirst("(\"lights\" : \\[ \\{.*?\"ambient\" : \\[ )0.0", "$10.25");
+        Files.writeString(file, other);
+        LightChoice before = model.state().choice();
+        open(file);
+        String problem = model.state().problem();
+        assertTrue(problem.contains("no substance of this lab"), problem);
+        assertEquals(before.material(), model.state().choice().material());
+        assertFalse(model.saved().isPresent());
+        String said = Complaints.said(Language.RUSSIAN, problem);
+        assertFalse(said.contains("substance"), said);
+    }
+
+    private Path written(String scene) throws IOException {
+        return Files.writeString(
+                folder.resolve("one.scene.json"), "{\"version\": 1, \"scene\": " + scene + "}");
+    }
+}
