@@ -41,7 +41,10 @@ public final class ModelFile {
             if (model.colors().length > 0)
                 notes.accept(file + ": colours of vertices were passed over");
             return ObjScene.of(
-                    file.getFileName().toString(), model, up, name -> texture(file, folder, name));
+                    file.getFileName().toString(),
+                    model,
+                    up,
+                    (name, place) -> texture(file, folder, name, place));
         } catch (BrokenFileException e) {
             throw Complaint.badInput(e.getMessage());
         } catch (IOException e) {
@@ -62,21 +65,23 @@ public final class ModelFile {
                 new InputStreamReader(Files.newInputStream(file), StandardCharsets.UTF_8));
     }
 
-    private static Texture texture(Path model, OwnFolder folder, String name) {
+    /**
+     * @param place where it is named
+     */
+    private static Texture texture(Path model, OwnFolder folder, String name, String place) {
         try {
             Path found =
                     folder.find(name)
                             .orElseThrow(
                                     () ->
                                             Complaint.badInput(
-                                                    model
-                                                            + ": there is no texture '"
-                                                            + name
-                                                            + "' in its folder"));
+                                                    "%s: %s: there is no texture '%s' in its folder"
+                                                            .formatted(model, place, name)));
             return PictureFile.texture(found);
         } catch (IOException e) {
             throw Complaint.badInput(
-                    model + ": texture '" + name + "' cannot be read: " + WholeFile.reason(e));
+                    "%s: %s: texture '%s' cannot be read: %s"
+                            .formatted(model, place, name, WholeFile.reason(e)));
         }
     }
 }

@@ -139,6 +139,10 @@ class RenderCommandTest {
                 mistake("eyes of one picture", "--eyes needs --stereo", "--eyes=3"),
                 mistake("stereo is parallel", "needs perspective", PARALLEL, "--stereo=anaglyph"),
                 mistake("depth cue is too strong", "up to 1, got 3.0", "--depth-cue=3"),
+                mistake(
+                        "filter of nothing",
+                        "--texture nearest needs a texture; scene 'vase' has none",
+                        "--texture=nearest"),
                 mistake("wrap needs a texture", "scene 'vase' has none", "--wrap=repeat"),
                 mistake(
                         "wrap of what is not shown",

@@ -144,7 +144,7 @@ class RenderModelTest {
                         "missing texture is white",
                         CUBE,
                         MATERIALS.replace("grid.png", "gird.png"),
-                        "CUBE: there is no texture 'textures/gird.png' in its folder"),
+                        "CUBE: cube.mtl:5: there is no texture 'textures/gird.png' in its folder"),
                 argumentSet(
                         "folder is read as a texture",
                         CUBE,

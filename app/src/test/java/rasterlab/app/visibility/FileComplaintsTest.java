@@ -76,6 +76,7 @@ class FileComplaintsTest {
                 "one.obj | usemtl gold",
                 "one.obj | mtllib gone.mtl",
                 "one.obj | # nothing",
+                "one.obj | Hello, world",
                 "one.png | no picture",
                 "one.gif | no picture",
             })

@@ -81,10 +81,10 @@ final class MaterialReader {
     }
 
     /** Options would change how the texture lies, so they are refused, not passed over. */
-    private String map() throws BrokenFileException {
+    private ObjMaterial.Map map() throws BrokenFileException {
         String name = words.name();
         if (name.startsWith("-"))
             throw lines.broken("'map_Kd' is read without options, got '" + Words.shown(name) + "'");
-        return name;
+        return new ObjMaterial.Map(name, lines.file() + ":" + lines.number());
     }
 }

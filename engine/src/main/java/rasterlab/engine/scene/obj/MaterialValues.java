@@ -12,7 +12,7 @@ final class MaterialValues {
     List<Double> emitted = grey(0);
     double shininess;
     double opacity = 1;
-    Optional<String> diffuseMap = Optional.empty();
+    Optional<ObjMaterial.Map> diffuseMap = Optional.empty();
     int illumination = 2;
 
     MaterialValues(String name) {

@@ -14,7 +14,7 @@ import java.util.Optional;
  * @param emitted Ke, at least 0
  * @param shininess Ns, the exponent of the highlight, 0 to 1000
  * @param opacity d, or 1 − Tr: 0 is transparent, 1 opaque
- * @param diffuseMap map_Kd, the texture's file name
+ * @param diffuseMap map_Kd
  * @param illumination illum, the lighting model's number, 0 to 10
  */
 public record ObjMaterial(
@@ -25,8 +25,16 @@ public record ObjMaterial(
         List<Double> emitted,
         double shininess,
         double opacity,
-        Optional<String> diffuseMap,
+        Optional<Map> diffuseMap,
         int illumination) {
+    /**
+     * A texture.
+     *
+     * @param file its name
+     * @param place the material file and the line that name it, for messages
+     */
+    public record Map(String file, String place) {}
+
     public ObjMaterial {
         ambient = List.copyOf(ambient);
         diffuse = List.copyOf(diffuse);

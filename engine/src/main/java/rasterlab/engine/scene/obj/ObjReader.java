@@ -37,6 +37,8 @@ public final class ObjReader {
     private int material = Faces.NONE;
     private int smoothing;
     private long triangles;
+    private String firstUnknown = "";
+    private int unknownLine;
 
     private ObjReader(TextLines lines, MaterialFiles files) {
         this.lines = lines;
@@ -65,13 +67,24 @@ public final class ObjReader {
             words.divide();
             if (words.count() > 0) line(words.get(0));
         }
-        if (faces.count() == 0)
-            throw new BrokenFileException(lines.file(), 0, "no face with an area is in it");
+        if (faces.count() == 0) throw noFace();
         vertices.finish();
         double[] normals =
                 new MissingNormals(vertices.positions, vertices.normals, faces).complete();
         materials.noteMissingTexture(faces);
         return new ObjModel(vertices, normals, faces, materials.all(), notes.all());
+    }
+
+    /** Of a text that is no model at all the first line that shows it is named. */
+    private BrokenFileException noFace() {
+        if (unknownLine == 0)
+            return new BrokenFileException(lines.file(), 0, "no face with an area is in it");
+        return new BrokenFileException(
+                lines.file(),
+                unknownLine,
+                "'%s' begins no line of a Wavefront model, which has v, vt, vn, f, s, usemtl,"
+                                .formatted(firstUnknown)
+                        + " mtllib, o, g, l and p; no face with an area is in the file");
     }
 
     private void line(String keyword) throws IOException, BrokenFileException {
@@ -99,6 +112,10 @@ public final class ObjReader {
                     "'"
                             + keyword
                             + "' cannot be read; faces ('f') are, curves and surfaces are not");
+        if (unknownLine == 0) {
+            unknownLine = lines.number();
+            firstUnknown = Words.shown(keyword);
+        }
         notes.countKeyword(keyword, lines);
     }
 

@@ -45,7 +45,13 @@ public final class ObjScene {
                     finish(
                             material,
                             material.diffuseMap()
-                                    .map(file -> opened.computeIfAbsent(file, textures::open))));
+                                    .map(
+                                            map ->
+                                                    opened.computeIfAbsent(
+                                                            map.file(),
+                                                            file ->
+                                                                    textures.open(
+                                                                            file, map.place())))));
         int[] finishOf = new int[model.faceCount()];
         for (int f = 0; f < finishOf.length; f++) finishOf[f] = model.material(f);
         return new Scene(

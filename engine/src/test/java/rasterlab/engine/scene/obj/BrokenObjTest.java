@@ -114,6 +114,12 @@ class BrokenObjTest {
                         "two halves that cancel out are left out unseen",
                         "f 1 3 2 4",
                         "face crosses itself: seen from anywhere its parts cancel out"),
+                argumentSet(
+                        "a letter is a model without faces, and no line is named",
+                        "# to whom it may concern\no desk\nDear reader,\nno model is here.",
+                        "a.obj:3: 'Dear' begins no line of a Wavefront model, which has v, vt, vn,"
+                                + " f, s, usemtl, mtllib, o, g, l and p; no face with an area is in"
+                                + " the file"),
                 argumentSet("an empty file is a model", "", "a.obj: no face with an area is in it"),
                 argumentSet(
                         "a model of nothing but slivers is a model",

@@ -171,7 +171,7 @@ class ObjModelTest {
                         List.of(2.0, 0.0, 0.0),
                         96.5,
                         0.75,
-                        Optional.of("my wood.png"),
+                        Optional.of(new ObjMaterial.Map("my wood.png", "m.mtl:9")),
                         1),
                 model.materials().get(0));
         assertEquals(0.5, model.materials().get(1).opacity());
