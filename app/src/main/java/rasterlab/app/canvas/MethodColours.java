@@ -10,8 +10,9 @@ import rasterlab.engine.raster.PixelMark;
 /**
  * One colour for each method, the same in every lab and chart.
  *
- * <p>The palette is told apart with every common colour blindness. {@link #VERMILLION} belongs to
- * wrong pixels, no method has it. Source: M. Okabe, K. Ito, Color Universal Design, 2008.
+ * <p>The first eleven of the palette are told apart with every common colour blindness; where more
+ * are needed, marks and dashes help. {@link #VERMILLION} belongs to wrong pixels, no method has it.
+ * Source: M. Okabe, K. Ito, Color Universal Design, 2008.
  */
 public final class MethodColours {
     public static final Color ORANGE = new Color(0xE69F00);
@@ -29,8 +30,18 @@ public final class MethodColours {
     public static final Color INDIGO = new Color(0x332288);
     public static final Color OLIVE = new Color(0x999933);
 
-    /** P. Tol, Colour schemes, 2021, palette "dark". */
+    /** This and the next two: the same source, palette "dark". */
     public static final Color DARK_GREEN = new Color(0x225522);
+
+    public static final Color BROWN = new Color(0x663333);
+    public static final Color SLATE = new Color(0x225555);
+
+    /** This and the next three: palette "muted" again, nearer to some of those above. */
+    public static final Color TEAL = new Color(0x44AA99);
+
+    public static final Color ROSE = new Color(0xCC6677);
+    public static final Color MAGENTA = new Color(0xAA4499);
+    public static final Color SAND = new Color(0xDDCC77);
 
     /** What methods without a colour of their own are given, those first that differ most. */
     private static final List<Color> PALETTE =
@@ -45,7 +56,13 @@ public final class MethodColours {
                     YELLOW,
                     INDIGO,
                     OLIVE,
-                    DARK_GREEN);
+                    DARK_GREEN,
+                    TEAL,
+                    ROSE,
+                    BROWN,
+                    MAGENTA,
+                    SLATE,
+                    SAND);
 
     private static final Map<String, Color> OWN =
             Map.ofEntries(
@@ -124,7 +141,14 @@ public final class MethodColours {
                     Map.entry("bsp", OLIVE),
                     Map.entry("scanline", DARK_GREEN),
                     Map.entry("warnock", SKY_BLUE),
+                    Map.entry("convex", YELLOW),
+                    Map.entry("z16", ROSE),
+                    Map.entry("z24", TEAL),
+                    Map.entry("z32", BROWN),
                     Map.entry("zfloat", BLUE),
+                    Map.entry("reversed-z", MAGENTA),
+                    Map.entry("pipeline", SLATE),
+                    Map.entry("auto", SAND),
                     Map.entry("raycast", GREEN));
 
     private MethodColours() {}

@@ -1,16 +1,22 @@
 package rasterlab.app.study;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.canvas.MethodColours;
 
-/** How a method looks in a chart; no two methods of one chart have both in common. */
-public record MethodLook(Color colour, Marker marker) {
-    /** Seven, which has no divisor in common with the palette's eleven colours. */
+/**
+ * How a method looks in a chart; no two of {@value #MOST} methods of one chart have both mark and
+ * line in common, so that they are told apart in grey too.
+ *
+ * @param stroke of its lines
+ */
+public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
     private static final List<Marker> MARKERS =
             List.of(
                     SeriesMarkers.CIRCLE,
@@ -21,6 +27,13 @@ public record MethodLook(Color colour, Marker marker) {
                     SeriesMarkers.TRAPEZOID,
                     SeriesMarkers.RECTANGLE);
 
+    /** On, off, on, … of a line in pixels; one that is not broken first. */
+    private static final List<float[]> DASHES =
+            List.of(new float[0], new float[] {8, 4}, new float[] {2, 3}, new float[] {8, 3, 2, 3});
+
+    private static final int MOST = 28;
+    private static final float WIDTH = 2;
+
     /**
      * @param methods all of the topic in teaching order, those without a place on the chart too, so
      *     that a method looks the same whatever the others did
@@ -29,21 +42,31 @@ public record MethodLook(Color colour, Marker marker) {
         Map<String, Color> colours = MethodColours.among(methods);
         var looks = new LinkedHashMap<String, MethodLook>();
         for (String method : methods) {
-            int marker = looks.size();
-            var look = new MethodLook(colours.get(method), marker(marker));
-            while (looks.containsValue(look) && marker < looks.size() + MARKERS.size())
-                look = new MethodLook(colours.get(method), marker(++marker));
-            looks.put(method, look);
+            int number = looks.size();
+            Marker marker = MARKERS.get(number % MARKERS.size());
+            float[] dashes = DASHES.get(number / MARKERS.size() % DASHES.size());
+            looks.put(method, new MethodLook(colours.get(method), marker, stroke(dashes)));
         }
         return looks;
     }
 
-    /** The same in a colour that stands out from the ground. */
-    public MethodLook on(ChartLook paper) {
-        return new MethodLook(paper.line(colour), marker);
+    private static BasicStroke stroke(float[] dashes) {
+        return dashes.length == 0
+                ? new BasicStroke(WIDTH)
+                : new BasicStroke(
+                        WIDTH, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, dashes, 0);
     }
 
-    private static Marker marker(int number) {
-        return MARKERS.get(number % MARKERS.size());
+    /** The same in a colour that stands out from the ground. */
+    public MethodLook on(ChartLook paper) {
+        return new MethodLook(paper.line(colour), marker, stroke);
+    }
+
+    /** Gives a series this look. */
+    public void style(XYSeries series) {
+        series.setMarker(marker);
+        series.setMarkerColor(colour);
+        series.setLineColor(colour);
+        series.setLineStyle(stroke);
     }
 }

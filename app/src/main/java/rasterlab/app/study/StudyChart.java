@@ -1,6 +1,5 @@
 package rasterlab.app.study;
 
-import java.awt.BasicStroke;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Collection;
@@ -129,10 +128,7 @@ public final class StudyChart {
         String name = first ? method : method + " " + kind(points.get(0));
         XYSeries series = chart.addSeries(name, costs, errors);
         series.setShowInLegend(first);
-        series.setMarker(look.marker());
-        series.setMarkerColor(look.colour());
-        series.setLineColor(look.colour());
-        series.setLineStyle(new BasicStroke(2f));
+        look.style(series);
     }
 
     /** The least and the greatest size. */

@@ -133,10 +133,7 @@ public final class GrowthChart {
                             method,
                             Arrays.stream(growth.sizes()).asDoubleStream().toArray(),
                             Arrays.stream(growth.work()).asDoubleStream().toArray());
-            MethodLook look = looks.get(method).on(paper);
-            series.setMarker(look.marker());
-            series.setMarkerColor(look.colour());
-            series.setLineColor(look.colour());
+            looks.get(method).on(paper).style(series);
         }
         return chart;
     }
@@ -165,9 +162,13 @@ public final class GrowthChart {
             y += ROW;
             MethodLook look = looks.get(method).on(paper);
             graphics.setColor(look.colour());
-            look.marker().paint(graphics, left + 4, y - 5, 9);
+            var line = (Graphics2D) graphics.create();
+            line.setStroke(look.stroke());
+            line.drawLine(left - 20, y - 5, left + 12, y - 5);
+            line.dispose();
+            look.marker().paint(graphics, left - 4, y - 5, 9);
             graphics.setColor(paper.ink());
-            graphics.drawString(method, left + 16, y);
+            graphics.drawString(method, left + 18, y);
             column = 0;
             for (Axis axis : Axis.values())
                 graphics.drawString(

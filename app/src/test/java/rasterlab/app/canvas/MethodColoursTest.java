@@ -49,12 +49,23 @@ class MethodColoursTest {
     }
 
     @Test
-    void methodsForWhichColoursDoNotSufficeDifferByTheirMarkers() {
+    void methodsDifferInGreyByMarkOrLine() {
         for (List<String> topic : topics().toList())
             assertEquals(
                     topic.size(),
-                    new HashSet<>(MethodLook.of(topic).values()).size(),
+                    MethodLook.of(topic).values().stream()
+                            .map(look -> List.of(look.marker(), look.stroke()))
+                            .distinct()
+                            .count(),
                     topic.toString());
+    }
+
+    @Test
+    void methodsForHiddenSurfacesAllHaveColoursOfTheirOwn() {
+        List<String> names = Renderer.visibilities();
+        assertEquals(names.size(), new HashSet<>(MethodColours.among(names).values()).size());
+        for (String name : names)
+            assertEquals(MethodColours.of(name), MethodColours.among(names).get(name), name);
     }
 
     @ParameterizedTest(name = "pixels of {0} drown in the stage")
