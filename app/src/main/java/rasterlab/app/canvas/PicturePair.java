@@ -32,6 +32,11 @@ public final class PicturePair extends JPanel implements AutoCloseable {
         return other;
     }
 
+    /** What is in sight, as an SVG document. */
+    public String svg() {
+        return PlaneView.svg(this, chosen, other);
+    }
+
     /**
      * @param all what both show, in world coordinates
      * @param two whether there are two

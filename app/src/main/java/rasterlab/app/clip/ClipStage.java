@@ -92,7 +92,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
     }
 
     String svg() {
-        return chosen.svg();
+        return PlaneView.svg(this, chosen, other);
     }
 
     /** Ends the threads that paint. */

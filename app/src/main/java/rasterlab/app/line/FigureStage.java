@@ -74,7 +74,7 @@ final class FigureStage extends JPanel implements AutoCloseable {
     }
 
     String svg() {
-        return shown().svg();
+        return shown() == chart ? chart.svg() : pixels.svg();
     }
 
     /** Ends the threads that paint. */

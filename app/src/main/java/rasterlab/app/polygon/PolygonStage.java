@@ -70,7 +70,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
     }
 
     String svg() {
-        return shown().chosen().svg();
+        return shown().svg();
     }
 
     private PicturePair shown() {

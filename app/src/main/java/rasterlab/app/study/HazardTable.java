@@ -7,6 +7,7 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Optional;
+import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.KeyStroke;
@@ -15,8 +16,10 @@ import javax.swing.ScrollPaneConstants;
 import javax.swing.UIManager;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
+import javax.swing.table.JTableHeader;
 import javax.swing.table.TableCellRenderer;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial.Cell;
@@ -77,6 +80,36 @@ final class HazardTable extends JTable {
         scroll.setRowHeaderView(names);
         scroll.setCorner(ScrollPaneConstants.UPPER_LEFT_CORNER, names.getTableHeader());
         return scroll;
+    }
+
+    /** The whole table with its names, as an SVG document. */
+    String svg() {
+        JTableHeader methodNames = getTableHeader();
+        JTableHeader corner = names.getTableHeader();
+        int left = names.getPreferredSize().width;
+        int top = methodNames.getPreferredSize().height;
+        int right = getPreferredSize().width;
+        int rows = getRowCount() * getRowHeight();
+        shape(corner, left, top);
+        shape(methodNames, right, top);
+        shape(names, left, rows);
+        shape(this, right, rows);
+        return SvgPicture.of(
+                left + right,
+                top + rows,
+                g -> {
+                    corner.print(g.create(0, 0, left, top));
+                    methodNames.print(g.create(left, 0, right, top));
+                    names.print(g.create(0, top, left, rows));
+                    print(g.create(left, top, right, rows));
+                });
+    }
+
+    /** A part that no window has laid out yet. */
+    private static void shape(JComponent part, int width, int height) {
+        if (part.getWidth() > 0) return;
+        part.setSize(width, height);
+        part.doLayout();
     }
 
     private void choose() {

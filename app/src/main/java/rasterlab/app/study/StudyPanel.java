@@ -4,6 +4,7 @@ import java.awt.CardLayout;
 import java.awt.Insets;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import javax.swing.JButton;
@@ -27,6 +28,7 @@ import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.study.Study;
 
 /** Speed and accuracy as the window shows them, in one language. */
@@ -149,6 +151,10 @@ public final class StudyPanel extends LabPanel {
     }
 
     private void copySvg() {
+        if (model.state().view() == StudyView.HAZARDS) {
+            Copying.svg(table.svg(), onFailure);
+            return;
+        }
         model.state()
                 .study()
                 .ifPresent(
@@ -165,6 +171,33 @@ public final class StudyPanel extends LabPanel {
     }
 
     private void save() {
+        if (model.state().view() == StudyView.HAZARDS) saveTable();
+        else saveStudy();
+    }
+
+    private void saveTable() {
+        var chooser = new SaveChooser(texts.language(), StudyPanel::drawing);
+        chooser.setDialogTitle(texts.text("save.table"));
+        chooser.setFileFilter(new FileNameExtensionFilter("SVG", "svg"));
+        chooser.toSave(this, "hazards-" + model.state().topic().name() + ".svg")
+                .ifPresent(this::writeTable);
+    }
+
+    private static Path drawing(Path file) {
+        String path = file.toString();
+        return path.toLowerCase(Locale.ROOT).endsWith(".svg") ? file : Path.of(path + ".svg");
+    }
+
+    private void writeTable(Path file) {
+        try {
+            WholeFile.requireWritable(file);
+            WholeFile.write(file, table.svg().getBytes(StandardCharsets.UTF_8));
+        } catch (Complaint complaint) {
+            tell(complaint);
+        }
+    }
+
+    private void saveStudy() {
         Study study = model.state().study().orElseThrow();
         var chooser = new SaveChooser(texts.language(), file -> file);
         chooser.setDialogTitle(texts.text("save.title"));
@@ -214,8 +247,9 @@ public final class StudyPanel extends LabPanel {
         measure.setEnabled(!running);
         hazards.setEnabled(!running);
         cancel.setEnabled(running);
-        save.setEnabled(state.study().isPresent());
-        actions.enable("copySvg", state.study().isPresent() && state.view() == StudyView.CHART);
+        boolean drawn = state.study().isPresent() || state.view() == StudyView.HAZARDS;
+        save.setEnabled(drawn);
+        actions.enable("copySvg", drawn);
         cards.show(stage, state.view().code());
         chart.refresh();
         table.refresh();
