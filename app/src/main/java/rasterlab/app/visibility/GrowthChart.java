@@ -1,5 +1,6 @@
 package rasterlab.app.visibility;
 
+import java.awt.BasicStroke;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -16,6 +17,8 @@ import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.XYStyler;
+import org.knowm.xchart.style.lines.SeriesLines;
+import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.ChartLook;
@@ -29,6 +32,9 @@ public final class GrowthChart {
     private static final int PANEL_WIDTH = ChartLook.WIDTH / 2;
     private static final int PANEL_HEIGHT = (ChartLook.HEIGHT - TITLE) / 2;
     private static final int ROW = 19;
+
+    /** Pixels of a dash of lines in one place. */
+    private static final float DASH = 9;
 
     private final List<String> methods = Growth.methodNames();
     private final Map<String, MethodLook> looks = MethodLook.of(methods);
@@ -134,8 +140,48 @@ public final class GrowthChart {
                             Arrays.stream(growth.sizes()).asDoubleStream().toArray(),
                             Arrays.stream(growth.work()).asDoubleStream().toArray());
             looks.get(method).on(paper).style(series);
+            List<String> together = together(method, axis);
+            if (together.size() > 1)
+                share(chart, series, together.indexOf(method), together.size());
         }
         return chart;
+    }
+
+    /** The methods whose work is the same everywhere along an axis. */
+    private List<String> together(String method, Axis axis) {
+        long[] work = growth(method, axis).work();
+        return methods.stream()
+                .filter(other -> Arrays.equals(growth(other, axis).work(), work))
+                .toList();
+    }
+
+    /**
+     * Leaves room for the other lines in the same place: each has every {@code of}-th dash and
+     * mark.
+     */
+    private static void share(XYChart chart, XYSeries series, int turn, int of) {
+        float[] dashes = {DASH, DASH * (of - 1)};
+        series.setLineStyle(
+                new BasicStroke(
+                        2,
+                        BasicStroke.CAP_BUTT,
+                        BasicStroke.JOIN_ROUND,
+                        1,
+                        dashes,
+                        DASH * (of - turn)));
+        int[] marked =
+                IntStream.range(0, series.getXData().length).filter(i -> i % of == turn).toArray();
+        if (marked.length > 0) {
+            XYSeries marks =
+                    chart.addSeries(
+                            series.getName() + " marks",
+                            Arrays.stream(marked).mapToDouble(i -> series.getXData()[i]).toArray(),
+                            Arrays.stream(marked).mapToDouble(i -> series.getYData()[i]).toArray());
+            marks.setMarker(series.getMarker());
+            marks.setMarkerColor(series.getMarkerColor());
+            marks.setLineStyle(SeriesLines.NONE);
+        }
+        series.setMarker(SeriesMarkers.NONE);
     }
 
     private static void style(XYStyler styler) {
