@@ -9,6 +9,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import rasterlab.app.language.Language;
 import rasterlab.app.light.MachBandsChart;
+import rasterlab.app.line.BrightnessChart;
 import rasterlab.app.outcome.PngFile;
 import rasterlab.app.perspective.PerspectiveChart;
 import rasterlab.app.perspective.Stretch;
@@ -35,11 +36,17 @@ record Chart(
     static final class Names implements Iterable<String> {
         @Override
         public Iterator<String> iterator() {
-            return all().stream().map(Chart::name).iterator();
+            return all(List.of()).stream().map(Chart::name).iterator();
         }
     }
 
-    static List<Chart> all() {
+    /** The chart of methods that are named. */
+    static final String OF_METHODS = "line-brightness";
+
+    /**
+     * @param methods that {@link #OF_METHODS} draws; none: the usual ones
+     */
+    static List<Chart> all(List<String> methods) {
         var growth = new GrowthChart();
         return List.of(
                 new Chart(
@@ -61,12 +68,40 @@ record Chart(
                         MachBandsChart::svg,
                         language -> PngFile.bytes(MachBandsChart.image(language)),
                         MachBandsChart::csv),
+                brightness(methods),
                 new Chart(
                         "visibility-growth",
                         () -> growth(growth),
                         language -> growth.svg(language, ChartLook.PAPER),
                         language -> PngFile.bytes(growth.image(language, ChartLook.PAPER)),
                         growth::csv));
+    }
+
+    private static Chart brightness(List<String> methods) {
+        Supplier<BrightnessChart> chart = () -> new BrightnessChart(methods);
+        return new Chart(
+                OF_METHODS,
+                () -> brightness(chart.get()),
+                language -> chart.get().svg(language),
+                language -> PngFile.bytes(chart.get().image(language)),
+                () -> chart.get().csv());
+    }
+
+    private static TextTable brightness(BrightnessChart chart) {
+        var table = new TextTable("method", "0 deg", "30 deg", "45 deg", "90 deg");
+        for (String method : chart.methods())
+            table.add(
+                    Stream.concat(
+                                    Stream.of(method),
+                                    Stream.of(0, 30, 45, 90)
+                                            .map(degrees -> chart.light(method).get(degrees))
+                                            .map(Chart::lightOrNone))
+                            .toList());
+        return table;
+    }
+
+    private static String lightOrNone(double light) {
+        return Double.isNaN(light) ? "-" : thousandths(light);
     }
 
     /** The chart as a file of that kind: .svg, .png or .csv. */

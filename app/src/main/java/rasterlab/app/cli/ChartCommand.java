@@ -23,6 +23,8 @@ import rasterlab.engine.naming.Named;
             "depth-precision: the smallest distance that depth buffers tell apart half way to the",
             "  far plane, as a share of the depth, over far/near: measured, and by formula.",
             "mach-bands: brightness across a faceted sphere by flat, Gouraud's and Phong's shading.",
+            "line-brightness: light that lines get for each pixel of their length, over their angle, by",
+            "  the methods of topic line that --methods names.",
             "visibility-growth: the counted work of each visibility method over the number of faces N",
             "  and of pixels n, and its exponents: about N^2 against n*N, measured."
         },
@@ -51,6 +53,14 @@ final class ChartCommand implements Callable<Integer> {
             description = "of the chart: en or ru; default: en")
     private ReportLanguage language = ReportLanguage.EN;
 
+    @Option(
+            names = "--methods",
+            paramLabel = "METHOD,…",
+            split = ",",
+            description =
+                    "of line-brightness: methods of topic line; default: bresenham,naive-textbook")
+    private List<String> methods = List.of();
+
     ChartCommand(Console console) {
         this.console = console;
     }
@@ -62,7 +72,7 @@ final class ChartCommand implements Callable<Integer> {
             extension(file);
             WholeFile.requireWritable(file);
         }
-        chart.table().get().lines().forEach(console.out()::println);
+        table(chart).lines().forEach(console.out()::println);
         for (Path file : files) {
             WholeFile.write(file, chart.content(extension(file), language.inWindow()));
             console.err().println("wrote " + file);
@@ -70,9 +80,20 @@ final class ChartCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
+    private static TextTable table(Chart chart) {
+        try {
+            return chart.table().get();
+        } catch (IllegalArgumentException unknown) {
+            throw Complaint.badInput(unknown.getMessage());
+        }
+    }
+
     private Chart chart() {
         try {
-            return Named.find("chart", name, Chart.all(), Chart::name);
+            Chart chart = Named.find("chart", name, Chart.all(methods), Chart::name);
+            if (!methods.isEmpty() && !name.equals(Chart.OF_METHODS))
+                throw new IllegalArgumentException("--methods is for chart " + Chart.OF_METHODS);
+            return chart;
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(e.getMessage());
         }

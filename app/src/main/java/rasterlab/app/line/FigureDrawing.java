@@ -51,7 +51,8 @@ record FigureDrawing(
                 brightness);
     }
 
-    private static List<Double> brightness(FigureTopics topics, String method) {
+    /** Light for a pixel of length at 0°, 1°, …, 90°, NaN where there is none. */
+    static List<Double> brightness(FigureTopics topics, String method) {
         return IntStream.rangeClosed(0, SlopeFigure.STEEPEST)
                 .mapToObj(degrees -> brightness(topics, method, SlopeFigure.segment(degrees)))
                 .toList();

@@ -21,6 +21,24 @@ class ChartCommandTest {
     @TempDir Path folder;
 
     @Test
+    void lineBrightnessIsDrawnByTheMethodsThatAreNamed() throws Exception {
+        Path csv = folder.resolve("light.csv");
+        Ran ran =
+                Ran.lab("chart", "line-brightness", "--methods", "wu,dda", "--out", csv.toString());
+        ran.assertDone();
+        List<String> rows = Files.readAllLines(csv);
+        assertEquals("degrees,wu,dda", rows.get(0));
+        assertEquals(92, rows.size());
+        double diagonal = Double.parseDouble(rows.get(46).split(",")[2]);
+        assertEquals(Math.sqrt(0.5), diagonal, 0.01, "a diagonal has fewer pixels than length");
+        Ran unknown = Ran.lab("chart", "line-brightness", "--methods", "wuu");
+        assertEquals(2, unknown.exitCode());
+        assertTrue(unknown.err().contains("'wuu'; there are naive"), unknown.err());
+        Ran.lab("chart", "mach-bands", "--methods", "wu")
+                .assertComplains(2, "./lab chart: --methods is for chart line-brightness");
+    }
+
+    @Test
     void tableShowsWhereGammaRunsAway() {
         Ran ran = Ran.lab("chart", "perspective");
         List<String> rows =
@@ -154,7 +172,7 @@ class ChartCommandTest {
                 .assertComplains(
                         2,
                         "./lab chart: no chart 'perspektive'; there are perspective, depth-precision,"
-                                + " mach-bands, visibility-growth");
+                                + " mach-bands, line-brightness, visibility-growth");
         Path strange = folder.resolve("g.json");
         Ran.lab("chart", "perspective", "--out", strange.toString())
                 .assertComplains(

@@ -1,0 +1,106 @@
+package rasterlab.app.line;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.StringJoiner;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.Styler.LegendPosition;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.study.ChartLook;
+import rasterlab.app.study.MethodLook;
+
+/** Light that lines get for each pixel of their length, over their angle in degrees. */
+public final class BrightnessChart {
+    /** What the lab shows first. */
+    private static final List<String> USUAL = List.of("bresenham", "naive-textbook");
+
+    private static final double HIGHEST = 1.2;
+
+    private final Map<String, List<Double>> light = new LinkedHashMap<>();
+
+    /**
+     * @param methods of topic {@code line}, of which two of one name are drawn once; none: the two
+     *     that the lab shows first
+     * @throws IllegalArgumentException for an unknown name; the message lists the known ones
+     */
+    public BrightnessChart(List<String> methods) {
+        var topics = new FigureTopics();
+        for (String method : methods.isEmpty() ? USUAL : methods)
+            light.put(method, FigureDrawing.brightness(topics, method));
+    }
+
+    /** The methods drawn. */
+    public List<String> methods() {
+        return List.copyOf(light.keySet());
+    }
+
+    /** The light at 0°, 1°, …, 90°; NaN where the method draws no line. */
+    public List<Double> light(String method) {
+        return light.get(method);
+    }
+
+    public BufferedImage image(Language language) {
+        return ChartLook.PAPER.image(graphics -> paint(graphics, language));
+    }
+
+    public byte[] svg(Language language) {
+        return ChartLook.PAPER.svg(graphics -> paint(graphics, language));
+    }
+
+    /** All points as comma-separated values; a cell is empty where there is no line. */
+    public String csv() {
+        var rows = new StringJoiner("\r\n", "", "\r\n");
+        rows.add("degrees," + String.join(",", methods()));
+        for (int degrees = 0; degrees <= SlopeFigure.STEEPEST; degrees++) {
+            var row = new StringJoiner(",").add("" + degrees);
+            for (List<Double> curve : light.values())
+                row.add(curve.get(degrees).isNaN() ? "" : "" + curve.get(degrees));
+            rows.add(row.toString());
+        }
+        return rows.toString();
+    }
+
+    private void paint(Graphics2D graphics, Language language) {
+        Texts texts = Texts.of("line", language);
+        XYChart chart =
+                new XYChartBuilder()
+                        .title(texts.text("chart.brightness"))
+                        .xAxisTitle(texts.text("chart.degrees"))
+                        .yAxisTitle(texts.text("chart.light"))
+                        .build();
+        ChartLook.PAPER.style(chart.getStyler());
+        chart.getStyler()
+                .setXAxisMin(0.0)
+                .setXAxisMax((double) SlopeFigure.STEEPEST)
+                .setYAxisMin(0.0)
+                .setYAxisMax(HIGHEST);
+        chart.getStyler().setLegendPosition(LegendPosition.OutsideS);
+        chart.getStyler().setLocale(Locale.ROOT);
+        Map<String, MethodLook> looks = MethodLook.of(new FigureTopics().methods(LineMode.SEGMENT));
+        for (String method : methods()) add(chart, method, looks.get(method));
+        chart.paint(graphics, ChartLook.WIDTH, ChartLook.HEIGHT);
+    }
+
+    private void add(XYChart chart, String method, MethodLook look) {
+        var degrees = new ArrayList<Integer>();
+        var shown = new ArrayList<Double>();
+        for (int at = 0; at <= SlopeFigure.STEEPEST; at++) {
+            if (light.get(method).get(at).isNaN()) continue;
+            degrees.add(at);
+            shown.add(light.get(method).get(at));
+        }
+        if (degrees.isEmpty()) return;
+        XYSeries series = chart.addSeries(method, degrees, shown);
+        look.style(series);
+        series.setMarker(SeriesMarkers.NONE);
+    }
+}
