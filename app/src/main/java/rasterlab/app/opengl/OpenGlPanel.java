@@ -1,5 +1,6 @@
 package rasterlab.app.opengl;
 
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
@@ -40,12 +41,21 @@ public final class OpenGlPanel extends LabPanel {
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
         actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        actions.add("copyCommand", () -> command().ifPresent(c -> Copying.text(c, onFailure)));
         actions.add("copyCalls", () -> Copying.text(stage.log().program(), onFailure));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage.picture());
         unsubscribe = model.listen(state -> refresh());
         refresh();
+    }
+
+    /** Of the software picture; empty before there is one. */
+    private Optional<String> command() {
+        OpenGlLabState state = model.state();
+        return state.pictures()
+                .software()
+                .map(drawn -> SoftwareHalf.command(state.choice(), drawn.width(), drawn.height()));
     }
 
     private String angle() {
@@ -83,6 +93,8 @@ public final class OpenGlPanel extends LabPanel {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        actions.enable("copyCommand", command().isPresent());
+        actions.hint("copyCommand", texts.text("copy.software"));
     }
 
     private Chips chips() {

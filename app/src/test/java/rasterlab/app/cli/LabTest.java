@@ -31,6 +31,7 @@ class LabTest {
                 "chart",
                 "hazards",
                 "render",
+                "opengl",
                 "check",
                 "tour",
                 "completion"

@@ -1,0 +1,67 @@
+package rasterlab.app.opengl;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import rasterlab.app.canvas.ShellPath;
+import rasterlab.app.opengl.software.SoftwarePainter;
+import rasterlab.app.opengl.state.GlChoice;
+import rasterlab.app.opengl.state.GlChoice.ImageTexture;
+import rasterlab.app.opengl.state.GlFrame;
+import rasterlab.app.opengl.state.Images;
+import rasterlab.app.opengl.state.Setting;
+import rasterlab.engine.raster.Raster;
+import rasterlab.engine.texture.Texture;
+
+/** The picture of the software pipeline beside OpenGL's, without the window. */
+public final class SoftwareHalf {
+    private static final String OUT = "opengl-software.png";
+
+    private SoftwareHalf() {}
+
+    /**
+     * @param width in pixels, from 1
+     * @param height in pixels, from 1
+     */
+    public static Raster of(GlChoice choice, int width, int height) {
+        try (var painter = new SoftwarePainter()) {
+            var frame = new GlFrame(choice, width, height, new Images().of(choice));
+            return painter.draw(frame, () -> false);
+        }
+    }
+
+    /**
+     * The image of a file as a texture.
+     *
+     * @throws IllegalArgumentException naming the file and what is wrong with it
+     */
+    public static ImageTexture image(Path file) {
+        ImageLoading loading = ImageLoading.of(file, Texture.LARGEST);
+        return loading.image()
+                .orElseThrow(
+                        () ->
+                                new IllegalArgumentException(
+                                        file
+                                                + ": is no image of at most "
+                                                + Texture.LARGEST
+                                                + " pixels a side"));
+    }
+
+    /** The shell command that draws it; an image of the user is looked for where it is run. */
+    static String command(GlChoice choice, int width, int height) {
+        GlChoice first = GlChoice.first();
+        List<String> words = new ArrayList<>(List.of("./lab opengl"));
+        for (Setting each : Setting.values())
+            if (!choice.is(each, first.get(each)))
+                words.add("--set " + each.code() + "=" + choice.get(each));
+        if (choice.is(Setting.IMAGE, "file"))
+            words.add("--image " + ShellPath.quoted(Path.of(choice.file().orElseThrow().name())));
+        words.add("--turn " + choice.turn());
+        words.add("--tilt " + choice.tilt());
+        words.add("--distance " + choice.distance());
+        words.add(String.format(Locale.ROOT, "--size %dx%d", width, height));
+        words.add("--out " + OUT);
+        return String.join(" ", words);
+    }
+}

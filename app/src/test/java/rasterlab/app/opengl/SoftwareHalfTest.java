@@ -1,0 +1,75 @@
+package rasterlab.app.opengl;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.cli.Lab;
+import rasterlab.app.opengl.state.GlChoice;
+import rasterlab.engine.raster.Raster;
+
+class SoftwareHalfTest {
+    private static final int WIDTH = 96;
+    private static final int HEIGHT = 72;
+
+    @TempDir Path folder;
+
+    @ParameterizedTest(name = "the command draws another picture than the tab: {0}")
+    @EnumSource(GlView.class)
+    void commandDrawsThePictureOfTheTab(GlView view) throws IOException {
+        GlChoice choice = view.choice();
+        String command = SoftwareHalf.command(choice, WIDTH, HEIGHT);
+        Path out = folder.resolve("drawn.png");
+        assertEquals("", lab(command.replaceFirst("--out .*", "--out " + out)), command);
+        Raster shown = SoftwareHalf.of(choice, WIDTH, HEIGHT);
+        int[] drawn = ImageIO.read(out.toFile()).getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH);
+        assertArrayEquals(shown.argb(), drawn, command);
+    }
+
+    @ParameterizedTest(name = "{0} is taken")
+    @CsvSource({
+        "--set shade-model, SETTING=OPTION",
+        "--set shade=GL_FLAT, no setting 'shade'; there are scene",
+        "--set shade-model=GL_ROUND, GL_SMOOTH",
+        "--set image=file, needs a file",
+        "--image gone.png, gone.png: is no image",
+        "--tilt 91, from −90 to 90",
+        "--turn 360, must be in",
+        "--distance 2, from 3.8"
+    })
+    void refusesWhatTheTabHasNot(String option, String part) {
+        String complaint = lab("./lab opengl " + option + " --out " + folder.resolve("x.png"));
+        assertTrue(complaint.contains(part), complaint);
+        assertEquals(1, complaint.lines().count(), complaint);
+    }
+
+    @Test
+    void writesPngOnly() {
+        String complaint = lab("./lab opengl --out " + folder.resolve("x.gif"));
+        assertTrue(complaint.contains("allowed is .png"), complaint);
+    }
+
+    /** What it complains of; "" where it is done. */
+    private static String lab(String command) {
+        var err = new ByteArrayOutputStream();
+        int exit =
+                Lab.run(
+                        command.substring("./lab ".length()).split(" "),
+                        new ByteArrayInputStream(new byte[0]),
+                        new PrintStream(new ByteArrayOutputStream()),
+                        new PrintStream(err, true, StandardCharsets.UTF_8));
+        return exit == 0 ? "" : err.toString(StandardCharsets.UTF_8);
+    }
+}
