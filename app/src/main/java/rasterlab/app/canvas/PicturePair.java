@@ -34,7 +34,7 @@ public final class PicturePair extends JPanel implements AutoCloseable {
 
     /** What is in sight, as an SVG document. */
     public String svg() {
-        return PlaneView.svg(this, chosen, other);
+        return SvgPicture.of(this, chosen, other);
     }
 
     /**

@@ -19,7 +19,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.accessibility.AccessibleRole;
 import javax.swing.BorderFactory;
-import javax.swing.JComponent;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import rasterlab.app.language.Texts;
@@ -152,24 +151,6 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     /** What is in sight, without the rings around the points, as an SVG document. */
     public String svg() {
         return SvgPicture.of(getWidth(), getHeight(), this::draw);
-    }
-
-    /** What several views have on the stage that they are on, each in its place, if it is shown. */
-    public static String svg(JComponent stage, PlaneView... views) {
-        return SvgPicture.of(
-                stage.getWidth(),
-                stage.getHeight(),
-                g -> {
-                    for (PlaneView view : views)
-                        if (view.isVisible())
-                            view.draw(
-                                    (Graphics2D)
-                                            g.create(
-                                                    view.getX(),
-                                                    view.getY(),
-                                                    view.getWidth(),
-                                                    view.getHeight()));
-                });
     }
 
     /** Draws what {@link #svg} has. */

@@ -32,6 +32,24 @@ public final class SvgPicture {
                 });
     }
 
+    /** What several views have on the stage that they are on, each in its place, if it is shown. */
+    public static String of(JComponent stage, PlaneView... views) {
+        return of(
+                stage.getWidth(),
+                stage.getHeight(),
+                g -> {
+                    for (PlaneView view : views)
+                        if (view.isVisible())
+                            view.draw(
+                                    (Graphics2D)
+                                            g.create(
+                                                    view.getX(),
+                                                    view.getY(),
+                                                    view.getWidth(),
+                                                    view.getHeight()));
+                });
+    }
+
     /**
      * @param width in pixels
      * @param height in pixels

@@ -13,6 +13,7 @@ import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
 /** The picture of the chosen method, and beside it that of a second one. */
@@ -92,7 +93,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
     }
 
     String svg() {
-        return PlaneView.svg(this, chosen, other);
+        return SvgPicture.of(this, chosen, other);
     }
 
     /** Ends the threads that paint. */
