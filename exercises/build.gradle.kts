@@ -6,4 +6,8 @@ dependencies {
     implementation(project(":engine"))
     implementation(libs.jackson.databind)
     implementation(libs.asm)
+    implementation(libs.commonmark)
+    implementation(libs.jlatexmath)
+    runtimeOnly(libs.jlatexmath.font.cyrillic)
+    implementation(libs.xmlgraphics.commons)
 }

@@ -1,0 +1,15 @@
+package rasterlab.exercises.formula;
+
+/**
+ * A formula as its author wrote it.
+ *
+ * @param tex what stands between the dollars
+ * @param displayed whether it stands on lines of its own, with room for large signs
+ */
+public record Formula(String tex, boolean displayed) {
+    /** With its dollars, as in the statement. */
+    public String source() {
+        String dollars = displayed ? "$$" : "$";
+        return dollars + tex + dollars;
+    }
+}
