@@ -23,6 +23,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.naming.Named;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.formula.Formulas;
 
 /**
  * The tab of exercises without its window: which exercise, its source, what was said to it.
@@ -31,6 +32,7 @@ import rasterlab.exercises.Exercise;
  * on the thread of the executor it is given. Nothing is read before the state is first asked for.
  */
 public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseable {
+    final Formulas formulas = new Formulas();
     private final Supplier<List<Exercise>> catalogue;
     private final CourseServer.Patience patience;
     private final Executor events;

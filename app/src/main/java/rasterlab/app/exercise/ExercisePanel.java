@@ -53,7 +53,7 @@ public final class ExercisePanel extends LabPanel {
                         model.exercises().stream().map(Exercise::id).toList(),
                         this::title,
                         model::choose);
-        statement = new StatementPane(texts.text("statement"));
+        statement = new StatementPane(texts.text("statement"), model.formulas, onFailure);
         editor = new SourceEditor(texts, model::type);
         bar = new EditorBar(model, editor, texts, onFailure);
         result =

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.commonmark.Extension;
 import org.commonmark.ext.gfm.tables.TableBlock;
 import org.commonmark.ext.gfm.tables.TablesExtension;
 import org.commonmark.node.AbstractVisitor;
@@ -19,17 +20,20 @@ import org.commonmark.renderer.NodeRenderer;
 import org.commonmark.renderer.html.AttributeProvider;
 import org.commonmark.renderer.html.HtmlNodeRendererContext;
 import org.commonmark.renderer.html.HtmlRenderer;
+import rasterlab.exercises.formula.Formula;
+import rasterlab.exercises.formula.FormulaMarkdown;
+import rasterlab.exercises.formula.Typeset;
 
 /**
  * An exercise's Markdown as HTML that Swing shows, with its pictures. A block of rows made of
- * {@code #} and {@code .} becomes a picture of pixels. Formulas are text: Unicode has what they
- * need.
+ * {@code #} and {@code .} becomes a picture of pixels.
  */
 final class Statement {
-    private static final List<TablesExtension> EXTENSIONS =
-            List.of((TablesExtension) TablesExtension.create());
+    private static final List<Extension> EXTENSIONS =
+            List.of(TablesExtension.create(), new FormulaMarkdown());
 
     private final Hashtable<URL, Image> pictures = new Hashtable<>();
+    private final StatementFormulas formulas;
     private final String html;
 
     /** What draws the pictures. */
@@ -39,9 +43,16 @@ final class Statement {
 
         /** A picture of the exercise by its name; empty where it cannot be shown. */
         Optional<Image> picture(String name);
+
+        /** Empty as long as the formula is not set. */
+        Optional<Typeset> formula(Formula formula);
     }
 
-    Statement(String markdown, Painter painter) {
+    /**
+     * @param language of notes about formulas, such as "ru"
+     */
+    Statement(String markdown, String language, Painter painter) {
+        formulas = new StatementFormulas(painter::formula, language);
         html =
                 HtmlRenderer.builder()
                         .extensions(EXTENSIONS)
@@ -49,6 +60,7 @@ final class Statement {
                         .sanitizeUrls(true)
                         .attributeProviderFactory(context -> new TableLines())
                         .nodeRendererFactory(context -> new Drawn(context, painter))
+                        .nodeRendererFactory(formulas::renderer)
                         .build()
                         .render(Parser.builder().extensions(EXTENSIONS).build().parse(markdown));
     }
@@ -60,6 +72,10 @@ final class Statement {
     /** What the pictures' addresses in the HTML stand for. */
     Hashtable<URL, Image> pictures() {
         return pictures;
+    }
+
+    StatementFormulas formulas() {
+        return formulas;
     }
 
     /** The rows of a picture of pixels; empty where the text is none. */

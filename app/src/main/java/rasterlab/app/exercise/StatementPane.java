@@ -1,98 +1,115 @@
 package rasterlab.app.exercise;
 
 import com.formdev.flatlaf.util.UIScale;
-import java.awt.Color;
+import java.awt.EventQueue;
 import java.awt.Graphics2D;
 import java.awt.Image;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Consumer;
 import javax.swing.JEditorPane;
-import javax.swing.UIManager;
-import javax.swing.text.html.HTMLEditorKit;
-import javax.swing.text.html.StyleSheet;
+import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Picture;
+import rasterlab.exercises.formula.Formula;
+import rasterlab.exercises.formula.Formulas;
+import rasterlab.exercises.formula.Typeset;
 
 /** What an exercise asks for, as a page. */
-final class StatementPane extends JEditorPane {
+final class StatementPane extends JEditorPane implements Settling {
     private static final long serialVersionUID = 1L;
 
     private static final int CELL = 14;
 
+    private final transient Formulas formulas;
+    private final transient Consumer<Throwable> onFailure;
+    private final StatementKit kit = new StatementKit();
     private String shown = "";
+    private transient volatile CompletableFuture<Void> setting =
+            CompletableFuture.completedFuture(null);
 
-    StatementPane(String accessibleName) {
+    /**
+     * @param onFailure told what kept formulas from being set, on any thread
+     */
+    StatementPane(String accessibleName, Formulas formulas, Consumer<Throwable> onFailure) {
+        this.formulas = formulas;
+        this.onFailure = onFailure;
         setName("statement");
         setEditable(false);
         setBackground(StageColours.now().ground());
-        setEditorKit(new Kit());
+        setEditorKit(kit);
         getAccessibleContext().setAccessibleName(accessibleName);
         putClientProperty(JEditorPane.HONOR_DISPLAY_PROPERTIES, true);
         setBorder(javax.swing.BorderFactory.createEmptyBorder(4, 12, 8, 12));
     }
 
-    /** With a style of its own: setting one would give it to every label's HTML in the program. */
-    private static final class Kit extends HTMLEditorKit {
-        private static final long serialVersionUID = 1L;
-
-        private transient StyleSheet own;
-
-        @Override
-        public StyleSheet getStyleSheet() {
-            if (own == null) own = style(super.getStyleSheet());
-            return own;
-        }
-    }
-
-    private static StyleSheet style(StyleSheet usual) {
-        var style = new StyleSheet();
-        style.addStyleSheet(usual);
-        String line = css(UIManager.getColor("Component.borderColor"));
-        String code = css(StageColours.now().margin());
-        int size = UIManager.getFont("Label.font").getSize();
-        style.addRule("body { margin: 0 }");
-        style.addRule("h1 { font-size: " + (size + 7) + "pt; margin: 6 0 6 0 }");
-        style.addRule("h2 { font-size: " + (size + 2) + "pt; margin: 12 0 4 0 }");
-        style.addRule("p { margin: 4 0 6 0 }");
-        style.addRule("ul { margin-left: 18; margin-top: 2; margin-bottom: 4 }");
-        style.addRule("li { margin: 2 0 2 0 }");
-        style.addRule("body { font-size: " + size + "pt }");
-        style.addRule(
-                "code { font-family: Monospaced; font-size: "
-                        + (size - 1)
-                        + "pt; background-color: "
-                        + code
-                        + " }");
-        style.addRule(
-                "pre { font-family: Monospaced; font-size: "
-                        + (size - 2)
-                        + "pt; background-color: "
-                        + code
-                        + "; padding: 6 }");
-        style.addRule("td { border: 1px solid " + line + "; vertical-align: top }");
-        style.addRule("th { border: 1px solid " + line + "; text-align: left }");
-        return style;
-    }
-
-    private static String css(Color colour) {
-        return "#%06x".formatted(colour.getRGB() & 0xFFFFFF);
-    }
-
-    /** Shows the statement from its beginning, unless it is shown already. */
+    /**
+     * Shows the statement from its beginning, unless it is shown already. Formulas stand there as
+     * their authors wrote them until they are set in the background.
+     */
     void show(Exercise exercise, String language) {
         String markdown = exercise.statement(language);
         if (markdown.equals(shown)) return;
         shown = markdown;
-        var statement = new Statement(markdown, new Pictures(exercise.pictures()));
-        getDocument().putProperty("imageCache", statement.pictures());
-        setText(statement.html());
+        List<Formula> awaited = put(exercise, language);
         setCaretPosition(0);
+        if (awaited.isEmpty()) return;
+        setting =
+                CompletableFuture.runAsync(() -> awaited.forEach(formulas::set))
+                        .thenRunAsync(
+                                () -> {
+                                    if (markdown.equals(shown)) putAgain(exercise, language);
+                                },
+                                EventQueue::invokeLater);
+        setting.exceptionally(
+                failure -> {
+                    onFailure.accept(failure);
+                    return null;
+                });
     }
 
-    private record Pictures(Map<String, Picture> named) implements Statement.Painter {
+    /** The formulas that are not set yet. */
+    private List<Formula> put(Exercise exercise, String language) {
+        var statement =
+                new Statement(
+                        exercise.statement(language),
+                        language,
+                        new Pictures(exercise.pictures(), formulas));
+        kit.setFormulas(statement.formulas().drawn());
+        getDocument().putProperty("imageCache", statement.pictures());
+        setText(statement.html());
+        return statement.formulas().awaited();
+    }
+
+    private void putAgain(Exercise exercise, String language) {
+        Rectangle seen = getVisibleRect();
+        put(exercise, language);
+        setCaretPosition(0);
+        EventQueue.invokeLater(() -> scrollRectToVisible(seen));
+    }
+
+    @Override
+    public void settle() throws InterruptedException {
+        try {
+            setting.get();
+        } catch (ExecutionException e) {
+            throw new IllegalStateException("formulas were not set", e);
+        }
+    }
+
+    private record Pictures(Map<String, Picture> named, Formulas formulas)
+            implements Statement.Painter {
+        @Override
+        public Optional<Typeset> formula(Formula formula) {
+            return formulas.known(formula);
+        }
+
         @Override
         public Image pixels(List<String> rows) {
             return squares(rows);

@@ -9,16 +9,22 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
+import rasterlab.exercises.formula.Formula;
+import rasterlab.exercises.formula.Formulas;
+import rasterlab.exercises.formula.Typeset;
 
 class StatementTest {
     private static final Image PICTURE = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
 
     private final List<List<String>> drawn = new ArrayList<>();
+    private final Formulas formulas = new Formulas();
 
     private Statement of(String markdown) {
         return new Statement(
                 markdown,
+                "en",
                 new Statement.Painter() {
                     @Override
                     public Image pixels(List<String> rows) {
@@ -29,6 +35,11 @@ class StatementTest {
                     @Override
                     public Optional<Image> picture(String name) {
                         return name.equals("there.png") ? Optional.of(PICTURE) : Optional.empty();
+                    }
+
+                    @Override
+                    public Optional<Typeset> formula(Formula formula) {
+                        return formulas.known(formula);
                     }
                 });
     }
@@ -71,6 +82,37 @@ class StatementTest {
     void rowsOfDifferentLengthsAreNoPicture() {
         of("    ##..\n    ..#\n");
         assertEquals(List.of(), drawn);
+    }
+
+    @Test
+    void aFormulaThatIsNotSetYetIsItsSource() {
+        Statement statement = of("Let $a<b$ be.");
+        assertEquals(List.of(new Formula("a<b", false)), statement.formulas().awaited());
+        assertTrue(statement.html().contains("Let $a&lt;b$ be."), statement.html());
+    }
+
+    @Test
+    void aFormulaIsFoundByTheElementOfItsSource() {
+        formulas.set(new Formula("a", false));
+        formulas.set(new Formula("b", true));
+        Statement statement = of("Let $a$ be\n\n$$\nb\n$$\n");
+        assertEquals(List.of(), statement.formulas().awaited());
+        assertEquals(Set.of("formula-0", "formula-1"), statement.formulas().drawn().keySet());
+        String html = statement.html();
+        assertTrue(html.contains("<span id=\"formula-0\">$a$</span>"), html);
+        assertTrue(
+                html.contains("<p class=\"displayed\"><span id=\"formula-1\">$$b$$</span></p>"),
+                html);
+    }
+
+    @Test
+    void aBrokenFormulaIsItsSourceWithANote() {
+        formulas.set(new Formula("\\foo<b", false));
+        String html = of("Let $\\foo<b$ be.\n\n$$\na\n\nrest").html();
+        assertTrue(html.contains("<code>$\\foo&lt;b$</code>"), html);
+        assertTrue(html.contains("(\\foo is no command that is known here)"), html);
+        assertTrue(html.contains("(the closing $$ is missing)"), html);
+        assertTrue(html.contains("<p>rest</p>"), html);
     }
 
     @Test
