@@ -96,7 +96,9 @@ class Classroom(
                 "line",
                 mapOf("en" to "Draw a dot", "ru" to "Нарисуйте точку"),
                 mapOf(
-                    "en" to "Light **one** pixel. <script>alert(1)</script>\n\n![one pixel](dot.svg)\n",
+                    "en" to
+                        "Light **one** pixel at \$x_0\$ for 5 \$. <script>alert(1)</script>\n\n" +
+                        "![one pixel](dot.svg)\n\n\$\\includegraphics{/etc/hostname}\$\n",
                     "ru" to "Зажгите **один** пиксель.",
                 ),
                 mapOf("dot.svg" to Picture.of("dot.svg", DOT.toByteArray())),

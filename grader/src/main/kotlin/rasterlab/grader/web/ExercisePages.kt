@@ -24,6 +24,7 @@ import kotlinx.html.span
 import kotlinx.html.textArea
 import kotlinx.html.unsafe
 import rasterlab.exercises.Exercise
+import rasterlab.exercises.formula.Formulas
 import rasterlab.grader.course.Accounts
 import rasterlab.grader.course.Identity
 import rasterlab.grader.exercise.Exercises
@@ -44,9 +45,11 @@ fun Route.exercisePages(
     intake: Intake,
     queue: GradingQueue,
 ) {
+    val formulas = Formulas()
     get("/exercises") { call.respondExercises(call.someone(accounts), exercises) }
     get("/exercises/{id}") {
-        call.respondExercise(call.someone(accounts), exercises.named(call.parameters.getOrFail("id")), submissions)
+        val exercise = exercises.named(call.parameters.getOrFail("id"))
+        call.respondExercise(call.someone(accounts), exercise, submissions, formulas)
     }
     get("/exercises/{id}/starter") {
         call.someone(accounts)
@@ -89,6 +92,7 @@ private suspend fun ApplicationCall.respondExercise(
     who: Identity,
     exercise: Exercise,
     submissions: Submissions,
+    formulas: Formulas,
 ) {
     val texts = texts()
     val mine = if (who is Identity.Student) submissions.ofStudent(who.id, exercise.id()) else null
@@ -102,7 +106,9 @@ private suspend fun ApplicationCall.respondExercise(
         div("columns wide") {
             article("card statement") {
                 val statement = exercise.statement(texts.language).withoutTitle()
-                unsafe { +markdownAsHtml(statement) { "/exercises/${exercise.id()}/pictures/$it" } }
+                val html =
+                    markdownAsHtml(statement, formulas, texts.language) { "/exercises/${exercise.id()}/pictures/$it" }
+                unsafe { +html }
             }
             section {
                 div("card") {

@@ -5,16 +5,21 @@ import org.commonmark.node.Image
 import org.commonmark.parser.Parser
 import org.commonmark.renderer.html.AttributeProvider
 import org.commonmark.renderer.html.HtmlRenderer
+import rasterlab.exercises.formula.FormulaMarkdown
+import rasterlab.exercises.formula.Formulas
 
-private val EXTENSIONS = listOf(TablesExtension.create())
+private val EXTENSIONS = listOf(TablesExtension.create(), FormulaMarkdown())
 
 /**
- * Markdown, with tables, as HTML in which nothing but Markdown's own elements survives.
+ * Markdown, with tables and formulas, as HTML in which nothing but Markdown's own elements survives.
  *
+ * @param language of notes about formulas
  * @param address where a picture is, by its name
  */
 fun markdownAsHtml(
     markdown: String,
+    formulas: Formulas,
+    language: String,
     address: (String) -> String,
 ): String =
     HtmlRenderer
@@ -26,7 +31,8 @@ fun markdownAsHtml(
             AttributeProvider { node, _, attributes ->
                 if (node is Image) attributes["src"] = address(node.destination)
             }
-        }.build()
+        }.nodeRendererFactory { FormulaPictures(it, formulas, language) }
+        .build()
         .render(
             Parser
                 .builder()

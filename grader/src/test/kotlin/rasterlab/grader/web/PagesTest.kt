@@ -77,6 +77,17 @@ class PagesTest {
         }
 
     @Test
+    fun showsTheFormulasOfAStatementWithoutScriptsAndStyles() =
+        Classroom(folder).open(grades = false) {
+            val cookie = session(form("/join", "course" to newCourse(), "name" to "Ada"))
+            val page = page("/exercises/draw-dot", cookie)
+            assertTrue("""aria-label="x_0"""" in page && " for 5 $." in page, page)
+            assertTrue("""<code>${'$'}\includegraphics{/etc/hostname}${'$'}</code>""" in page, page)
+            assertEquals(1, Regex("<svg").findAll(page).count(), page)
+            assertFalse(Regex("<style|style=").containsMatchIn(page), page)
+        }
+
+    @Test
     fun refusesFormsOfOtherSites() =
         Classroom(folder).open(grades = false) {
             val code = newCourse()

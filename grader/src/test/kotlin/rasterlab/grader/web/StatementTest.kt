@@ -7,13 +7,14 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
 import rasterlab.exercises.catalogue.Catalogue
+import rasterlab.exercises.formula.Formulas
 
 class StatementTest {
     @ParameterizedTest
     @ValueSource(strings = ["en", "ru"])
     fun `the table of points reaches students as lines of bars`(language: String) {
         for (exercise in Catalogue.builtIn().all()) {
-            val html = markdownAsHtml(exercise.statement(language)) { it }
+            val html = markdownAsHtml(exercise.statement(language), Formulas(), language) { it }
             assertTrue("<table>" in html, html)
             assertFalse("|---|" in html, html)
         }
@@ -21,13 +22,65 @@ class StatementTest {
 
     @Test
     fun `elements written inside a table survive`() {
-        val html = markdownAsHtml("| a |\n|---|\n| <b onclick='x'>c</b> |") { it }
+        val html = markdownAsHtml("| a |\n|---|\n| <b onclick='x'>c</b> |", Formulas(), "en") { it }
         assertEquals(1, Regex("<td>&lt;b onclick='x'&gt;c&lt;/b&gt;</td>").findAll(html).count(), html)
     }
 
     @Test
     fun `a picture is looked for beside the page`() {
-        val html = markdownAsHtml("![a line](segment.svg)") { "/pictures/$it" }
+        val html = markdownAsHtml("![a line](segment.svg)", Formulas(), "en") { "/pictures/$it" }
         assertTrue("""src="/pictures/segment.svg"""" in html && """alt="a line"""" in html, html)
     }
+
+    @Test
+    fun `a formula is a picture with its source for those who do not see it`() {
+        val html = html("Let \$a<b\$ be.")
+        assertTrue("""role="img" aria-label="a&lt;b"""" in html && """fill="currentColor"""" in html, html)
+        assertTrue(Regex("""viewBox="0 -\d+ \d+ \d+"""").containsMatchIn(html), html)
+        assertTrue(Regex("""<path d="M[-0-9 MLQCZ]+Z"></path></svg> be""").containsMatchIn(html), html)
+        assertFalse("style=" in html || "NaN" in html, html)
+    }
+
+    @Test
+    fun `a formula goes below the line by whole steps that the style sheet knows`() {
+        val css = checkNotNull(javaClass.getResource("assets/rasterlab.css")).readText()
+        for (tex in listOf("x", "x_1", "\\sqrt{\\frac{a}{b}}", "\\begin{matrix}a\\\\b\\\\c\\\\d\\\\e\\end{matrix}")) {
+            val html = html("\$$tex\$")
+            val steps =
+                checkNotNull(
+                    Regex("""class="formula down-(\d+)"""").find(html),
+                    { html },
+                ).groupValues[1].toInt()
+            val box = checkNotNull(Regex("""viewBox="0 -(\d+) \d+ (\d+)"""").find(html)).groupValues
+            assertEquals(steps * 100.0, box[2].toDouble() - box[1].toDouble(), 1.0, "$tex leaves its baseline")
+            val rule = if (steps == 0) ".formula {" else ".down-$steps { vertical-align: -"
+            assertTrue(rule in css, "no rule '$rule'")
+        }
+        assertTrue(".down-40 {" in css && ".down-41 {" !in css, "the deepest picture has another class")
+    }
+
+    @Test
+    fun `lines of a formula are a paragraph of their own`() {
+        val html = html("so\n$$\n\\frac{a}{b}\n- c\n$$\nis")
+        assertTrue(
+            Regex(
+                """<p>so</p>\s*<p class="displayed"><svg [^<]*<path [^<]*</path></svg></p>\s*<p>is</p>""",
+            ).containsMatchIn(html),
+            html,
+        )
+        assertFalse("<li>" in html, html)
+    }
+
+    @Test
+    fun `a broken formula is its source with a note in the page's language`() {
+        val broken = "Let $\\foo<b$ be \$x\$.\n\n$$\na\n\nrest"
+        val english = html(broken)
+        assertTrue("<code>$\\foo&lt;b$</code>" in english, english)
+        assertTrue("(\\foo is no command that is known here)" in english, english)
+        assertTrue("(the closing $$ is missing)" in english && "<p>rest</p>" in english, english)
+        assertTrue("""aria-label="x"""" in english, english)
+        assertTrue("команда \\foo здесь не известна" in markdownAsHtml(broken, Formulas(), "ru") { it })
+    }
+
+    private fun html(markdown: String) = markdownAsHtml(markdown, Formulas(), "en") { it }
 }
