@@ -28,6 +28,9 @@ final class TypesetView extends View {
     /** Up to here, in em, a formula may leave its line without the lines moving apart. */
     private static final double LEEWAY = 0.1;
 
+    /** What is wider than its line shrinks at most to this part, and only then makes it wider. */
+    private static final double SMALLEST = 0.4;
+
     private static final FontRenderContext EXACT = new FontRenderContext(null, true, true);
 
     private final Typeset.Drawn formula;
@@ -85,12 +88,18 @@ final class TypesetView extends View {
     }
 
     private static double inLine(double needed, double usual, double leeway) {
-        return needed <= usual + leeway ? Math.min(needed, usual) : needed;
+        return needed <= usual + leeway ? usual : needed;
     }
 
     @Override
     public float getPreferredSpan(int axis) {
         return (float) (axis == X_AXIS ? Math.ceil(formula.width() * em) : ascent + descent);
+    }
+
+    @Override
+    public float getMinimumSpan(int axis) {
+        float usual = getPreferredSpan(axis);
+        return axis == X_AXIS ? (float) Math.ceil(SMALLEST * usual) : usual;
     }
 
     @Override
@@ -130,7 +139,8 @@ final class TypesetView extends View {
         own.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         own.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         own.translate(box.x, box.y + ascent);
-        own.scale(em, em);
+        double fitting = Math.min(1, box.width / getPreferredSpan(X_AXIS));
+        own.scale(em * fitting, em * fitting);
         own.fill(formula.outline());
         own.dispose();
     }

@@ -86,14 +86,8 @@ class StatementPaneTest {
     @EnumSource(LabTheme.class)
     void formulasHaveTheColourOfTheText(LabTheme theme) throws Exception {
         StatementPane pane = settled("$\\boxed{E}$", theme, 200);
-        var image = new BufferedImage(200, 100, BufferedImage.TYPE_INT_RGB);
-        EventQueue.invokeAndWait(
-                () -> {
-                    pane.setSize(200, 100);
-                    var g = image.createGraphics();
-                    pane.paint(g);
-                    g.dispose();
-                });
+        var made = new BufferedImage[1];
+        EventQueue.invokeAndWait(() -> made[0] = painted(pane, 200, 100));
         double ground = brightness(StageColours.now().ground());
         double text = brightness(pane.getForeground());
         double farthest = 0;
@@ -102,7 +96,7 @@ class StatementPaneTest {
                 farthest =
                         Math.max(
                                 farthest,
-                                Math.abs(brightness(new Color(image.getRGB(x, y))) - ground));
+                                Math.abs(brightness(new Color(made[0].getRGB(x, y))) - ground));
         assertEquals(Math.abs(text - ground), farthest, 0.2);
     }
 
@@ -133,29 +127,79 @@ class StatementPaneTest {
     }
 
     @Test
+    @DisplayName("a wide formula makes the lines of text longer than the pane")
+    void aWideFormulaShrinks() throws Exception {
+        String wide = "$$\n" + "x_1 + ".repeat(17) + "x\n$$";
+        StatementPane pane = settled(wide, LabTheme.LIGHT, 100);
+        EventQueue.invokeAndWait(
+                () -> {
+                    assertTrue(width(pane) > 500, "wide is " + width(pane));
+                    assertTrue(pane.getMinimumSize().width < 500, pane.getMinimumSize().toString());
+                    BufferedImage image = painted(pane, 500, 100);
+                    assertTrue(lowest(image, 400, 480) > 0, "the end is not in sight");
+                    assertEquals(-1, lowest(image, 490, 500), "something is cut");
+                });
+    }
+
+    @Test
+    @DisplayName("a selected formula is as dark as the selection")
+    void aSelectedFormulaHasTheColourOfSelectedText() throws Exception {
+        StatementPane pane = settled("$\\boxed{E}$", LabTheme.LIGHT, 200);
+        EventQueue.invokeAndWait(
+                () -> {
+                    pane.selectAll();
+                    pane.getCaret().setSelectionVisible(true);
+                    BufferedImage image = painted(pane, 100, 60);
+                    Color marked = pane.getSelectionColor();
+                    int x = (int) typeset(pane).get(0).getPreferredSpan(View.X_AXIS);
+                    int found = 0;
+                    for (int y = 0; y < 60; y++)
+                        for (int at = 0; at < x; at++)
+                            if (image.getRGB(at, y) == marked.getRGB()) found++;
+                    assertTrue(found > 50, "nothing is marked");
+                    assertEquals(-1, lowest(image, 0, 100, 0.2), "dark on the mark");
+                });
+    }
+
+    @Test
     @DisplayName("a formula stands below or above its line")
     void aFormulaStandsOnTheLine() throws Exception {
         StatementPane pane = settled("E$E$", LabTheme.LIGHT, 200);
-        var image = new BufferedImage(100, 60, BufferedImage.TYPE_INT_RGB);
         EventQueue.invokeAndWait(
                 () -> {
-                    pane.setSize(100, 60);
-                    var g = image.createGraphics();
-                    pane.paint(g);
-                    g.dispose();
+                    BufferedImage image = painted(pane, 100, 60);
+                    int middle = middle(pane);
+                    assertEquals(lowest(image, 0, middle), lowest(image, middle, 100), 1);
                 });
-        int middle = (int) pane.modelToView2D(positionOf(pane, "$")).getX();
-        assertEquals(lowest(image, 0, middle), lowest(image, middle, 100), 1);
     }
 
-    private static int positionOf(StatementPane pane, String text) {
-        return text(pane).indexOf(text);
+    /** Where the formula begins. */
+    private static int middle(StatementPane pane) {
+        try {
+            return (int) pane.modelToView2D(text(pane).indexOf("$")).getX();
+        } catch (javax.swing.text.BadLocationException e) {
+            throw new AssertionError("the position is one of the text's", e);
+        }
+    }
+
+    private static BufferedImage painted(StatementPane pane, int width, int height) {
+        var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        pane.setSize(width, height);
+        var g = image.createGraphics();
+        pane.paint(g);
+        g.dispose();
+        return image;
     }
 
     private static int lowest(BufferedImage image, int from, int to) {
+        return lowest(image, from, to, 0.5);
+    }
+
+    /** The lowest row with a pixel darker than that, or -1. */
+    private static int lowest(BufferedImage image, int from, int to, double dark) {
         for (int y = image.getHeight() - 1; y >= 0; y--)
             for (int x = from; x < to; x++)
-                if (brightness(new Color(image.getRGB(x, y))) < 0.5) return y;
+                if (brightness(new Color(image.getRGB(x, y))) < dark) return y;
         return -1;
     }
 
