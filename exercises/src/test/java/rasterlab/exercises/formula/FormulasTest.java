@@ -75,9 +75,9 @@ class FormulasTest {
 
     @Test
     void leavesAGapBeforeTheConditionsOfCases() {
-        double glued = drawn("1,\\text{if } x").width();
-        double apart = drawn("\\begin{cases}1,&\\text{if } x\\end{cases}").width();
-        assertTrue(apart > glued + 1.4, apart + " beside " + glued);
+        String explicit = "\\left\\{\\begin{array}{l}1,\\quad x\\end{array}\\right.";
+        double cases = drawn("\\begin{cases}1,&x\\end{cases}").width();
+        assertEquals(drawn(explicit).width(), cases, 0.3);
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
