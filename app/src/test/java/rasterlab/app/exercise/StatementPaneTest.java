@@ -7,9 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import java.awt.EventQueue;
 import java.awt.image.BufferedImage;
+import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
 import javax.swing.text.AttributeSet;
 import javax.swing.text.View;
 import javax.swing.text.html.CSS;
@@ -115,14 +118,10 @@ class StatementPaneTest {
     @Test
     @DisplayName("lines with formulas lie farther apart than lines without")
     void aFormulaFitsItsLine() throws Exception {
-        double plain = settled("one line", LabTheme.LIGHT, 100).getPreferredSize().height;
+        int plain = height(settled("one line", LabTheme.LIGHT, 100));
         for (String formula : List.of("$x$", "$(x_0, y_1)$", "$|\\Delta y|$", "$2^{30}$"))
-            assertEquals(
-                    plain,
-                    settled("one " + formula, LabTheme.LIGHT, 100).getPreferredSize().height,
-                    formula);
-        double fraction =
-                settled("$$\n\\frac{a}{b}\n$$", LabTheme.LIGHT, 100).getPreferredSize().height;
+            assertEquals(plain, height(settled("one " + formula, LabTheme.LIGHT, 100)), formula);
+        int fraction = height(settled("$$\n\\frac{a}{b}\n$$", LabTheme.LIGHT, 100));
         assertTrue(fraction > plain + 10, fraction + " beside " + plain);
     }
 
@@ -258,15 +257,35 @@ class StatementPaneTest {
     }
 
     private static double width(StatementPane pane) {
-        return typeset(pane).get(0).getPreferredSpan(View.X_AXIS);
+        View formula = typeset(pane).get(0);
+        return onEventThread(() -> formula.getPreferredSpan(View.X_AXIS));
     }
 
     private static List<View> typeset(StatementPane pane) {
-        var found = new ArrayList<View>();
-        View root = pane.getUI().getRootView(pane);
-        root.setSize(500, 1000);
-        collect(root, found);
-        return found;
+        return onEventThread(
+                () -> {
+                    var found = new ArrayList<View>();
+                    View root = pane.getUI().getRootView(pane);
+                    root.setSize(500, 1000);
+                    collect(root, found);
+                    return found;
+                });
+    }
+
+    /** Views may be asked there alone. */
+    private static <T> T onEventThread(Supplier<T> question) {
+        if (EventQueue.isDispatchThread()) return question.get();
+        var answer = new AtomicReference<T>();
+        try {
+            EventQueue.invokeAndWait(() -> answer.set(question.get()));
+        } catch (InterruptedException | InvocationTargetException e) {
+            throw new AssertionError("no answer on the event thread", e);
+        }
+        return answer.get();
+    }
+
+    private static int height(StatementPane pane) {
+        return onEventThread(() -> pane.getPreferredSize().height);
     }
 
     private static void collect(View view, List<View> found) {
