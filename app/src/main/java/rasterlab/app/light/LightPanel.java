@@ -55,10 +55,10 @@ public final class LightPanel extends LabPanel {
         turning = new StepPlayer(canvas, new CubeTurning(model), this::turningReading);
         lightActions = actions(canvas, () -> Copying.picture(stage, onFailure));
         colourActions = actions(canvas, () -> Copying.picture(cube, onFailure));
-        lightActions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         saving = new LitSceneSaving(model, texts, this, onFailure);
         lightActions.add("openScene", saving::open);
         lightActions.add("saveScene", saving::ask);
+        lightActions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         stage.setTransferHandler(new FileDrop(model::open, onFailure));
         lightActions.add(
                 "copyCommand",

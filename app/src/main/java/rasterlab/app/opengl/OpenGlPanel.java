@@ -41,8 +41,8 @@ public final class OpenGlPanel extends LabPanel {
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
         actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
-        actions.add("copyCommand", () -> command().ifPresent(c -> Copying.text(c, onFailure)));
         actions.add("copyCalls", () -> Copying.text(stage.log().program(), onFailure));
+        actions.add("copyCommand", () -> command().ifPresent(c -> Copying.text(c, onFailure)));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage.picture());

@@ -17,6 +17,7 @@ import javax.swing.text.AttributeSet;
 import javax.swing.text.View;
 import javax.swing.text.html.CSS;
 import javax.swing.text.html.HTMLEditorKit;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -32,6 +33,11 @@ import rasterlab.exercises.formula.Formulas;
 class StatementPaneTest {
     private final Formulas formulas = new Formulas();
     private final List<Throwable> failures = new ArrayList<>();
+
+    @AfterAll
+    static void typeIsOfUsualSizeAgain() throws Exception {
+        EventQueue.invokeAndWait(LabTheme.LIGHT::install);
+    }
 
     @AfterEach
     void nothingFailed() {

@@ -3,6 +3,7 @@ package rasterlab.tests.watchdog;
 import java.awt.AWTEvent;
 import java.awt.Component;
 import java.awt.event.InvocationEvent;
+import java.awt.event.WindowEvent;
 import java.lang.management.ThreadInfo;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -16,8 +17,11 @@ import java.util.stream.Collectors;
  * that an event opens ends its stay: while the dialog's own loop runs, the thread is free.
  */
 final class Stay {
-    /** So often the same must be seen in one event: once may be bad luck of a busy machine. */
-    private static final int SEEN = 3;
+    /**
+     * So often, at intervals of 10 ms, the same must be seen in one event: once may be bad luck of
+     * a busy machine.
+     */
+    private static final int SEEN = 5;
 
     /** The newest frames that a fault shows. */
     private static final int FRAMES = 30;
@@ -61,7 +65,8 @@ final class Stay {
         StackTraceElement[] stack = sinceDispatch(thread.getStackTrace());
         frames.merge(own(stack), 1, Integer::sum);
         Optional<Blame> blame = Blame.of(thread.getThreadState(), stack);
-        if (blame.isEmpty()) return Optional.empty();
+        // A window that is closed may wait for the last that it has to write.
+        if (blame.isEmpty() || event.getID() == WindowEvent.WINDOW_CLOSED) return Optional.empty();
         int seen = blamed.merge(blame.get(), 1, Integer::sum);
         return seen == SEEN ? Optional.of(fault(blame.get(), stack)) : Optional.empty();
     }
