@@ -16,6 +16,9 @@ subprojects {
         "testRuntimeOnly"(rootProject.libs.junit.platform.launcher)
     }
 
+    // Letters that are typed in Greek script; \alpha and the like need none of it, and its fonts are not free.
+    configurations.all { exclude(group = "org.scilab.forge", module = "jlatexmath-font-greek") }
+
     // The floor is language level 17; any newer JDK builds it too, so no toolchain is asked for.
     tasks.withType<JavaCompile>().configureEach {
         options.release.set(17)

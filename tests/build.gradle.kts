@@ -5,6 +5,7 @@ plugins {
 dependencies {
     implementation(project(":engine"))
     implementation(project(":app"))
+    implementation(project(":exercises"))
     implementation(libs.jackson.databind)
     implementation(libs.picocli)
     implementation(libs.joml)
@@ -16,7 +17,6 @@ dependencies {
     runtimeOnly(variantOf(libs.lwjgl.opengl) { classifier("natives-linux") })
     implementation(libs.jmh.core)
     annotationProcessor(libs.jmh.generator.annprocess)
-    testImplementation(project(":exercises"))
     testImplementation(project(":grader"))
     testImplementation(libs.archunit)
     testImplementation(libs.jackson.dataformat.toml)

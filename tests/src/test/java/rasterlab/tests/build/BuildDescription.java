@@ -12,6 +12,7 @@ import java.util.TreeSet;
  * What a build says, in words that both builds share.
  *
  * @param modules by name, in no order
+ * @param excluded what libraries want and do not get, {@code group:artifact}
  * @param project version of Rasterlab itself
  * @param javaLevel language level of Java
  * @param kotlin version of the Kotlin compiler
@@ -19,6 +20,7 @@ import java.util.TreeSet;
  */
 record BuildDescription(
         Map<String, Module> modules,
+        Set<String> excluded,
         String project,
         String javaLevel,
         String kotlin,
@@ -39,6 +41,7 @@ record BuildDescription(
     /** One line for each difference, naming its place; empty when both say the same. */
     List<String> differencesTo(BuildDescription other) {
         var differences = new ArrayList<String>();
+        compare("excluded libraries", excluded, other.excluded, differences);
         compare("version of the project", project, other.project, differences);
         compare("Java level", javaLevel, other.javaLevel, differences);
         compare("Kotlin version", kotlin, other.kotlin, differences);

@@ -72,6 +72,12 @@ class BuildEqualityTest {
                         "",
                         "engine: dependency org.joml:joml"),
                 argumentSet(
+                        "a library is left out by Maven alone",
+                        "build.gradle.kts",
+                        "module = \"jlatexmath-font-greek",
+                        "module = \"jlatexmath-font-roman",
+                        "excluded libraries"),
+                argumentSet(
                         "a scope differs",
                         "engine/build.gradle.kts",
                         "implementation(libs.joml)",

@@ -5,7 +5,9 @@ import com.fasterxml.jackson.dataformat.toml.TomlMapper;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import rasterlab.tests.Repository;
 
@@ -26,6 +28,9 @@ final class GradleBuild {
     private static final Pattern NATIVE =
             Pattern.compile(
                     "(\\w+)\\(variantOf\\(libs\\.([\\w.]+)\\) \\{ classifier\\(\"([\\w-]+)\"\\) }\\)");
+    private static final Pattern EXCLUDED =
+            Pattern.compile("exclude\\(group = \"([^\"]+)\", module = \"([^\"]+)\"\\)");
+
     private static final Map<String, String> SCOPES =
             Map.of(
                     "annotationProcessor", "provided",
@@ -60,10 +65,19 @@ final class GradleBuild {
         for (var name : modules.keySet()) scripts.append(build.script(name));
         return new BuildDescription(
                 modules,
+                excluded(scripts),
                 build.project,
                 find("options\\.release\\.set\\((\\d+)\\)", scripts),
                 build.catalogue.at("/versions/kotlin").asText(),
                 find("JvmTarget\\.JVM_(\\d+)", scripts));
+    }
+
+    private static Set<String> excluded(CharSequence scripts) {
+        var found = new TreeSet<String>();
+        EXCLUDED.matcher(scripts)
+                .results()
+                .forEach(match -> found.add(match.group(1) + ":" + match.group(2)));
+        return found;
     }
 
     private String script(String module) {

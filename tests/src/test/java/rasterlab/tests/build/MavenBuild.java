@@ -4,7 +4,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.w3c.dom.Element;
@@ -18,6 +20,7 @@ final class MavenBuild {
     private final Element parent;
     private final Map<String, String> properties = new TreeMap<>();
     private final Map<String, String> managedVersions = new TreeMap<>();
+    private final Set<String> excluded = new TreeSet<>();
 
     private MavenBuild(Path root) throws Exception {
         this.root = root;
@@ -26,8 +29,13 @@ final class MavenBuild {
         for (var property : children(only(parent, "properties")))
             properties.put(property.getTagName(), property.getTextContent().strip());
         var managed = only(only(parent, "dependencyManagement"), "dependencies");
-        for (var dependency : children(managed))
+        for (var dependency : children(managed)) {
             managedVersions.put(key(dependency), resolve(text(dependency, "version")));
+            children(dependency).stream()
+                    .filter(element -> element.getTagName().equals("exclusions"))
+                    .flatMap(exclusions -> children(exclusions).stream())
+                    .forEach(exclusion -> excluded.add(key(exclusion)));
+        }
     }
 
     static BuildDescription read(Path root) throws Exception {
@@ -37,6 +45,7 @@ final class MavenBuild {
             modules.put(module.getTextContent().strip(), build.module(module.getTextContent()));
         return new BuildDescription(
                 modules,
+                build.excluded,
                 build.properties.get("project.version"),
                 build.properties.get("maven.compiler.release"),
                 build.properties.get("kotlin.version"),
