@@ -16,6 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.cli.Lab;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.engine.raster.Raster;
@@ -53,6 +54,21 @@ class SoftwareHalfTest {
         String complaint = lab("./lab opengl " + option + " --out " + folder.resolve("x.png"));
         assertTrue(complaint.contains(part), complaint);
         assertEquals(1, complaint.lines().count(), complaint);
+    }
+
+    @ParameterizedTest(name = "lines shorter than a pixel leave the range of colours: {0}")
+    @ValueSource(
+            strings = {
+                "--size 1x1",
+                "--size 7x3",
+                "--size 800x1",
+                "--size 1x600",
+                "--set scene=globe --set polygon-mode=GL_LINE --distance 16 --size 100x75",
+                "--set scene=globe --set polygon-mode=GL_LINE --distance 16 --turn 40 --tilt 0"
+                        + " --size 200x150"
+            })
+    void drawsEverySize(String options) {
+        assertEquals("", lab("./lab opengl " + options + " --out " + folder.resolve("x.png")));
     }
 
     @Test

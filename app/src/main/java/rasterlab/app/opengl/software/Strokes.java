@@ -43,10 +43,11 @@ final class Strokes {
         double[] from = end(a, a, b, across);
         double[] to = end(b, a, b, across);
         double[] first = inRange(from);
-        if (Arrays.equals(first, from)) band(from, to, across);
+        double[] last = inRange(to);
+        if (Arrays.equals(first, from)) band(from, last, across);
         else {
             band(first, a, across);
-            band(a, to, across);
+            band(a, last, across);
         }
     }
 
