@@ -21,7 +21,7 @@ public final class LabLayout extends JPanel {
 
     /**
      * Width of the inspector at 100 %; more where a list of choices or the buttons below need more,
-     * and at most half of the lab: what then does not fit is scrolled.
+     * and at most half of the lab, unless the buttons do: what then does not fit is scrolled.
      */
     public static final int INSPECTOR = 352;
 
@@ -52,8 +52,9 @@ public final class LabLayout extends JPanel {
         add(chips, "wmin 0, growx");
         add(hiding, "spany 3, growy");
         int usual = UIScale.scale(inspector.stacked() ? STACKED : INSPECTOR);
-        int wide = Math.max(usual, Math.max(needed(inspector), actions.getMinimumSize().width));
-        String width = "w 0:" + wide + "px:50%, ";
+        int buttons = actions.getMinimumSize().width;
+        int wide = Math.max(usual, Math.max(needed(inspector), buttons));
+        String width = "w 0:%dpx:max(50%%,%dpx), ".formatted(wide, buttons);
         add(column, width + "spany 3, growy, wrap, hmin 0");
         add(stage, "wmin 100, hmin 100, wrap");
         add(timeline, "wmin 0, growx");
