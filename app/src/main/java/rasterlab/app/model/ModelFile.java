@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.PictureFile;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.scene.Scene;
@@ -29,8 +30,7 @@ public final class ModelFile {
      * @throws Complaint naming file and line, if one cannot be read, is broken or lies elsewhere
      */
     public static Scene read(Path file, UpAxis up, Consumer<String> notes) {
-        if (Files.isDirectory(file)) throw Complaint.badInput(file + ": is a folder, not a model");
-        if (!Files.isReadable(file)) throw Complaint.badInput(file + ": no such file to read");
+        FileToRead.require(file, "a model");
         try {
             var folder = new OwnFolder(file);
             ObjModel model;
@@ -55,8 +55,12 @@ public final class ModelFile {
     }
 
     private static Optional<Reader> opened(OwnFolder folder, String name) throws IOException {
-        Optional<Path> found = folder.find(name);
-        return found.isEmpty() ? Optional.empty() : Optional.of(text(found.get()));
+        try {
+            Optional<Path> found = folder.find(name);
+            return found.isEmpty() ? Optional.empty() : Optional.of(text(found.get()));
+        } catch (IOException e) {
+            throw new IOException(WholeFile.reason(e), e);
+        }
     }
 
     /** Bytes that are no UTF-8 become a sign that stands for them; names only can have any. */

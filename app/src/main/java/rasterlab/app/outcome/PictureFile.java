@@ -2,7 +2,6 @@ package rasterlab.app.outcome;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Iterator;
@@ -36,9 +35,7 @@ public final class PictureFile {
     }
 
     private static BufferedImage read(Path file) {
-        if (Files.isDirectory(file))
-            throw Complaint.badInput(file + ": is a folder, not a picture");
-        if (!Files.isReadable(file)) throw Complaint.badInput(file + ": no such file to read");
+        FileToRead.require(file, "a picture");
         try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
             Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
             if (!readers.hasNext())

@@ -5,7 +5,6 @@ import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -38,9 +37,7 @@ public final class PngFile {
      * @throws Complaint if there is no such file, or it is no PNG, broken, or of another size
      */
     public static BufferedImage read(Path file, int width, int height) {
-        if (Files.isDirectory(file))
-            throw Complaint.badInput(file + ": is a folder, not a picture");
-        if (!Files.isReadable(file)) throw Complaint.badInput(file + ": no such file to read");
+        FileToRead.require(file, "a picture");
         if (file.toFile().length() == 0)
             throw Complaint.badInput(file + ": the file is empty; expected a PNG picture");
         ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();

@@ -36,12 +36,22 @@ final class Materials {
     }
 
     private boolean readIfThere(String name) throws IOException, BrokenFileException {
-        Optional<Reader> found = files.open(name);
+        Optional<Reader> found = opened(name);
         if (found.isEmpty()) return false;
         try (Reader reader = found.get()) {
             for (ObjMaterial material : MaterialReader.read(name, reader, notes)) add(material);
         }
         return true;
+    }
+
+    private Optional<Reader> opened(String name) throws BrokenFileException {
+        try {
+            return files.open(name);
+        } catch (IOException e) {
+            throw lines.broken(
+                    "material file '%s' cannot be read: %s"
+                            .formatted(Words.shown(name), e.getMessage()));
+        }
     }
 
     private void add(ObjMaterial material) {
