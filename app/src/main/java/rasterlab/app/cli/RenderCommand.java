@@ -190,9 +190,17 @@ final class RenderCommand implements Callable<Integer> {
 
     private DrawnDepths depths(ShownScene opened, Projection chosen, double rho) {
         DrawnDepths all = DrawnDepths.all(chosen, rho);
-        return new DrawnDepths(
-                opened.option(near, Setting.NEAR).orElse(all.near()),
-                opened.option(far, Setting.FAR).orElse(all.far()));
+        double from = opened.option(near, Setting.NEAR).orElse(all.near());
+        double to = opened.option(far, Setting.FAR).orElse(all.far());
+        Optional<Setting<Double>> ofNear = opened.ofFile(near, Setting.NEAR);
+        Optional<Setting<Double>> ofFar = opened.ofFile(far, Setting.FAR);
+        return opened.placed(
+                ofNear,
+                () -> {
+                    DrawnDepths drawn = opened.placed(ofFar, () -> new DrawnDepths(from, to));
+                    drawn.require(chosen, rho);
+                    return drawn;
+                });
     }
 
     private static void requireErrors(Look look) {

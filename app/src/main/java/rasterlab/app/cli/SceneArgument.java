@@ -92,7 +92,7 @@ final class SceneArgument {
         return new ShownScene(
                 said.get(Setting.CAMERA).map(held::seenFrom).orElse(held),
                 said,
-                SceneText.image(file, said),
+                Optional.of(file),
                 command.commandLine().getParseResult()::hasMatchedOption);
     }
 }

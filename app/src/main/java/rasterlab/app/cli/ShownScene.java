@@ -3,6 +3,9 @@ package rasterlab.app.cli;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
+import rasterlab.app.model.SceneText;
+import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.scene.Scene;
 import rasterlab.exercises.scene.Setting;
 import rasterlab.exercises.scene.Settings;
@@ -12,11 +15,11 @@ import rasterlab.exercises.scene.Settings;
  *
  * @param scene seen first as the file says
  * @param said nothing for a scene that the lab has
- * @param image to lay on the faces, where the file names one
+ * @param file that says it; empty for a scene that the lab has
  * @param onCommandLine whether an option was given there
  */
 record ShownScene(
-        Scene scene, Settings said, Optional<Path> image, Predicate<String> onCommandLine) {
+        Scene scene, Settings said, Optional<Path> file, Predicate<String> onCommandLine) {
     /**
      * What counts for an option: the command line before the file, the file before the default.
      *
@@ -33,5 +36,35 @@ record ShownScene(
      */
     <T> Optional<T> option(T value, Setting<T> setting) {
         return Optional.ofNullable(value).or(() -> said.get(setting));
+    }
+
+    /**
+     * The setting, if what counts for it stands in the file.
+     *
+     * @param value null where the command line has none
+     */
+    <T> Optional<Setting<T>> ofFile(T value, Setting<T> setting) {
+        boolean counts = value == null && said.get(setting).isPresent();
+        return counts ? Optional.of(setting) : Optional.empty();
+    }
+
+    /** What {@code make} makes; what it refuses is refused with the setting's place in the file. */
+    <T, R> R placed(Optional<Setting<T>> setting, Supplier<R> make) {
+        try {
+            return make.get();
+        } catch (IllegalArgumentException | Complaint e) {
+            if (setting.isEmpty() || file.isEmpty()) throw e;
+            throw Complaint.badInput(
+                    file.get() + ": " + setting.get().place() + ": " + e.getMessage());
+        }
+    }
+
+    /**
+     * The picture to lay on the faces, where the file names one.
+     *
+     * @throws Complaint if it is not in the file's folder
+     */
+    Optional<Path> image() {
+        return file.flatMap(from -> SceneText.image(from, said));
     }
 }

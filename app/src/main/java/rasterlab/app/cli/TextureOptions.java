@@ -53,11 +53,7 @@ final class TextureOptions {
             throw new IllegalArgumentException(
                     "--texture-image, --wrap and --environment need a texture to be seen; --texture"
                             + " none shows none");
-        Scene changed =
-                Optional.ofNullable(image)
-                        .or(shown::image)
-                        .map(file -> TextureChange.covered(scene, PictureFile.texture(file)))
-                        .orElse(scene);
+        Scene changed = covered(shown, scene, mode);
         if (changed.finishes().stream().allMatch(finish -> finish.texture().isEmpty())) {
             requireNothing(shown, scene, mode);
             return changed;
@@ -70,6 +66,21 @@ final class TextureOptions {
         return new TextureChange(
                         shown.option(along, Setting.WRAP), shown.option(mixed, Setting.ENVIRONMENT))
                 .of(changed);
+    }
+
+    /** The file's picture is not looked for where the command line has another or shows none. */
+    private Scene covered(ShownScene shown, Scene scene, TextureMode mode) {
+        if (image != null) return TextureChange.covered(scene, PictureFile.texture(image));
+        if (mode == TextureMode.NONE) return scene;
+        return shown.image()
+                .map(
+                        file ->
+                                shown.placed(
+                                        Optional.of(Setting.TEXTURE_IMAGE),
+                                        () ->
+                                                TextureChange.covered(
+                                                        scene, PictureFile.texture(file))))
+                .orElse(scene);
     }
 
     /** Passes unless the command line asks for something of a texture that is not there. */

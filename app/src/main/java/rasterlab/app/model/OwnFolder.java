@@ -9,14 +9,21 @@ import rasterlab.app.outcome.Complaint;
 
 /** The folder of a file, out of which no name in it leads. */
 final class OwnFolder {
-    private final Path file;
+    private final String place;
     private final Path folder;
 
     /**
      * @param file exists
      */
     OwnFolder(Path file) throws IOException {
-        this.file = file;
+        this(file, file.toString());
+    }
+
+    /**
+     * @param place what complaints begin with
+     */
+    OwnFolder(Path file, String place) throws IOException {
+        this.place = place;
         folder = file.toAbsolutePath().getParent().toRealPath();
     }
 
@@ -30,19 +37,19 @@ final class OwnFolder {
         try {
             asked = folder.resolve(name.replace('\\', '/')).normalize();
         } catch (InvalidPathException e) {
-            throw Complaint.badInput(file + ": '" + name + "' cannot be a file's name");
+            throw Complaint.badInput(place + ": '" + name + "' cannot be a file's name");
         }
         if (!asked.startsWith(folder)) throw outside(name);
         if (!Files.exists(asked)) return Optional.empty();
         Path real = asked.toRealPath();
         if (!real.startsWith(folder)) throw outside(name);
         if (!Files.isRegularFile(real))
-            throw Complaint.badInput(file + ": '" + name + "' is no file");
+            throw Complaint.badInput(place + ": '" + name + "' is no file");
         return Optional.of(real);
     }
 
     private Complaint outside(String name) {
         return Complaint.badInput(
-                file + ": '" + name + "' leads out of the file's folder, which is not allowed");
+                place + ": '" + name + "' leads out of the file's folder, which is not allowed");
     }
 }

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
@@ -41,8 +42,7 @@ public final class SceneText {
     }
 
     private static SceneFile read(Path file) {
-        if (Files.isDirectory(file)) throw Complaint.badInput(file + ": is a folder, not a scene");
-        if (!Files.isReadable(file)) throw Complaint.badInput(file + ": no such file to read");
+        FileToRead.require(file, "a scene");
         try {
             if (Files.size(file) > SceneFile.LONGEST)
                 throw Complaint.badInput(
@@ -67,17 +67,17 @@ public final class SceneText {
     public static Optional<Path> image(Path file, Settings settings) {
         Optional<String> name = settings.get(Setting.TEXTURE_IMAGE);
         if (name.isEmpty()) return Optional.empty();
+        String place = file + ": " + Setting.TEXTURE_IMAGE.place();
         try {
-            Optional<Path> found = new OwnFolder(file).find(name.get());
+            Optional<Path> found = new OwnFolder(file, place).find(name.get());
             if (found.isPresent()) return found;
         } catch (IOException e) {
             throw Complaint.badInput(
                     "%s: texture '%s' cannot be read: %s"
-                            .formatted(file, name.get(), WholeFile.reason(e)));
+                            .formatted(place, name.get(), WholeFile.reason(e)));
         }
         throw Complaint.badInput(
-                "%s: $.look.%s: there is no texture '%s' in its folder"
-                        .formatted(file, Setting.TEXTURE_IMAGE.field(), name.get()));
+                "%s: there is no texture '%s' in its folder".formatted(place, name.get()));
     }
 
     /** Writes a view whole or not at all. */

@@ -30,7 +30,7 @@ public record DrawnDepths(double near, double far) {
     /**
      * @throws IllegalArgumentException if the range reaches the eye of a perspective picture
      */
-    void require(Projection projection, double rho) {
+    public void require(Projection projection, double rho) {
         double least = LEAST_SHARE * rho;
         if (projection == Projection.PERSPECTIVE && !(near >= least))
             throw new IllegalArgumentException(

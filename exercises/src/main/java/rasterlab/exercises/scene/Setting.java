@@ -156,6 +156,11 @@ public final class Setting<T> {
         return field;
     }
 
+    /** Where a file has it, such as {@code $.look.shading}. */
+    public String place() {
+        return (OF_LOOK.contains(this) ? "$.look." : "$.") + field;
+    }
+
     T read(Place place) {
         return reader.apply(place);
     }
