@@ -37,6 +37,8 @@ class FileComplaintsTest {
                 "one.scene.json | {\"version\": 1, \"version\": 1}",
                 "one.scene.json | []",
                 "one.scene.json | {}",
+                "one.scene.json | {\"version\": 1, \"scene\": 7}",
+                "one.scene.json | {\"version\": 1, \"scene\": {\"name\": \"n\", \"faces\": [{}], \"finishes\": []}}",
                 "one.scene.json | {\"version\": 7}",
                 "one.scene.json | {\"version\": 1, \"colour\": 3}",
                 "one.scene.json | {\"version\": 1, \"scene\": \"castle\"}",

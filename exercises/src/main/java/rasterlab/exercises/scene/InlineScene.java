@@ -25,6 +25,8 @@ final class InlineScene {
         List<Place> faces = scene.at("faces").members();
         List<Finish> finishes =
                 scene.at("finishes").members().stream().map(FinishJson::read).toList();
+        if (finishes.isEmpty() && !faces.isEmpty())
+            throw scene.at("finishes").wrong("must not be empty where there are faces");
         int[] finishOf =
                 faces.stream()
                         .mapToInt(

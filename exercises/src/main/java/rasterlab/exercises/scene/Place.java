@@ -50,6 +50,13 @@ final class Place {
         return this;
     }
 
+    /** This place, which holds an object or could have held a scene's name. */
+    Place nameOrObject() {
+        if (!node.isObject())
+            throw wrong("must be a scene's name or an object {…}, got " + shown());
+        return this;
+    }
+
     boolean has(String field) {
         return node.has(field);
     }

@@ -23,11 +23,11 @@ final class ViewJson {
                     place -> {
                         throw place.wrong("is for scenes by name, not for one in the file");
                     });
-            return new SceneSource.Inline(InlineScene.read(scene));
+            return new SceneSource.Inline(InlineScene.read(scene.nameOrObject()));
         }
         scene.made(place -> Scenes.named(place.text()));
         OptionalInt steps =
-                detail.map(place -> OptionalInt.of(place.integer(1, Integer.MAX_VALUE)))
+                detail.map(place -> OptionalInt.of(place.integer(Scenes.COARSEST, Scenes.FINEST)))
                         .orElse(OptionalInt.empty());
         return detail.orElse(scene).made(place -> new SceneSource.ByName(scene.text(), steps));
     }

@@ -6,6 +6,12 @@ import rasterlab.engine.scene.Scene;
 
 /** The scenes that can be named. */
 public final class Scenes {
+    /** The fewest faces once round a surface. */
+    public static final int COARSEST = Recipe.COARSEST;
+
+    /** The most. */
+    public static final int FINEST = Recipe.FINEST;
+
     private static final List<Recipe> RECIPES =
             List.of(
                     WorkedScenes.vase(),
