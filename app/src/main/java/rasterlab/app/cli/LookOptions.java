@@ -22,6 +22,9 @@ import rasterlab.exercises.scene.Setting;
 
 /** The options of {@code ./lab render} that say how a scene is drawn. */
 final class LookOptions {
+    /** Turns off what a scene file turns on. */
+    private static final String NONE = "none";
+
     @Option(
             names = "--shading",
             paramLabel = "METHOD",
@@ -42,7 +45,7 @@ final class LookOptions {
             names = "--terms",
             paramLabel = "TERM,…",
             split = ",",
-            description = "what light is seen: ${COMPLETION-CANDIDATES}; default: all",
+            description = "what light is seen: ${COMPLETION-CANDIDATES}; or none; default: all",
             completionCandidates = EngineNames.OfLightTerms.class)
     private List<String> terms;
 
@@ -79,8 +82,11 @@ final class LookOptions {
                             + " angle, but no outlines; default: 0")
     private Double crease;
 
-    @Option(names = "--outline", description = "draws the faces' edges; painters only")
-    private boolean outline;
+    @Option(
+            names = "--outline",
+            negatable = true,
+            description = "draws the faces' edges, or not; painters only")
+    private Boolean outline;
 
     @Option(
             names = "--clip-plane",
@@ -100,13 +106,13 @@ final class LookOptions {
             fallbackValue = "" + DepthCue.USUAL,
             description =
                     "fades what is far into the background, the farthest point by this share;"
-                            + " ${FALLBACK-VALUE} if none is given")
+                            + " ${FALLBACK-VALUE} if none is given, 0 for no fading")
     private Double depthCue;
 
     @Option(
             names = "--stereo",
             paramLabel = "KIND",
-            description = "for two eyes: ${COMPLETION-CANDIDATES}",
+            description = "for two eyes: ${COMPLETION-CANDIDATES}; or none",
             completionCandidates = EngineNames.OfStereoKinds.class)
     private String stereo;
 
@@ -139,13 +145,17 @@ final class LookOptions {
                         .withWire(wire(shown))
                         .withClipPlanes(
                                 shown.option(clipPlanes, Setting.CLIP_PLANES).orElse(List.of()));
-        if (outline) look = outlined(look);
-        else if (outlines(shown, look)) look = look.withOutline();
-        DepthCue given = depthCue == null ? null : new DepthCue(depthCue);
-        Optional<DepthCue> cue = shown.option(given, Setting.DEPTH_CUE);
+        if (outline == null ? outlines(shown, look) : outline)
+            look = outline == null ? look.withOutline() : outlined(look);
+        Optional<DepthCue> cue = cue(shown);
         if (cue.isPresent()) look = look.withCue(cue.get());
         Optional<Stereo> eyesApart = stereo(shown, projection, rho);
         return eyesApart.isPresent() ? look.withStereo(eyesApart.get()) : look;
+    }
+
+    private Optional<DepthCue> cue(ShownScene shown) {
+        if (depthCue == null) return shown.said().get(Setting.DEPTH_CUE);
+        return depthCue == 0 ? Optional.empty() : Optional.of(new DepthCue(depthCue));
     }
 
     private ShadingMethod shading(ShownScene shown) {
@@ -217,9 +227,7 @@ final class LookOptions {
     }
 
     private Optional<Stereo> stereo(ShownScene shown, Projection projection, double rho) {
-        boolean two = stereo != null || projection == Projection.PERSPECTIVE;
-        Stereo.Kind given = stereo == null ? null : Stereo.Kind.named(stereo);
-        Optional<Stereo.Kind> kind = two ? shown.option(given, Setting.STEREO) : Optional.empty();
+        Optional<Stereo.Kind> kind = kind(shown, projection);
         if (kind.isEmpty() && eyes != null)
             throw new IllegalArgumentException("--eyes needs --stereo");
         Double apart = eyes == null ? null : (Double) eyes.units(rho);
@@ -227,8 +235,17 @@ final class LookOptions {
         return kind.map(shownAs -> new Stereo(shownAs, separation));
     }
 
+    private Optional<Stereo.Kind> kind(ShownScene shown, Projection projection) {
+        if (NONE.equals(stereo)) return Optional.empty();
+        if (stereo != null) return Optional.of(Stereo.Kind.named(stereo));
+        return projection == Projection.PERSPECTIVE
+                ? shown.said().get(Setting.STEREO)
+                : Optional.empty();
+    }
+
     private Set<LightTerm> seenTerms(ShownScene shown) {
         if (terms == null) return shown.said().get(Setting.TERMS).orElse(LightTerm.all());
+        if (terms.equals(List.of(NONE))) return Set.of();
         if (terms.isEmpty())
             throw new IllegalArgumentException(
                     "--terms needs one of " + String.join(", ", LightTerm.names()));

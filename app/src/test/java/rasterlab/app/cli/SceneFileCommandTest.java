@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -11,6 +12,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -169,6 +171,73 @@ class SceneFileCommandTest {
                                 + none
                                 + ": $.look.textureImage: there is no texture 'blue.png' in its"
                                 + " folder");
+    }
+
+    @ParameterizedTest(name = "{0} is refused without its place {1}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "'near': 0 | $.near: near must be above 0 in perspective",
+                "'near': -5 | $.near: near must be above 0 in perspective",
+                "'near': 0, 'far': 9 | $.near: near must be above 0 in perspective",
+                "'far': 1e-9 | $.far: near must be below far",
+                "'detail': 0 | $.detail: must be a whole number from 3 to 1024, got 0",
+                "'look': {'textureImage': '../x.png'} | $.look.textureImage: '../x.png' leads out",
+                "'look': {'textureImage': '.'} | $.look.textureImage: '.' is no file",
+                "'look': {'textureImage': 'one.scene.json'} | $.look.textureImage: FOLDER/one.scene"
+                        + ".json: is not a PNG",
+            })
+    void namesThePlace(String said, String complaint) throws Exception {
+        String file =
+                written("{\"version\": 1, \"scene\": \"torus\", " + said.replace('\'', '"') + "}");
+        String real = folder.toRealPath().toString();
+        assertComplaint(file + ": " + complaint.replace("FOLDER", real), "render", file);
+    }
+
+    @Test
+    void namesThePlaceOfAPictureThatCannotBeLaid() throws Exception {
+        ImageIO.write(
+                new BufferedImage(2, 2, BufferedImage.TYPE_INT_RGB),
+                "png",
+                folder.resolve("red.png").toFile());
+        String file =
+                written(
+                        "{\"version\": 1, \"scene\": \"house\", \"look\": {\"textureImage\":"
+                                + " \"red.png\"}}");
+        assertComplaint(
+                file + ": $.look.textureImage: scene 'house' has no texture", "render", file);
+    }
+
+    private static void assertComplaint(String start, String... command) {
+        Ran ran =
+                Ran.lab(
+                        Stream.concat(Arrays.stream(command), Stream.of("--out", "x.png"))
+                                .toArray(String[]::new));
+        assertTrue(ran.err().startsWith("./lab render: " + start), ran.err());
+    }
+
+    @ParameterizedTest(name = "{0} of a file is not turned off by {1}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "'depthCue': 0.9 | --depth-cue 0",
+                "'stereo': 'anaglyph' | --stereo none",
+                "'visibility': 'painter', 'outline': true | --no-outline --visibility painter",
+                "'textureImage': 'gone.png' | --texture none",
+            })
+    void commandLineTurnsOff(String look, String off) throws Exception {
+        String file =
+                written(
+                        "{\"version\": 1, \"scene\": \"torus\", \"look\": {"
+                                + look.replace('\'', '"')
+                                + "}}");
+        assertArrayEquals(drawn("torus", off), drawn(file, off));
+    }
+
+    @Test
+    void noTermAtAllCanBeAskedForInBothPlaces() throws Exception {
+        String file = written("{\"version\": 1, \"scene\": \"torus\", \"look\": {\"terms\": []}}");
+        assertArrayEquals(drawn("torus", "--terms none"), drawn(file, ""));
     }
 
     @Test
