@@ -53,7 +53,7 @@ public final class Texts {
     }
 
     /** All keys, in no order. */
-    Set<String> keys() {
+    public Set<String> keys() {
         return bundle.keySet();
     }
 

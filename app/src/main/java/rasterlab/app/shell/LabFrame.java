@@ -136,6 +136,7 @@ public final class LabFrame extends JFrame {
     private void fill(String tab) {
         Texts texts = Texts.of("shell", language());
         setTitle(texts.text("title"));
+        DialogTexts.install(language());
         tabs = LabTabs.create(models, language(), onFailure);
         content = new LabContent(tabs, tab, look(), this::wear);
         setContentPane(content);
