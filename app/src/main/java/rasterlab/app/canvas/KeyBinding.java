@@ -1,11 +1,12 @@
 package rasterlab.app.canvas;
 
 import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 
-/** Binds keys to actions. */
+/** Binds keys to actions; a character typed with Ctrl belongs to the window. */
 public final class KeyBinding {
     private KeyBinding() {}
 
@@ -30,8 +31,15 @@ public final class KeyBinding {
 
                             @Override
                             public void actionPerformed(ActionEvent e) {
-                                action.run();
+                                if (!typedWithControl(key, e.getModifiers())) action.run();
                             }
                         });
+    }
+
+    /** A typed key stroke fits with every modifier; AltGr is Ctrl with Alt on some systems. */
+    private static boolean typedWithControl(KeyStroke key, int modifiers) {
+        return key.getKeyEventType() == KeyEvent.KEY_TYPED
+                && (modifiers & ActionEvent.CTRL_MASK) != 0
+                && (modifiers & ActionEvent.ALT_MASK) == 0;
     }
 }
