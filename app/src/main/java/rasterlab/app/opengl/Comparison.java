@@ -9,20 +9,24 @@ import rasterlab.engine.raster.Raster;
  * @param plain of pixels that are off by more than {@link PictureDifference#ROUNDING} levels; the
  *     others count as equal here
  * @param rounded pixels that are off by less
+ * @param largest difference of any channel of any pixel, in levels 0 to 255
  */
-public record Comparison(PictureDifference plain, long rounded) {
+public record Comparison(PictureDifference plain, long rounded, int largest) {
     static Comparison of(Raster openGl, Raster software) {
         int[] want = openGl.argb();
         var told = new Raster(software.width(), software.height());
         System.arraycopy(software.argb(), 0, told.argb(), 0, want.length);
         long rounded = 0;
+        int largest = 0;
         for (int i = 0; i < want.length; i++) {
             int have = told.argb()[i];
-            if (have == want[i] || levels(have, want[i]) > PictureDifference.ROUNDING) continue;
+            int levels = levels(have, want[i]);
+            largest = Math.max(largest, levels);
+            if (levels == 0 || levels > PictureDifference.ROUNDING) continue;
             told.argb()[i] = want[i];
             rounded++;
         }
-        return new Comparison(PictureDifference.of(openGl, told), rounded);
+        return new Comparison(PictureDifference.of(openGl, told), rounded, largest);
     }
 
     private static int levels(int a, int b) {

@@ -164,9 +164,7 @@ final class OpenGlInspector {
                                                         texts.locale(), "%.3f", 100 * c.share())))
                         .orElse("–"));
         rounded.setText(found.map(c -> texts.text("pixels", c.rounded())).orElse("–"));
-        largest.setText(
-                found.map(c -> texts.text("levels", c.plain().largestLevelDifference()))
-                        .orElse("–"));
+        largest.setText(found.map(c -> texts.text("levels", c.largest())).orElse("–"));
         write(why, reasons(state));
     }
 
