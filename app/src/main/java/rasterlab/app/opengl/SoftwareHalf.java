@@ -1,5 +1,6 @@
 package rasterlab.app.opengl;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -42,10 +43,20 @@ public final class SoftwareHalf {
                 .orElseThrow(
                         () ->
                                 new IllegalArgumentException(
-                                        file
-                                                + ": is no image of at most "
-                                                + Texture.LARGEST
-                                                + " pixels a side"));
+                                        file + ": " + refusal(file, loading.problem().get())));
+    }
+
+    private static String refusal(Path file, ImageProblem problem) {
+        if (Files.notExists(file)) return "no such file to read";
+        List<Object> arguments = problem.arguments();
+        return switch (problem.key()) {
+            case "unreadable" -> "cannot be read: it is no file, or its rights forbid it";
+            case "unknown" -> "is no PNG, JPEG, GIF or BMP image";
+            case "large" ->
+                    "has %s × %s pixels; a texture here has at most %s on a side"
+                            .formatted(arguments.get(1), arguments.get(2), arguments.get(3));
+            default -> "is a broken image: " + arguments.get(1);
+        };
     }
 
     /** The shell command that draws it; an image of the user is looked for where it is run. */

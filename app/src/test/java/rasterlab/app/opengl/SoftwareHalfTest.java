@@ -4,12 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -45,7 +48,7 @@ class SoftwareHalfTest {
         "--set shade=GL_FLAT, no setting 'shade'; there are scene",
         "--set shade-model=GL_ROUND, GL_SMOOTH",
         "--set image=file, needs a file",
-        "--image gone.png, gone.png: is no image",
+        "--image gone.png, gone.png: no such file to read",
         "--tilt 91, from −90 to 90",
         "--turn 360, must be in",
         "--distance 2, from 3.8"
@@ -69,6 +72,30 @@ class SoftwareHalfTest {
             })
     void drawsEverySize(String options) {
         assertEquals("", lab("./lab opengl " + options + " --out " + folder.resolve("x.png")));
+    }
+
+    @ParameterizedTest(name = "the complaint does not tell what is wrong: {0}")
+    @CsvSource({
+        "folder, cannot be read",
+        "text, 'is no PNG, JPEG, GIF or BMP image'",
+        "cut, is a broken image",
+        "wide, has 9000 × 1 pixels"
+    })
+    void tellsWhatIsWrongWithAnImage(String kind, String part) throws IOException {
+        Path file = folder.resolve(kind);
+        if (kind.equals("folder")) Files.createDirectory(file);
+        if (kind.equals("text")) Files.writeString(file, "no image");
+        if (kind.equals("cut")) Files.write(file, Arrays.copyOf(png(9, 9), 40));
+        if (kind.equals("wide")) Files.write(file, png(9000, 1));
+        String complaint =
+                lab("./lab opengl --image " + file + " --out " + folder.resolve("x.png"));
+        assertTrue(complaint.contains(file + ": " + part), complaint);
+    }
+
+    private static byte[] png(int width, int height) throws IOException {
+        var bytes = new ByteArrayOutputStream();
+        ImageIO.write(new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB), "png", bytes);
+        return bytes.toByteArray();
     }
 
     @Test
