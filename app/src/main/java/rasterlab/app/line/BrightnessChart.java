@@ -10,9 +10,7 @@ import java.util.Map;
 import java.util.StringJoiner;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
-import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.Styler.LegendPosition;
-import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.ChartLook;
@@ -86,7 +84,8 @@ public final class BrightnessChart {
         chart.getStyler().setLegendPosition(LegendPosition.OutsideS);
         chart.getStyler().setLocale(Locale.ROOT);
         Map<String, MethodLook> looks = MethodLook.of(new FigureTopics().methods(LineMode.SEGMENT));
-        for (String method : methods()) add(chart, method, looks.get(method));
+        int number = 0;
+        for (String method : methods()) add(chart, method, looks.get(method).unmarked(number++));
         chart.paint(graphics, ChartLook.WIDTH, ChartLook.HEIGHT);
     }
 
@@ -99,8 +98,6 @@ public final class BrightnessChart {
             shown.add(light.get(method).get(at));
         }
         if (degrees.isEmpty()) return;
-        XYSeries series = chart.addSeries(method, degrees, shown);
-        look.style(series);
-        series.setMarker(SeriesMarkers.NONE);
+        look.style(chart.addSeries(method, degrees, shown));
     }
 }
