@@ -90,6 +90,7 @@ record LitSceneFile(Path file, LightChoice choice) {
                         Renderer.PIPELINE,
                         "--shading",
                         shading.code(),
+                        now.twoSided() ? "--two-sided" : "--no-two-sided",
                         "--camera",
                         eye.thetaRadians() + "," + eye.phiRadians() + "," + eye.rho(),
                         "--zoom",

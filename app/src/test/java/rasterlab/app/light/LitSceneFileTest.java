@@ -19,12 +19,14 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.cli.Lab;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.transform.SphericalView;
 
 @Timeout(120)
 class LitSceneFileTest {
@@ -52,6 +54,20 @@ class LitSceneFileTest {
         String command = file.commands(choice, WIDTH, HEIGHT).split("\n")[2];
         assertTrue(command.contains("--terms specular"), command);
         assertDrawn(choice, ShadingMethod.PHONG, command);
+    }
+
+    @ParameterizedTest(name = "the command lights sides as the scene has them, not as shown: {0}")
+    @ValueSource(booleans = {true, false})
+    void commandLightsTheSidesOfTheLab(boolean twoSided) throws IOException {
+        LightChoice choice =
+                LightChoice.first()
+                        .with(new Body("vase", 12, Body.OWN))
+                        .with(new SphericalView(0.5, 0.5, 600))
+                        .withTwoSides(twoSided);
+        Path path = folder.resolve("lit one.scene.json");
+        LitSceneFile.write(choice.withTwoSides(!twoSided), path);
+        String command = new LitSceneFile(path, choice).commands(choice, WIDTH, HEIGHT);
+        assertDrawn(choice, ShadingMethod.PHONG, command.split("\n")[2]);
     }
 
     @Test
