@@ -98,11 +98,6 @@ record LightChoice(
         return withZoom(Math.max(SMALLEST, Math.min(LARGEST, zoom * factor)));
     }
 
-    /** Whether the lab shows a scene so much larger. */
-    static boolean zooms(double factor) {
-        return factor >= SMALLEST && factor <= LARGEST;
-    }
-
     LightChoice withZoom(double factor) {
         var draft = new Draft(this);
         draft.zoom = factor;

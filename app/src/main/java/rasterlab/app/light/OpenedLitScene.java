@@ -52,20 +52,16 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
                         .withTerms(said.get(Setting.TERMS).orElse(next.terms()))
                         .withTwoSides(said.get(Setting.TWO_SIDED).orElse(next.twoSided()));
         Optional<Double> zoom = said.get(Setting.ZOOM);
-        if (zoom.isPresent()) {
-            if (!LightChoice.zooms(zoom.get()))
-                throw Complaint.badInput(
-                        "%s: zoom must be in [%s, %s], got %s"
-                                .formatted(
-                                        file,
-                                        LightChoice.SMALLEST,
-                                        LightChoice.LARGEST,
-                                        zoom.get()));
-            next = next.withZoom(zoom.get());
-        }
+        if (zoom.isPresent()) next = zoomed(next, zoom.get(), notes);
         String passed = passedOver(said);
         if (!passed.isEmpty()) notes.add("this lab does not draw what the file says of " + passed);
         return new OpenedLitScene(next, List.copyOf(notes), inline && notes.isEmpty());
+    }
+
+    private static LightChoice zoomed(LightChoice choice, double zoom, List<String> notes) {
+        double shown = Math.max(LightChoice.SMALLEST, Math.min(LightChoice.LARGEST, zoom));
+        if (shown != zoom) notes.add("zoom is %s, not the file's %s".formatted(shown, zoom));
+        return choice.withZoom(shown);
     }
 
     private static Body body(Path file, SceneSource source, int detail) {

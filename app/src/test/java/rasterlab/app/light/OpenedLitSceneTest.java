@@ -132,6 +132,16 @@ class OpenedLitSceneTest {
         assertEquals(LightChoice.first().body(), model.kept().light().body());
     }
 
+    @ParameterizedTest(name = "a file is refused for a zoom that the lab has not: {0}")
+    @CsvSource({"16, 8", "0.1, 0.25"})
+    void cutsTheZoomToItsOwn(double said, double shown) throws IOException, InterruptedException {
+        open(written("\"torus\", \"detail\": 20, \"zoom\": " + said));
+        assertEquals("torus", model.state().choice().body().name());
+        assertEquals(shown, model.state().choice().zoom());
+        String note = "zoom is %s, not the file's %s".formatted(shown, said);
+        assertTrue(model.state().problem().endsWith(note), model.state().problem());
+    }
+
     @ParameterizedTest(name = "not said, or in English: {0}")
     @CsvSource(
             quoteCharacter = '`',
@@ -140,6 +150,8 @@ class OpenedLitSceneTest {
                 "{ | in 1",
                 "{\"version\": 1, \"scene\": \"vase\", \"look\": {\"cull\": \"x\"}} | $.look.cull",
                 "{\"version\": 1, \"scene\": \"vase\", \"zoom\": 9} | 9",
+                "{\"version\": 1, \"scene\": \"vase\", \"zoom\": 9, \"look\": {\"cull\":"
+                        + " \"back\"}} | cull",
                 "{\"version\": 1, \"scene\": \"vase\", \"look\": {\"cull\": \"back\","
                         + " \"stereo\": \"anaglyph\"}} | stereo, cull",
                 "{\"version\": 1, \"topic\": \"line\", \"input\": {}} | lab run",
