@@ -31,6 +31,10 @@ public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
     private static final List<float[]> DASHES =
             List.of(new float[0], new float[] {8, 4}, new float[] {2, 3}, new float[] {8, 3, 2, 3});
 
+    /** Of lines with a point every 9 pixels, as dashes begin anew at each point. */
+    private static final List<float[]> SHORT_DASHES =
+            List.of(new float[0], new float[] {3, 5}, new float[] {2, 2}, new float[] {1, 7});
+
     private static final int MOST = 28;
     private static final float WIDTH = 2;
 
@@ -69,7 +73,7 @@ public record MethodLook(Color colour, Marker marker, BasicStroke stroke) {
      */
     public MethodLook unmarked(int number) {
         return new MethodLook(
-                colour, SeriesMarkers.NONE, stroke(DASHES.get(number % DASHES.size())));
+                colour, SeriesMarkers.NONE, stroke(SHORT_DASHES.get(number % SHORT_DASHES.size())));
     }
 
     /** Gives a series this look. */
