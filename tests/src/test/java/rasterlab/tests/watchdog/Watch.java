@@ -1,6 +1,5 @@
 package rasterlab.tests.watchdog;
 
-import java.awt.Toolkit;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadInfo;
 import java.lang.management.ThreadMXBean;
@@ -18,7 +17,7 @@ final class Watch implements AutoCloseable {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
-    private final WatchedQueue queue = new WatchedQueue(this::ended);
+    private final WatchedQueue queue = WatchedQueue.telling(this::ended);
     private final Thread looker = new Thread(this::run, "event watchdog");
     private List<String> faults = new ArrayList<>();
     private List<Stay> longStays = new ArrayList<>();
@@ -28,7 +27,6 @@ final class Watch implements AutoCloseable {
 
     static Watch begin() {
         var watch = new Watch();
-        Toolkit.getDefaultToolkit().getSystemEventQueue().push(watch.queue);
         watch.looker.setDaemon(true);
         watch.looker.start();
         return watch;

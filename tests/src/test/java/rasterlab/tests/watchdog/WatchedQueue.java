@@ -2,25 +2,38 @@ package rasterlab.tests.watchdog;
 
 import java.awt.AWTEvent;
 import java.awt.EventQueue;
+import java.awt.Toolkit;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** The queue of events that tells which event keeps its thread now. */
+/**
+ * The queue of events that tells which event keeps its thread now. There is one, and it stays: who
+ * drives windows goes on posting to every queue that they ever had, and waits for an answer.
+ */
 final class WatchedQueue extends EventQueue {
-    private final Consumer<Stay> ended;
+    private static Optional<WatchedQueue> installed = Optional.empty();
+
+    private volatile Consumer<Stay> ended = stay -> {};
 
     /** Events that have begun and not ended, the innermost first; on the event thread. */
     private final Deque<AWTEvent> open = new ArrayDeque<>();
 
     private volatile Optional<Stay> now = Optional.empty();
 
+    private WatchedQueue() {}
+
     /**
      * @param ended told each stay when it is over, on the event thread
      */
-    WatchedQueue(Consumer<Stay> ended) {
-        this.ended = ended;
+    static synchronized WatchedQueue telling(Consumer<Stay> ended) {
+        if (installed.isEmpty()) {
+            installed = Optional.of(new WatchedQueue());
+            Toolkit.getDefaultToolkit().getSystemEventQueue().push(installed.get());
+        }
+        installed.get().ended = ended;
+        return installed.get();
     }
 
     /** Empty while the thread is free. */
@@ -60,8 +73,8 @@ final class WatchedQueue extends EventQueue {
                 });
     }
 
-    /** Gives events back to the queue before. */
+    /** Tells nobody any more. */
     void leave() {
-        pop();
+        ended = stay -> {};
     }
 }
