@@ -37,6 +37,10 @@ subprojects {
         useJUnitPlatform()
         maxHeapSize = "1g"
         systemProperty("file.encoding", "UTF-8")
+        // A test that hangs fails with the stacks of all threads; one that cannot be interrupted ends its module.
+        systemProperty("junit.jupiter.execution.timeout.default", "10 m")
+        systemProperty("junit.jupiter.execution.timeout.threaddump.enabled", "true")
+        timeout = java.time.Duration.ofSeconds(1500)
         // Without this module the engine computes one number at a time, with it eight.
         jvmArgs("--add-modules", "jdk.incubator.vector")
     }

@@ -39,6 +39,8 @@ import rasterlab.app.opengl.state.Images;
 /** Each event here lasts until the watchdog has seen what it does. */
 @Timeout(60)
 class EventWatchdogTest {
+    private static final long LIMIT_NANOS = TimeUnit.SECONDS.toNanos(20);
+
     @BeforeEach
     void hasDisplay() {
         assumeFalse(GraphicsEnvironment.isHeadless(), "no display");
@@ -52,13 +54,17 @@ class EventWatchdogTest {
     private static String fault(Work work) throws Exception {
         try (var watch = Watch.begin()) {
             EventQueue.invokeAndWait(() -> repeat(watch, work));
-            return watch.takeFaults().get(0);
+            List<String> faults = watch.takeFaults();
+            assertEquals(1, faults.size(), "faults");
+            return faults.get(0);
         }
     }
 
+    /** Ends without a fault too: an event that goes on for ever would stop all tests after it. */
     private static void repeat(Watch watch, Work work) {
+        var stay = new Stay(new ActionEvent("", 0, ""));
         try {
-            while (!watch.hasFault()) work.run();
+            while (!watch.hasFault() && stay.age() < LIMIT_NANOS) work.run();
         } catch (Exception e) {
             throw new IllegalStateException(e);
         }
@@ -151,6 +157,19 @@ class EventWatchdogTest {
     private static void count(Stay[] sink) {
         var stay = new Stay(new ActionEvent("", 0, ""));
         while (stay.age() < 4 * Watch.LONG_NANOS) sink[0] = stay;
+    }
+
+    /** A test of watching runs beside the watch of the whole run. */
+    @Test
+    void faultGoesToTheNewestWatchAndNotHalfToEach() throws Exception {
+        try (var outer = Watch.begin()) {
+            for (int round = 0; round < 5; round++) {
+                fault(() -> TimeUnit.MILLISECONDS.sleep(5));
+                assertEquals(List.of(), outer.takeFaults());
+            }
+            EventQueue.invokeAndWait(() -> repeat(outer, () -> TimeUnit.MILLISECONDS.sleep(5)));
+            assertEquals(1, outer.takeFaults().size(), "of the one that is left");
+        }
     }
 
     @Test

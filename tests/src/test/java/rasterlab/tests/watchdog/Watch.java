@@ -17,7 +17,7 @@ final class Watch implements AutoCloseable {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
 
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
-    private final WatchedQueue queue = WatchedQueue.telling(this::ended);
+    private final WatchedQueue queue = WatchedQueue.installed();
     private final Thread looker = new Thread(this::run, "event watchdog");
     private List<String> faults = new ArrayList<>();
     private List<Stay> longStays = new ArrayList<>();
@@ -27,6 +27,7 @@ final class Watch implements AutoCloseable {
 
     static Watch begin() {
         var watch = new Watch();
+        watch.queue.join(watch);
         watch.looker.setDaemon(true);
         watch.looker.start();
         return watch;
@@ -35,13 +36,13 @@ final class Watch implements AutoCloseable {
     private void run() {
         while (!closed) {
             LockSupport.parkNanos(LOOK_NANOS);
-            queue.now().filter(stay -> stay.age() >= LOOK_NANOS).ifPresent(this::look);
+            queue.now(this).filter(stay -> stay.age() >= LOOK_NANOS).ifPresent(this::look);
         }
     }
 
     private void look(Stay stay) {
         ThreadInfo seen = threads.getThreadInfo(stay.threadId(), Integer.MAX_VALUE);
-        boolean still = queue.now().filter(now -> now == stay).isPresent();
+        boolean still = queue.now(this).filter(now -> now == stay).isPresent();
         if (seen == null || !still) return;
         Optional<String> fault = stay.see(seen);
         synchronized (this) {
@@ -49,7 +50,8 @@ final class Watch implements AutoCloseable {
         }
     }
 
-    private void ended(Stay stay) {
+    /** On the event thread. */
+    void ended(Stay stay) {
         if (stay.nanos() <= LONG_NANOS) return;
         synchronized (this) {
             longStays.add(stay);
@@ -58,7 +60,7 @@ final class Watch implements AutoCloseable {
 
     /** What keeps the event thread now; empty while it is free. */
     Optional<Stay> now() {
-        return queue.now();
+        return queue.now(this);
     }
 
     synchronized boolean hasFault() {
@@ -82,6 +84,6 @@ final class Watch implements AutoCloseable {
     @Override
     public void close() {
         closed = true;
-        queue.leave();
+        queue.leave(this);
     }
 }

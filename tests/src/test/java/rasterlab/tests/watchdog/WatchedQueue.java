@@ -6,16 +6,19 @@ import java.awt.Toolkit;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.concurrent.ConcurrentLinkedDeque;
 
 /**
  * The queue of events that tells which event keeps its thread now. There is one, and it stays: who
  * drives windows goes on posting to every queue that they ever had, and waits for an answer.
+ *
+ * <p>The newest watch alone is told: a test of watching has one beside that of the whole run.
  */
 final class WatchedQueue extends EventQueue {
     private static Optional<WatchedQueue> installed = Optional.empty();
 
-    private volatile Consumer<Stay> ended = stay -> {};
+    /** The newest first. */
+    private final Deque<Watch> watches = new ConcurrentLinkedDeque<>();
 
     /** Events that have begun and not ended, the innermost first; on the event thread. */
     private final Deque<AWTEvent> open = new ArrayDeque<>();
@@ -24,21 +27,26 @@ final class WatchedQueue extends EventQueue {
 
     private WatchedQueue() {}
 
-    /**
-     * @param ended told each stay when it is over, on the event thread
-     */
-    static synchronized WatchedQueue telling(Consumer<Stay> ended) {
+    static synchronized WatchedQueue installed() {
         if (installed.isEmpty()) {
             installed = Optional.of(new WatchedQueue());
             Toolkit.getDefaultToolkit().getSystemEventQueue().push(installed.get());
         }
-        installed.get().ended = ended;
         return installed.get();
     }
 
-    /** Empty while the thread is free. */
-    Optional<Stay> now() {
-        return now;
+    /** From now on this one is told, until it leaves or a newer one comes. */
+    void join(Watch watch) {
+        watches.push(watch);
+    }
+
+    void leave(Watch watch) {
+        watches.remove(watch);
+    }
+
+    /** Empty while the thread is free, and for every watch but the newest. */
+    Optional<Stay> now(Watch watch) {
+        return watch == watches.peek() ? now : Optional.empty();
     }
 
     @Override
@@ -69,12 +77,7 @@ final class WatchedQueue extends EventQueue {
         over.ifPresent(
                 stay -> {
                     stay.end();
-                    ended.accept(stay);
+                    Optional.ofNullable(watches.peek()).ifPresent(watch -> watch.ended(stay));
                 });
-    }
-
-    /** Tells nobody any more. */
-    void leave() {
-        ended = stay -> {};
     }
 }
