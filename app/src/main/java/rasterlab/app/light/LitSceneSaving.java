@@ -3,35 +3,31 @@ package rasterlab.app.light;
 import java.awt.Component;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import javax.swing.JFileChooser;
-import javax.swing.JOptionPane;
-import javax.swing.SwingWorker;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import rasterlab.app.canvas.FileWriting;
 import rasterlab.app.canvas.SaveChooser;
-import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 import rasterlab.app.model.SceneText;
-import rasterlab.app.outcome.Complaint;
 
 /** Asks for a file, saves the lit scene there, and knows the commands that draw it from there. */
 final class LitSceneSaving {
     private final LightLabModel model;
     private final Texts texts;
     private final Component parent;
-    private final Consumer<Throwable> onFailure;
+    private final FileWriting writing;
 
     /**
      * @param parent of the dialogs
-     * @param onFailure told what saving threw besides a {@link Complaint}
+     * @param onFailure told what saving threw that no dialog explains
      */
     LitSceneSaving(
             LightLabModel model, Texts texts, Component parent, Consumer<Throwable> onFailure) {
         this.model = model;
         this.texts = texts;
         this.parent = parent;
-        this.onFailure = onFailure;
+        writing = new FileWriting(parent, texts.language(), onFailure);
     }
 
     /** The commands for the three pictures; empty where no file holds the scene. */
@@ -69,32 +65,9 @@ final class LitSceneSaving {
     }
 
     private void write(LightChoice choice, Path file) {
-        new SwingWorker<LitSceneFile, Void>() {
-            @Override
-            protected LitSceneFile doInBackground() {
-                return LitSceneFile.write(choice, file);
-            }
-
-            @Override
-            protected void done() {
-                try {
-                    model.keep(get());
-                } catch (ExecutionException e) {
-                    tell(e.getCause());
-                } catch (InterruptedException e) {
-                    Thread.currentThread().interrupt();
-                }
-            }
-        }.execute();
-    }
-
-    private void tell(Throwable failure) {
-        if (failure instanceof Complaint)
-            JOptionPane.showMessageDialog(
-                    parent,
-                    Complaints.said(texts.language(), failure.getMessage()),
-                    texts.text("scene.save.title"),
-                    JOptionPane.WARNING_MESSAGE);
-        else onFailure.accept(failure);
+        writing.write(
+                texts.text("scene.save.title"),
+                () -> LitSceneFile.write(choice, file),
+                model::keep);
     }
 }

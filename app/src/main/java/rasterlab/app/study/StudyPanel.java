@@ -5,29 +5,25 @@ import java.awt.Insets;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Locale;
-import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
-import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.KeyStroke;
-import javax.swing.SwingWorker;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.FileWriting;
 import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.SaveChooser;
-import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.study.Study;
 
@@ -41,6 +37,7 @@ public final class StudyPanel extends LabPanel {
     private final transient OpenInLab lab;
     private final transient Texts texts;
     private final transient Consumer<Throwable> onFailure;
+    private final transient FileWriting writing;
     private final ChartStage chart;
     private final HazardTable table;
     private final CardLayout cards = new CardLayout();
@@ -65,6 +62,7 @@ public final class StudyPanel extends LabPanel {
         this.onFailure = onFailure;
         setName("study");
         texts = Texts.of("study", language);
+        writing = new FileWriting(this, language, onFailure);
         chart = new ChartStage(model, texts, onFailure);
         table = new HazardTable(model, texts, this::open);
         inspector = new StudyInspector(model, texts, lab, this::open);
@@ -189,12 +187,15 @@ public final class StudyPanel extends LabPanel {
     }
 
     private void writeTable(Path file) {
-        try {
-            WholeFile.requireWritable(file);
-            WholeFile.write(file, table.svg().getBytes(StandardCharsets.UTF_8));
-        } catch (Complaint complaint) {
-            tell(complaint);
-        }
+        byte[] svg = table.svg().getBytes(StandardCharsets.UTF_8);
+        writing.write(
+                texts.text("save.table"),
+                () -> {
+                    WholeFile.requireWritable(file);
+                    WholeFile.write(file, svg);
+                    return file;
+                },
+                done -> {});
     }
 
     private void saveStudy() {
@@ -207,38 +208,14 @@ public final class StudyPanel extends LabPanel {
                 .ifPresent(file -> write(study, file));
     }
 
-    /** Charts take longer to draw than the window may stand still. */
     private void write(Study study, Path file) {
-        new SwingWorker<Void, Void>() {
-            @Override
-            protected Void doInBackground() {
-                StudyFile.write(study, file, texts.language());
-                return null;
-            }
-
-            @Override
-            protected void done() {
-                try {
-                    get();
-                } catch (ExecutionException e) {
-                    tell(e.getCause());
-                } catch (InterruptedException e) {
-                    Thread.currentThread().interrupt();
-                }
-            }
-        }.execute();
-    }
-
-    private void tell(Throwable failure) {
-        if (!(failure instanceof Complaint)) {
-            onFailure.accept(failure);
-            return;
-        }
-        JOptionPane.showMessageDialog(
-                this,
-                Complaints.said(texts.language(), failure.getMessage()),
+        writing.write(
                 texts.text("save.title"),
-                JOptionPane.WARNING_MESSAGE);
+                () -> {
+                    StudyFile.write(study, file, texts.language());
+                    return file;
+                },
+                done -> {});
     }
 
     private void refresh() {

@@ -77,20 +77,9 @@ record LookChoice(
     }
 
     LookChoice withTexture(TextureMode other) {
-        return new LookChoice(
-                other,
-                change,
-                terms,
-                sides,
-                cull,
-                hidden,
-                crease,
-                cue,
-                stereo,
-                eyes,
-                near,
-                far,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.texture = other;
+        return draft.choice();
     }
 
     LookChoice withWrap(Optional<Wrap> wrap) {
@@ -102,198 +91,77 @@ record LookChoice(
     }
 
     private LookChoice with(TextureChange other) {
-        return new LookChoice(
-                texture,
-                other,
-                terms,
-                sides,
-                cull,
-                hidden,
-                crease,
-                cue,
-                stereo,
-                eyes,
-                near,
-                far,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.change = other;
+        return draft.choice();
     }
 
     LookChoice withTerms(Set<LightTerm> other) {
-        return new LookChoice(
-                texture,
-                change,
-                other,
-                sides,
-                cull,
-                hidden,
-                crease,
-                cue,
-                stereo,
-                eyes,
-                near,
-                far,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.terms = other;
+        return draft.choice();
     }
 
     LookChoice withSides(Sides other) {
-        return new LookChoice(
-                texture,
-                change,
-                terms,
-                other,
-                cull,
-                hidden,
-                crease,
-                cue,
-                stereo,
-                eyes,
-                near,
-                far,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.sides = other;
+        return draft.choice();
     }
 
     LookChoice withCull(Cull other) {
-        return new LookChoice(
-                texture,
-                change,
-                terms,
-                sides,
-                other,
-                hidden,
-                crease,
-                cue,
-                stereo,
-                eyes,
-                near,
-                far,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.cull = other;
+        return draft.choice();
     }
 
     LookChoice withHidden(HiddenLines other) {
-        return new LookChoice(
-                texture,
-                change,
-                terms,
-                sides,
-                cull,
-                other,
-                crease,
-                cue,
-                stereo,
-                eyes,
-                near,
-                far,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.hidden = other;
+        return draft.choice();
     }
 
     LookChoice withCrease(double degrees) {
-        return new LookChoice(
-                texture,
-                change,
-                terms,
-                sides,
-                cull,
-                hidden,
-                degrees,
-                cue,
-                stereo,
-                eyes,
-                near,
-                far,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.crease = degrees;
+        return draft.choice();
     }
 
     LookChoice withCue(double share) {
-        return new LookChoice(
-                texture,
-                change,
-                terms,
-                sides,
-                cull,
-                hidden,
-                crease,
-                share,
-                stereo,
-                eyes,
-                near,
-                far,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.cue = share;
+        return draft.choice();
     }
 
     LookChoice withStereo(Optional<Stereo.Kind> other) {
-        return new LookChoice(
-                texture,
-                change,
-                terms,
-                sides,
-                cull,
-                hidden,
-                crease,
-                cue,
-                other,
-                eyes,
-                near,
-                far,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.stereo = other;
+        return draft.choice();
     }
 
     LookChoice withEyes(double share) {
-        return new LookChoice(
-                texture,
-                change,
-                terms,
-                sides,
-                cull,
-                hidden,
-                crease,
-                cue,
-                stereo,
-                share,
-                near,
-                far,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.eyes = share;
+        return draft.choice();
     }
 
     /** A near plane that would pass the far one stays before it. */
     LookChoice withNear(double share) {
-        return new LookChoice(
-                texture,
-                change,
-                terms,
-                sides,
-                cull,
-                hidden,
-                crease,
-                cue,
-                stereo,
-                eyes,
-                Math.min(share, 0.99 * far),
-                far,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.near = Math.min(share, 0.99 * far);
+        return draft.choice();
     }
 
     /** A far plane that would pass the near one stays behind it. */
     LookChoice withFar(double share) {
-        return new LookChoice(
-                texture,
-                change,
-                terms,
-                sides,
-                cull,
-                hidden,
-                crease,
-                cue,
-                stereo,
-                eyes,
-                near,
-                Math.max(share, near / 0.99),
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.far = Math.max(share, near / 0.99);
+        return draft.choice();
     }
 
     LookChoice withClipPlanes(List<ClipPlane> other) {
-        return new LookChoice(
-                texture, change, terms, sides, cull, hidden, crease, cue, stereo, eyes, near, far,
-                other);
+        var draft = new Draft(this);
+        draft.clipPlanes = other;
+        return draft.choice();
     }
 
     /** Two eyes need perspective. */
@@ -318,5 +186,55 @@ record LookChoice(
     DrawnDepths depths(Projection projection, double rho) {
         DrawnDepths all = DrawnDepths.all(projection, rho);
         return new DrawnDepths(near > 0 ? near * rho : all.near(), far * rho);
+    }
+
+    /** The same parts, to be changed one by one. */
+    private static final class Draft {
+        private TextureMode texture;
+        private TextureChange change;
+        private Set<LightTerm> terms;
+        private Sides sides;
+        private Cull cull;
+        private HiddenLines hidden;
+        private double crease;
+        private double cue;
+        private Optional<Stereo.Kind> stereo;
+        private double eyes;
+        private double near;
+        private double far;
+        private List<ClipPlane> clipPlanes;
+
+        Draft(LookChoice from) {
+            texture = from.texture;
+            change = from.change;
+            terms = from.terms;
+            sides = from.sides;
+            cull = from.cull;
+            hidden = from.hidden;
+            crease = from.crease;
+            cue = from.cue;
+            stereo = from.stereo;
+            eyes = from.eyes;
+            near = from.near;
+            far = from.far;
+            clipPlanes = from.clipPlanes;
+        }
+
+        LookChoice choice() {
+            return new LookChoice(
+                    texture,
+                    change,
+                    terms,
+                    sides,
+                    cull,
+                    hidden,
+                    crease,
+                    cue,
+                    stereo,
+                    eyes,
+                    near,
+                    far,
+                    clipPlanes);
+        }
     }
 }

@@ -61,94 +61,41 @@ public record Look(
     }
 
     public Look withVisibility(String other) {
-        return new Look(
-                other,
-                shading,
-                texture,
-                terms,
-                sides,
-                cull,
-                wire,
-                outline,
-                cue,
-                stereo,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.visibility = other;
+        return draft.look();
     }
 
     public Look withShading(ShadingMethod other) {
-        return new Look(
-                visibility,
-                other,
-                texture,
-                terms,
-                sides,
-                cull,
-                wire,
-                outline,
-                cue,
-                stereo,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.shading = other;
+        return draft.look();
     }
 
     public Look withTexture(TextureMode other) {
-        return new Look(
-                visibility,
-                shading,
-                other,
-                terms,
-                sides,
-                cull,
-                wire,
-                outline,
-                cue,
-                stereo,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.texture = other;
+        return draft.look();
     }
 
     /** Lit by some terms only, backs as told. */
     public Look withLight(Set<LightTerm> seen, Sides backs) {
-        return new Look(
-                visibility,
-                shading,
-                texture,
-                seen,
-                backs,
-                cull,
-                wire,
-                outline,
-                cue,
-                stereo,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.terms = seen;
+        draft.sides = backs;
+        return draft.look();
     }
 
     public Look withCull(Cull other) {
-        return new Look(
-                visibility,
-                shading,
-                texture,
-                terms,
-                sides,
-                other,
-                wire,
-                outline,
-                cue,
-                stereo,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.cull = other;
+        return draft.look();
     }
 
     public Look withWire(WireStyle other) {
-        return new Look(
-                visibility,
-                shading,
-                texture,
-                terms,
-                sides,
-                cull,
-                other,
-                outline,
-                cue,
-                stereo,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.wire = other;
+        return draft.look();
     }
 
     /**
@@ -157,64 +104,28 @@ public record Look(
      * @throws IllegalArgumentException if the visibility method draws none
      */
     public Look withOutline() {
-        return new Look(
-                visibility,
-                shading,
-                texture,
-                terms,
-                sides,
-                cull,
-                wire,
-                true,
-                cue,
-                stereo,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.outline = true;
+        return draft.look();
     }
 
     public Look withCue(DepthCue other) {
-        return new Look(
-                visibility,
-                shading,
-                texture,
-                terms,
-                sides,
-                cull,
-                wire,
-                outline,
-                Optional.of(other),
-                stereo,
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.cue = Optional.of(other);
+        return draft.look();
     }
 
     public Look withStereo(Stereo other) {
-        return new Look(
-                visibility,
-                shading,
-                texture,
-                terms,
-                sides,
-                cull,
-                wire,
-                outline,
-                cue,
-                Optional.of(other),
-                clipPlanes);
+        var draft = new Draft(this);
+        draft.stereo = Optional.of(other);
+        return draft.look();
     }
 
     /** Cut by planes in the world. */
     public Look withClipPlanes(List<ClipPlane> other) {
-        return new Look(
-                visibility,
-                shading,
-                texture,
-                terms,
-                sides,
-                cull,
-                wire,
-                outline,
-                cue,
-                stereo,
-                other);
+        var draft = new Draft(this);
+        draft.clipPlanes = other;
+        return draft.look();
     }
 
     /**
@@ -233,5 +144,49 @@ public record Look(
     private static IllegalArgumentException onlyFaces(String what, String allowed) {
         return new IllegalArgumentException(
                 "%s needs faces; surfaces are drawn with %s".formatted(what, allowed));
+    }
+
+    /** The same parts, to be changed one by one. */
+    private static final class Draft {
+        private String visibility;
+        private ShadingMethod shading;
+        private TextureMode texture;
+        private Set<LightTerm> terms;
+        private Sides sides;
+        private Cull cull;
+        private WireStyle wire;
+        private boolean outline;
+        private Optional<DepthCue> cue;
+        private Optional<Stereo> stereo;
+        private List<ClipPlane> clipPlanes;
+
+        Draft(Look from) {
+            visibility = from.visibility;
+            shading = from.shading;
+            texture = from.texture;
+            terms = from.terms;
+            sides = from.sides;
+            cull = from.cull;
+            wire = from.wire;
+            outline = from.outline;
+            cue = from.cue;
+            stereo = from.stereo;
+            clipPlanes = from.clipPlanes;
+        }
+
+        Look look() {
+            return new Look(
+                    visibility,
+                    shading,
+                    texture,
+                    terms,
+                    sides,
+                    cull,
+                    wire,
+                    outline,
+                    cue,
+                    stereo,
+                    clipPlanes);
+        }
     }
 }

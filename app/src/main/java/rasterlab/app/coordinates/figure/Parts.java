@@ -5,9 +5,12 @@ import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
+import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Method;
 
 /** Controls of an inspector, named and said by their key. */
 public final class Parts {
@@ -25,6 +28,33 @@ public final class Parts {
         chooser.setMaximumRowCount(24);
         column.row(key, chooser);
         return chooser;
+    }
+
+    /** The row in which a method is chosen. */
+    public MethodChooser method(List<? extends Method<?>> methods, Consumer<String> chosen) {
+        List<String> names = methods.stream().map(Method::name).toList();
+        var chooser = new MethodChooser("method", "", names, chosen);
+        column.row("method", chooser);
+        return chooser;
+    }
+
+    /**
+     * Rows of numbers across the column.
+     *
+     * @param heading the key of the heading above, by which assistive technology names them
+     */
+    public NumberTable table(String heading) {
+        var table = new NumberTable("table", texts.text(heading));
+        column.wide(table);
+        return table;
+    }
+
+    /** What is told about a method, under its heading. */
+    public AboutText about() {
+        column.heading("heading.about");
+        var about = new AboutText("about", texts.language());
+        column.wide(about);
+        return about;
     }
 
     /** A number, explained by {@code KEY.hint}. */

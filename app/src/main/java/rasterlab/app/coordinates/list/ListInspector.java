@@ -19,7 +19,6 @@ import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.Parts;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.study.Method;
 
 /** The list with its controls, the matrices and the coordinate table. */
 final class ListInspector {
@@ -66,13 +65,7 @@ final class ListInspector {
                         "reading",
                         Stream.of(Reading.values()).map(Reading::code).toList(),
                         code -> model.read(Reading.named(code)));
-        method =
-                new MethodChooser(
-                        "method",
-                        "",
-                        model.methods().stream().map(Method::name).toList(),
-                        model::chooseMethod);
-        column.row("method", method);
+        method = parts.method(model.methods(), model::chooseMethod);
 
         column.heading("heading.list");
         addList();
@@ -95,11 +88,8 @@ final class ListInspector {
         error = column.value("error");
         column.wide(formulas);
         column.heading("heading.table");
-        table = new NumberTable("table", texts.text("heading.table"));
-        column.wide(table);
-        column.heading("heading.about");
-        about = new AboutText("about", texts.language());
-        column.wide(about);
+        table = parts.table("heading.table");
+        about = parts.about();
     }
 
     /** Shows no name once the list is no example any more. */

@@ -1,23 +1,18 @@
 package rasterlab.app.coordinates.list;
 
-import java.awt.CardLayout;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import javax.swing.JPanel;
-import rasterlab.app.canvas.PlaneAxes;
-import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlanePoint;
-import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.coordinates.figure.Box;
 import rasterlab.app.coordinates.figure.Figure;
-import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.PlaneStage;
 import rasterlab.app.language.Texts;
 
 /** The picture of a list; in the plane the subject's corners can be dragged. */
-final class ListStage extends JPanel implements AutoCloseable {
+final class ListStage extends PlaneStage {
     private static final long serialVersionUID = 1L;
 
     private static final double DEGREES_PER_DOT = 0.5;
@@ -27,36 +22,21 @@ final class ListStage extends JPanel implements AutoCloseable {
 
     private final transient ListLabModel model;
     private final transient Texts texts;
-    private final PlaneView view;
     private transient Rectangle2D everything = new Rectangle2D.Double(0, 0, 1, 1);
-    private transient Spot turned = new Spot(0, 0);
 
     ListStage(ListLabModel model, Texts texts, Consumer<Throwable> onFailure) {
-        super(new CardLayout());
+        super(model, texts, onFailure);
         this.model = model;
         this.texts = texts;
-        setOpaque(false);
-        view =
-                new PlaneView(
-                        PlaneAxes.GEOMETRY,
-                        Texts.of("canvas", texts.language()),
-                        texts.text("stage"),
-                        new Edits(),
-                        () -> {},
-                        onFailure);
-        add(view, "stage");
         refresh();
     }
 
-    PlaneView shown() {
-        return view;
-    }
-
-    void refresh() {
+    @Override
+    public void refresh() {
         Figure figure = ListFigure.of(model.scene(), model.step());
         everything = Box.around(ListFigure.of(model.scene(), model.last()).marks());
         everything.add(Box.around(figure.marks()));
-        view.show(figure, points(), note(), everything, model.arrangement());
+        shown().show(figure, points(), note(), everything, model.arrangement());
     }
 
     private String note() {
@@ -83,46 +63,23 @@ final class ListStage extends JPanel implements AutoCloseable {
 
     /** The origin, by which space is turned. */
     private PlanePoint grip() {
-        turned = new Spot(0, 0);
         return new PlanePoint("turn", 0, 0, PlanePoint.Form.CIRCLE, "", texts.text("turn.said"));
     }
 
-    void focusPoint() {
-        view.focusPoint();
-    }
-
-    /** Ends the thread that paints. */
     @Override
-    public void close() {
-        view.close();
+    protected void move(String point, double x, double y) {
+        if (point.startsWith("corner.")) {
+            model.movePoint(Integer.parseInt(point.substring("corner.".length())), x, y);
+            return;
+        }
+        double size = Math.max(everything.getWidth(), everything.getHeight());
+        model.turn(x / size, y / size);
     }
 
-    private final class Edits implements PlaneEdits {
-        @Override
-        public void beginDrag() {
-            model.beginDrag();
-        }
-
-        @Override
-        public void endDrag() {
-            model.endDrag();
-        }
-
-        @Override
-        public void move(String point, double x, double y) {
-            if (point.startsWith("corner.")) {
-                model.movePoint(Integer.parseInt(point.substring("corner.".length())), x, y);
-                return;
-            }
-            double size = Math.max(everything.getWidth(), everything.getHeight());
-            model.turn((x - turned.x()) / size, (y - turned.y()) / size);
-        }
-
-        @Override
-        public boolean turn(int viewRight, int viewDown) {
-            if (model.choice().dimension() == 2) return false;
-            model.turnBy(viewRight * DEGREES_PER_DOT, viewDown * DEGREES_PER_DOT);
-            return true;
-        }
+    @Override
+    protected boolean turn(int viewRight, int viewDown) {
+        if (model.choice().dimension() == 2) return false;
+        model.turnBy(viewRight * DEGREES_PER_DOT, viewDown * DEGREES_PER_DOT);
+        return true;
     }
 }

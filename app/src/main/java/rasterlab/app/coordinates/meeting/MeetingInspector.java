@@ -6,9 +6,9 @@ import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.coordinates.figure.NumberTable;
+import rasterlab.app.coordinates.figure.Parts;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.study.Method;
 
 /** The method, the plane and the line in numbers, and what every method answers. */
 final class MeetingInspector {
@@ -38,14 +38,9 @@ final class MeetingInspector {
         translations = Texts.of("coordinates.meeting", "topic", texts.language());
         readings = new MeetingReadings(model, texts);
         column = new Inspector(texts);
+        var parts = new Parts(column, texts);
         mode.accept(column);
-        method =
-                new MethodChooser(
-                        "method",
-                        "",
-                        model.methods().stream().map(Method::name).toList(),
-                        model::chooseMethod);
-        column.row("method", method);
+        method = parts.method(model.methods(), model::chooseMethod);
         column.heading("heading.plane");
         normal = column.value("normal");
         constant = column.value("constant");
@@ -57,11 +52,8 @@ final class MeetingInspector {
         angle = column.value("angle");
         heights = column.value("heights");
         column.heading("heading.answers");
-        table = new NumberTable("table", texts.text("heading.answers"));
-        column.wide(table);
-        column.heading("heading.about");
-        about = new AboutText("about", texts.language());
-        column.wide(about);
+        table = parts.table("heading.answers");
+        about = parts.about();
     }
 
     Inspector column() {

@@ -15,7 +15,6 @@ import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
@@ -82,10 +81,7 @@ final class StackInspector {
         for (MatrixMode each : MatrixMode.values())
             depths.put(each, column.value("depth." + each.name()));
         column.wide(formulas);
-        column.heading("heading.about");
-        var about = new AboutText("about", texts.language());
-        about.show(texts);
-        column.wide(about);
+        parts.about().show(texts);
     }
 
     private String said(String code) {

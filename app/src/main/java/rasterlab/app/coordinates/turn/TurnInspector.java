@@ -22,7 +22,6 @@ import rasterlab.app.coordinates.figure.SliderField;
 import rasterlab.app.coordinates.figure.Spot;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.PlaneRotation;
-import rasterlab.engine.study.Method;
 
 /** The lab's choosers, the present step and how far each method is off. */
 final class TurnInspector {
@@ -59,13 +58,7 @@ final class TurnInspector {
         column = new Inspector(texts);
         var parts = new Parts(column, texts);
         mode.accept(column);
-        method =
-                new MethodChooser(
-                        "method",
-                        "",
-                        model.methods().stream().map(Method::name).toList(),
-                        model::chooseMethod);
-        column.row("method", method);
+        method = parts.method(model.methods(), model::chooseMethod);
         degrees = parts.number("degrees", DEGREES, model::turnBy);
         times = parts.number("times", TIMES, model::turnTimes);
         x = field("x");
@@ -83,12 +76,9 @@ final class TurnInspector {
         operations = column.value("operations");
 
         column.heading("heading.drift");
-        table = new NumberTable("table", texts.text("heading.drift"));
-        column.wide(table);
+        table = parts.table("heading.drift");
 
-        column.heading("heading.about");
-        about = new AboutText("about", texts.language());
-        column.wide(about);
+        about = parts.about();
     }
 
     private NumberField field(String axis) {

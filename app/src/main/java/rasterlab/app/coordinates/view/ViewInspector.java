@@ -16,7 +16,6 @@ import rasterlab.app.coordinates.figure.NumberTable;
 import rasterlab.app.coordinates.figure.Parts;
 import rasterlab.app.coordinates.figure.SliderField;
 import rasterlab.app.language.Texts;
-import rasterlab.engine.study.Method;
 
 /** The lab's choosers, its live numbers, matrices and coordinate table. */
 final class ViewInspector {
@@ -69,13 +68,7 @@ final class ViewInspector {
         vanishing =
                 parts.box(
                         "vanishing", shown -> model.rearrange(model.choice().withVanishing(shown)));
-        method =
-                new MethodChooser(
-                        "method",
-                        "",
-                        model.methods().stream().map(Method::name).toList(),
-                        model::chooseMethod);
-        column.row("method", method);
+        method = parts.method(model.methods(), model::chooseMethod);
 
         column.heading("heading.stage");
         stage = column.value("stage.name");
@@ -92,12 +85,9 @@ final class ViewInspector {
         column.heading("heading.table");
         vertex = vertexChooser();
         column.row("vertex", vertex);
-        table = new NumberTable("table", texts.text("heading.table"));
-        column.wide(table);
+        table = parts.table("heading.table");
 
-        column.heading("heading.about");
-        about = new AboutText("about", texts.language());
-        column.wide(about);
+        about = parts.about();
     }
 
     private NameChooser vertexChooser() {
