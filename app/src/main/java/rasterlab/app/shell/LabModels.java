@@ -3,6 +3,7 @@ package rasterlab.app.shell;
 import java.awt.EventQueue;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.clip.ClipLabModel;
@@ -41,19 +42,28 @@ public record LabModels(
      * @param onFailure told what background work threw, on any thread
      */
     public static LabModels first(Consumer<Throwable> onFailure) {
+        return first(EventQueue::invokeLater, onFailure);
+    }
+
+    /**
+     * Every lab as it opens, used on another thread than the event thread.
+     *
+     * @param events runs what it is given on that thread, in order
+     * @param onFailure told what background work threw, on any thread
+     */
+    static LabModels first(Executor events, Consumer<Throwable> onFailure) {
         var renderer = new Renderer();
         return new LabModels(
-                new CoordinatesLabModel(EventQueue::invokeLater, onFailure),
-                new LineLabModel(new LineTopic(), EventQueue::invokeLater, onFailure),
-                new PolygonLabModel(new PolygonTopics(), EventQueue::invokeLater, onFailure),
-                new ClipLabModel(new ClipTopics(), EventQueue::invokeLater, onFailure),
-                new VisibilityLabModel(renderer::render, EventQueue::invokeLater, onFailure),
-                new LightLabModel(EventQueue::invokeLater, onFailure),
-                new SplineLabModel(EventQueue::invokeLater, onFailure),
-                new OpenGlLabModel(EventQueue::invokeLater, onFailure),
-                new StudyLabModel(Topics.all(), EventQueue::invokeLater, onFailure),
-                new ExerciseLabModel(
-                        () -> Catalogue.builtIn().all(), EventQueue::invokeLater, onFailure));
+                new CoordinatesLabModel(events, onFailure),
+                new LineLabModel(new LineTopic(), events, onFailure),
+                new PolygonLabModel(new PolygonTopics(), events, onFailure),
+                new ClipLabModel(new ClipTopics(), events, onFailure),
+                new VisibilityLabModel(renderer::render, events, onFailure),
+                new LightLabModel(events, onFailure),
+                new SplineLabModel(events, onFailure),
+                new OpenGlLabModel(events, onFailure),
+                new StudyLabModel(Topics.all(), events, onFailure),
+                new ExerciseLabModel(() -> Catalogue.builtIn().all(), events, onFailure));
     }
 
     /** What opens as it was left, by the name under which it is kept. */
