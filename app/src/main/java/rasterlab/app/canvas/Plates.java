@@ -44,8 +44,7 @@ public final class Plates {
     public static void sentenceAbove(Graphics2D g, String sentence, int width, int bottom) {
         FontMetrics metrics = g.getFontMetrics();
         StageColours colours = StageColours.now();
-        Color ground = colours.ground();
-        var plate = new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), OPAQUE);
+        Color plate = nearlyOpaque(colours.ground());
         List<String> lines = Wrapping.lines(sentence, width - 48, metrics::stringWidth);
         int high = metrics.getHeight() + 2;
         int y = bottom - high * lines.size();

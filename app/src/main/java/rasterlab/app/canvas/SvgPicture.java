@@ -2,6 +2,7 @@ package rasterlab.app.canvas;
 
 import java.awt.Dimension;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
@@ -39,15 +40,15 @@ public final class SvgPicture {
                 stage.getHeight(),
                 g -> {
                     for (PlaneView view : views)
-                        if (view.isVisible())
-                            view.draw(
-                                    (Graphics2D)
-                                            g.create(
-                                                    view.getX(),
-                                                    view.getY(),
-                                                    view.getWidth(),
-                                                    view.getHeight()));
+                        if (view.isVisible()) within(view.getBounds(), g, view::draw);
                 });
+    }
+
+    /** Draws one part of a picture, with its own origin and cut by its edges. */
+    public static void within(Rectangle place, Graphics2D g, Consumer<Graphics2D> drawing) {
+        var part = (Graphics2D) g.create(place.x, place.y, place.width, place.height);
+        drawing.accept(part);
+        part.dispose();
     }
 
     /**

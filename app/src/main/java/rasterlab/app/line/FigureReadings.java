@@ -76,18 +76,7 @@ final class FigureReadings {
 
     /** How many pixels only one of two methods lights; "" where no two are compared. */
     String apart() {
-        return state.drawings()
-                .apart()
-                .map(
-                        apart ->
-                                state.finished()
-                                        ? texts.text(
-                                                "apart.pixels",
-                                                apart.missing().size() + apart.extra().size(),
-                                                apart.extra().size(),
-                                                apart.missing().size())
-                                        : texts.text("missing.later"))
-                .orElse("");
+        return LineReadings.apart(state.drawings().apart(), state.finished(), texts);
     }
 
     /** The second method beside the exact figure in one line; "" when none is compared. */

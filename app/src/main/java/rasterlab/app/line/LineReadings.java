@@ -1,9 +1,11 @@
 package rasterlab.app.line;
 
 import java.text.NumberFormat;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.raster.PixelDifference;
 
 /** The live numbers of a state as the inspector writes them. */
 final class LineReadings {
@@ -76,18 +78,18 @@ final class LineReadings {
 
     /** How many pixels only one of two methods lights; "" where no two are compared. */
     String apart() {
-        return state.drawings()
-                .apart()
-                .map(
-                        apart ->
-                                state.finished()
-                                        ? texts.text(
-                                                "apart.pixels",
-                                                apart.missing().size() + apart.extra().size(),
-                                                apart.extra().size(),
-                                                apart.missing().size())
-                                        : texts.text("missing.later"))
-                .orElse("");
+        return apart(state.drawings().apart(), state.finished(), texts);
+    }
+
+    /**
+     * @param finished whether all pixels are lit, before which none can be missed
+     */
+    static String apart(Optional<PixelDifference> methods, boolean finished, Texts texts) {
+        if (methods.isEmpty()) return "";
+        if (!finished) return texts.text("missing.later");
+        int extra = methods.get().extra().size();
+        int missing = methods.get().missing().size();
+        return texts.text("apart.pixels", extra + missing, extra, missing);
     }
 
     /** The second method's wrong pixels in one line; "" when none is compared. */

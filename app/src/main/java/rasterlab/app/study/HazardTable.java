@@ -3,6 +3,7 @@ package rasterlab.app.study;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Font;
+import java.awt.Rectangle;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
@@ -98,10 +99,10 @@ final class HazardTable extends JTable {
                 left + right,
                 top + rows,
                 g -> {
-                    corner.print(g.create(0, 0, left, top));
-                    methodNames.print(g.create(left, 0, right, top));
-                    names.print(g.create(0, top, left, rows));
-                    print(g.create(left, top, right, rows));
+                    SvgPicture.within(new Rectangle(0, 0, left, top), g, corner::print);
+                    SvgPicture.within(new Rectangle(left, 0, right, top), g, methodNames::print);
+                    SvgPicture.within(new Rectangle(0, top, left, rows), g, names::print);
+                    SvgPicture.within(new Rectangle(left, top, right, rows), g, this::print);
                 });
     }
 

@@ -1,8 +1,6 @@
 package rasterlab.app.coordinates.turn;
 
-import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.function.Consumer;
@@ -77,13 +75,9 @@ final class TurnStage extends JPanel implements AutoCloseable {
                 getWidth(),
                 getHeight(),
                 g -> {
-                    way.draw(at(way, g));
-                    chart.draw(at(chart, g));
+                    SvgPicture.within(way.getBounds(), g, way::draw);
+                    SvgPicture.within(chart.getBounds(), g, chart::draw);
                 });
-    }
-
-    private static Graphics2D at(Component part, Graphics2D g) {
-        return (Graphics2D) g.create(part.getX(), part.getY(), part.getWidth(), part.getHeight());
     }
 
     void focusPoint() {
