@@ -147,9 +147,15 @@ class SceneFileCommandTest {
                         {"version": 1, "scene": "torus", "look": {"shading": "wire", "crease": 30,
                          "hiddenLines": "dashed", "stereo": "anaglyph", "terms": ["diffuse"]}}
                         """);
-        drawn(file, "--shading phong");
-        drawn(file, "--projection front");
-        drawn(file, "--shading tone");
+        String said = "--terms diffuse --stereo anaglyph --shading ";
+        assertArrayEquals(drawn("torus", said + "phong"), drawn(file, "--shading phong"));
+        assertArrayEquals(
+                drawn(
+                        "torus",
+                        "--projection front --shading wire --crease 30 --hidden-lines dashed"),
+                drawn(file, "--projection front"));
+        assertArrayEquals(
+                drawn("torus", "--stereo anaglyph --shading tone"), drawn(file, "--shading tone"));
     }
 
     @Test

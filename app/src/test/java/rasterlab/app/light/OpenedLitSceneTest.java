@@ -172,25 +172,40 @@ class OpenedLitSceneTest {
         assertEquals("", model.state().problem());
     }
 
-    @Test
-    @DisplayName("light and faces that the lab cannot make are taken for its own without a word")
-    void saysWhichLightStays() throws IOException, InterruptedException {
+    @ParameterizedTest(name = "light or faces that the lab cannot make are taken: {2}")
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "\"ambient\" : \\[ 0.2 | \"ambient\" : [ 0.75 | lamps",
+                "\"alpha\" : 1.0 | \"alpha\" : 0.5 | substance",
+                "(?s)\"alpha\" : 1.0(.*\"ambient\" : \\[ )0.2 | \"alpha\" : 0.5$10.75 | both",
+            })
+    void saysWhichLightOrMaterialStays(String pattern, String replacement, String what)
+            throws IOException, InterruptedException {
         Path file = folder.resolve("lit.scene.json");
-        LitSceneFile.write(LightChoice.first(), file);
+        LitSceneFile.write(
+                LightChoice.first()
+                        .with(MaterialChoice.of(Substance.RUBY))
+                        .withLamps(List.of(Lamp.at(-80, 3, 20))),
+                file);
         String text = Files.readString(file);
-        String other =
-                text.replaceFirst("\"shininess\" : [0-9.]+", "\"shininess\" : 5, \"alpha\" : 0.5")
-                        .replaceFirst(", \"alpha\" : 0.5,\\s*\"alpha\" : 1.0", ", \"alpha\" : 0.5")
-                        .replaceFirst("(\"lights\" : \\[ \\{.*?\"ambient\" : \\[ )0.0", "$10.25");
+        String other = text.replaceFirst(pattern, replacement);
+        assertNotEquals(text, other);
         Files.writeString(file, other);
         LightChoice before = model.state().choice();
         open(file);
         String problem = model.state().problem();
-        assertTrue(problem.contains("no substance of this lab"), problem);
-        assertEquals(before.material(), model.state().choice().material());
+        LightChoice opened = model.state().choice();
+        boolean lamps = !what.equals("substance");
+        boolean material = !what.equals("lamps");
+        assertEquals(lamps, problem.contains("lamps of this lab"), problem);
+        assertEquals(material, problem.contains("no substance of this lab"), problem);
+        assertEquals(lamps, before.lamps().equals(opened.lamps()));
+        assertEquals(material, before.material().equals(opened.material()));
         assertFalse(model.saved().isPresent());
         String said = Complaints.said(Language.RUSSIAN, problem);
-        assertFalse(said.contains("substance"), said);
+        assertFalse(Pattern.compile("of this lab|its own").matcher(said).find(), said);
     }
 
     private Path written(String scene) throws IOException {

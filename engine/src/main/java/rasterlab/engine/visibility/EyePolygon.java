@@ -12,6 +12,9 @@ final class EyePolygon {
     final double[] z;
     int size;
 
+    /** How far each corner is on the side that a cut keeps, in units of the plane's own. */
+    private final double[] inside;
+
     /**
      * @param mostCorners the most corners there will be; each cut may add one
      */
@@ -19,6 +22,7 @@ final class EyePolygon {
         x = new double[mostCorners];
         y = new double[mostCorners];
         z = new double[mostCorners];
+        inside = new double[mostCorners];
     }
 
     void add(double eyeX, double eyeY, double eyeZ) {
@@ -51,16 +55,9 @@ final class EyePolygon {
      * @param kept receives it
      */
     void cut(double[] normal, EyePolygon kept) {
-        kept.size = 0;
-        for (int a = size - 1, b = 0; b < size; a = b++) {
-            double atA = normal[0] * x[a] + normal[1] * y[a] + normal[2] * z[a];
-            double atB = normal[0] * x[b] + normal[1] * y[b] + normal[2] * z[b];
-            if (atA >= 0 != atB >= 0) {
-                double t = atA / (atA - atB);
-                kept.add(between(x, a, b, t), between(y, a, b, t), between(z, a, b, t));
-            }
-            if (atB >= 0) kept.add(x[b], y[b], z[b]);
-        }
+        for (int i = 0; i < size; i++)
+            inside[i] = normal[0] * x[i] + normal[1] * y[i] + normal[2] * z[i];
+        cutInside(kept);
     }
 
     /**
@@ -70,18 +67,23 @@ final class EyePolygon {
      * @param kept receives it
      */
     void cut(ViewedMesh view, int plane, EyePolygon kept) {
+        for (int i = 0; i < size; i++) inside[i] = view.clipDistance(plane, x[i], y[i], z[i]);
+        cutInside(kept);
+    }
+
+    private void cutInside(EyePolygon kept) {
         kept.size = 0;
         for (int a = size - 1, b = 0; b < size; a = b++) {
-            double atA = view.clipDistance(plane, x[a], y[a], z[a]);
-            double atB = view.clipDistance(plane, x[b], y[b], z[b]);
-            if (atA >= 0 != atB >= 0) {
-                int in = atA >= 0 ? a : b;
-                int out = in == a ? b : a;
-                double t = Math.max(atA, atB) / Math.abs(atA - atB);
-                kept.add(between(x, in, out, t), between(y, in, out, t), between(z, in, out, t));
-            }
-            if (atB >= 0) kept.add(x[b], y[b], z[b]);
+            boolean aIn = inside[a] >= 0;
+            boolean bIn = inside[b] >= 0;
+            if (aIn != bIn) kept.addCrossing(this, aIn ? a : b, aIn ? b : a);
+            if (bIn) kept.add(x[b], y[b], z[b]);
         }
+    }
+
+    private void addCrossing(EyePolygon of, int in, int out) {
+        double t = of.inside[in] / (of.inside[in] - of.inside[out]);
+        add(between(of.x, in, out, t), between(of.y, in, out, t), between(of.z, in, out, t));
     }
 
     private static double between(double[] values, int a, int b, double t) {
@@ -90,6 +92,6 @@ final class EyePolygon {
 
     private void addCrossing(EyePolygon of, int in, int out, double plane) {
         double t = (of.z[in] - plane) / (of.z[in] - of.z[out]);
-        add(of.x[in] + t * (of.x[out] - of.x[in]), of.y[in] + t * (of.y[out] - of.y[in]), plane);
+        add(between(of.x, in, out, t), between(of.y, in, out, t), plane);
     }
 }

@@ -13,8 +13,8 @@ import rasterlab.engine.visibility.ViewedMesh;
  *
  * <p>With s pixels per unit, the picture's middle at pixel (c₁, c₂) and d = ρ in perspective, 1
  * otherwise: {@code x/w = 2·s·d·X/(width·w) + (2·c₁ + 1)/width − 1}, y alike with its sign turned,
- * w = z of eye space or 1. Depth runs from the nearest to the farthest vertex that is drawn, so
- * that its bits are spent where there is something.
+ * w = z of eye space or 1. Depth runs from the nearest to the farthest vertex of the scene, so that
+ * its bits are spent where there is something.
  */
 final class ClipSpace {
     /** Room before the nearest and behind the farthest vertex, as a share of their depths. */
