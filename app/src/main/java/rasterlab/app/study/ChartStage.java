@@ -102,8 +102,8 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
     private void walk(int steps) {
         List<Measurement> points =
                 painted.map(Painted::places).orElse(List.of()).stream()
-                        .sorted(Comparator.comparingInt(PointPlaces.Place::x))
                         .map(PointPlaces.Place::point)
+                        .sorted(Comparator.comparingDouble(p -> p.cost().medianNanos()))
                         .toList();
         if (points.isEmpty()) return;
         int now = model.state().point().map(points::indexOf).orElse(steps > 0 ? -1 : 0);

@@ -62,7 +62,7 @@ class EventWatchdogTest {
 
     /** Ends without a fault too: an event that goes on for ever would stop all tests after it. */
     private static void repeat(Watch watch, Work work) {
-        var stay = new Stay(new ActionEvent("", 0, ""));
+        var stay = new Stay(new ActionEvent("", 0, ""), Optional.empty());
         try {
             while (!watch.hasFault() && stay.age() < LIMIT_NANOS) work.run();
         } catch (Exception e) {
@@ -155,7 +155,7 @@ class EventWatchdogTest {
 
     /** Longer than an event may last, at work that is none of what is blamed. */
     private static void count(Stay[] sink) {
-        var stay = new Stay(new ActionEvent("", 0, ""));
+        var stay = new Stay(new ActionEvent("", 0, ""), Optional.empty());
         while (stay.age() < 4 * Watch.LONG_NANOS) sink[0] = stay;
     }
 
@@ -169,6 +169,28 @@ class EventWatchdogTest {
             }
             EventQueue.invokeAndWait(() -> repeat(outer, () -> TimeUnit.MILLISECONDS.sleep(5)));
             assertEquals(1, outer.takeFaults().size(), "of the one that is left");
+        }
+    }
+
+    /** An event may go on when the test that waited for it has ended. */
+    @Test
+    void eventOfAnEarlierTestIsNotThisOnes() throws Exception {
+        var goesOn = new CountDownLatch(1);
+        var begun = new CountDownLatch(1);
+        try (var earlier = Watch.begin()) {
+            EventQueue.invokeLater(
+                    () -> {
+                        begun.countDown();
+                        while (goesOn.getCount() > 0) count(new Stay[1]);
+                    });
+            begun.await();
+            assertTrue(earlier.now().isPresent());
+        }
+        try (var watch = Watch.begin()) {
+            assertEquals(Optional.empty(), watch.now());
+            goesOn.countDown();
+            EventQueue.invokeAndWait(() -> {});
+            assertEquals(List.of(), watch.takeLongStays());
         }
     }
 

@@ -27,19 +27,30 @@ final class Stay {
     private static final int FRAMES = 30;
 
     private final AWTEvent event;
+    private final Optional<Watch> watch;
     private final Thread thread = Thread.currentThread();
     private final long begunNanos = System.nanoTime();
     private final Map<Blame, Integer> blamed = new EnumMap<>(Blame.class);
     private final Map<String, Integer> frames = new HashMap<>();
     private long nanos;
 
-    /** On the event thread, when it begins. */
-    Stay(AWTEvent event) {
+    /**
+     * On the event thread, when it begins.
+     *
+     * @param watch told of it
+     */
+    Stay(AWTEvent event, Optional<Watch> watch) {
         this.event = event;
+        this.watch = watch;
     }
 
     AWTEvent event() {
         return event;
+    }
+
+    /** Another watch than at its beginning knows too little of it. */
+    Optional<Watch> watch() {
+        return watch;
     }
 
     long threadId() {

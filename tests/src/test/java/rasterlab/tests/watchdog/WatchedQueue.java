@@ -35,7 +35,7 @@ final class WatchedQueue extends EventQueue {
         return installed.get();
     }
 
-    /** From now on this one is told, until it leaves or a newer one comes. */
+    /** From now on this one is told of events that begin, until it leaves or a newer one comes. */
     void join(Watch watch) {
         watches.push(watch);
     }
@@ -44,23 +44,23 @@ final class WatchedQueue extends EventQueue {
         watches.remove(watch);
     }
 
-    /** Empty while the thread is free, and for every watch but the newest. */
+    /** Empty while the thread is free, and for every watch but the one that the stay is told. */
     Optional<Stay> now(Watch watch) {
-        return watch == watches.peek() ? now : Optional.empty();
+        return now.filter(stay -> stay.watch().filter(watch::equals).isPresent());
     }
 
     @Override
     protected void dispatchEvent(AWTEvent event) {
         end();
         open.push(event);
-        now = Optional.of(new Stay(event));
+        now = Optional.of(begun(event));
         try {
             super.dispatchEvent(event);
         } finally {
             end();
             open.pop();
             // The loop of a dialog may be over: the event that opened the dialog goes on.
-            if (!open.isEmpty()) now = Optional.of(new Stay(open.peek()));
+            if (!open.isEmpty()) now = Optional.of(begun(open.peek()));
         }
     }
 
@@ -71,13 +71,17 @@ final class WatchedQueue extends EventQueue {
         return super.getNextEvent();
     }
 
+    private Stay begun(AWTEvent event) {
+        return new Stay(event, Optional.ofNullable(watches.peek()));
+    }
+
     private void end() {
         Optional<Stay> over = now;
         now = Optional.empty();
         over.ifPresent(
                 stay -> {
                     stay.end();
-                    Optional.ofNullable(watches.peek()).ifPresent(watch -> watch.ended(stay));
+                    stay.watch().ifPresent(watch -> watch.ended(stay));
                 });
     }
 }
