@@ -2,6 +2,7 @@ package rasterlab.engine.pipeline.triangle;
 
 import jdk.incubator.vector.DoubleVector;
 import jdk.incubator.vector.LongVector;
+import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
@@ -35,30 +36,38 @@ final class VectorRows {
     final long[] blue = new long[TriangleScan.ROWS];
 
     void scan(TriangleScan s) {
+        // Pixels begin at an edge where its function grows to the right, else they end there.
+        boolean beginA = s.stepA >= 0;
+        boolean beginB = s.stepB >= 0;
+        boolean beginC = s.stepC >= 0;
         double perA = -1.0 / s.stepA;
         double perB = -1.0 / s.stepB;
         double perC = -1.0 / s.stepC;
-        // 1 and 0 where the pixels begin at the edge, 0 and far away where they end there.
-        double beginA = s.stepA < 0 ? 0 : 1;
-        double beginB = s.stepB < 0 ? 0 : 1;
-        double beginC = s.stepC < 0 ? 0 : 1;
-        double endA = beginA * NO_END;
-        double endB = beginB * NO_END;
-        double endC = beginC * NO_END;
+        double firstA = beginA ? perA : 0;
+        double firstB = beginB ? perB : 0;
+        double firstC = beginC ? perC : 0;
+        double endA = beginA ? 0 : perA;
+        double endB = beginB ? 0 : perB;
+        double endC = beginC ? 0 : perC;
+        double noEndA = beginA ? NO_END : 0;
+        double noEndB = beginB ? NO_END : 0;
+        double noEndC = beginC ? NO_END : 0;
         double stepB = s.stepB;
         double stepC = s.stepC;
-        double width = s.boxRight - s.boxLeft;
+        DoubleVector width = DoubleVector.broadcast(FOUR, s.boxRight - s.boxLeft - 0.25);
         DoubleVector eA = NUMBERS.mul(s.downA).add(s.rowA + 0.5);
         DoubleVector eB = NUMBERS.mul(s.downB).add(s.rowB + 0.5);
         DoubleVector eC = NUMBERS.mul(s.downC).add(s.rowC + 0.5);
         for (int row = 0; row < s.rows; row += FOUR.length()) {
-            DoubleVector kA = ceil(eA.mul(perA), width);
-            DoubleVector kB = ceil(eB.mul(perB), width);
-            DoubleVector kC = ceil(eC.mul(perC), width);
-            DoubleVector first = kA.mul(beginA).max(kB.mul(beginB)).max(kC.mul(beginC));
-            DoubleVector last = kA.add(endA).min(kB.add(endB)).min(kC.add(endC)).min(width);
+            DoubleVector first =
+                    ceil(least(most(most(eA.mul(firstA), eB.mul(firstB)), eC.mul(firstC)), width));
+            DoubleVector end =
+                    ceil(
+                            least(
+                                    least(eA.mul(endA).add(noEndA), eB.mul(endB).add(noEndB)),
+                                    least(eC.mul(endC).add(noEndC), width)));
             first.intoArray(from, row);
-            last.sub(first).max(0).intoArray(count, row);
+            end.sub(first).intoArray(count, row);
             first.mul(stepB).add(eB.sub(s.ownB + 0.5)).intoArray(s.edgeB, row);
             first.mul(stepC).add(eC.sub(s.ownC + 0.5)).intoArray(s.edgeC, row);
             eA = eA.add(4.0 * s.downA);
@@ -67,7 +76,7 @@ final class VectorRows {
         }
         for (int row = 0; row < s.rows; row++) {
             s.left[row] = s.boxLeft + (int) from[row];
-            s.count[row] = (int) count[row];
+            s.count[row] = Math.max(0, (int) count[row]);
         }
     }
 
@@ -88,8 +97,17 @@ final class VectorRows {
         return value.add(LinearColors.ROUND).reinterpretAsLongs();
     }
 
-    /** The least whole number above k, which is none, cut to 0 to {@code width}. */
-    private static DoubleVector ceil(DoubleVector k, double width) {
-        return k.max(-0.25).min(width - 0.25).add(0.5).add(ROUND).sub(ROUND);
+    /** The least whole number above k, which is none unless it is 0. */
+    private static DoubleVector ceil(DoubleVector k) {
+        return k.add(0.5).add(ROUND).sub(ROUND);
+    }
+
+    /** As max has it but for what no edge is: −0 and numbers that are none cost it much. */
+    private static DoubleVector most(DoubleVector a, DoubleVector b) {
+        return a.blend(b, a.compare(VectorOperators.LT, b));
+    }
+
+    private static DoubleVector least(DoubleVector a, DoubleVector b) {
+        return a.blend(b, b.compare(VectorOperators.LT, a));
     }
 }
