@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
 import rasterlab.app.model.SceneText;
+import rasterlab.app.model.TextureChange;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.scene.Scene;
 import rasterlab.exercises.scene.Setting;
@@ -43,7 +44,7 @@ record ShownScene(
      *
      * @param value null where the command line has none
      */
-    <T> Optional<Setting<T>> ofFile(T value, Setting<T> setting) {
+    <T> Optional<Setting<T>> ofFile(Object value, Setting<T> setting) {
         boolean counts = value == null && said.get(setting).isPresent();
         return counts ? Optional.of(setting) : Optional.empty();
     }
@@ -60,11 +61,16 @@ record ShownScene(
     }
 
     /**
-     * The picture to lay on the faces, where the file names one.
+     * The scene with the picture that the file lays on its faces; empty where it names none.
      *
-     * @throws Complaint if it is not in the file's folder
+     * @throws Complaint naming the file and the path in it, if that cannot be done
      */
-    Optional<Path> image() {
-        return file.flatMap(from -> SceneText.image(from, said));
+    Optional<Scene> covered(Scene scene) {
+        return file.flatMap(
+                from ->
+                        SceneText.laid(
+                                from,
+                                said,
+                                (picture, texture) -> TextureChange.covered(scene, texture)));
     }
 }

@@ -1,7 +1,6 @@
 package rasterlab.app.cli;
 
 import java.nio.file.Path;
-import java.util.Optional;
 import picocli.CommandLine.Option;
 import rasterlab.app.model.TextureChange;
 import rasterlab.app.outcome.PictureFile;
@@ -72,15 +71,7 @@ final class TextureOptions {
     private Scene covered(ShownScene shown, Scene scene, TextureMode mode) {
         if (image != null) return TextureChange.covered(scene, PictureFile.texture(image));
         if (mode == TextureMode.NONE) return scene;
-        return shown.image()
-                .map(
-                        file ->
-                                shown.placed(
-                                        Optional.of(Setting.TEXTURE_IMAGE),
-                                        () ->
-                                                TextureChange.covered(
-                                                        scene, PictureFile.texture(file))))
-                .orElse(scene);
+        return shown.covered(scene).orElse(scene);
     }
 
     /** Passes unless the command line asks for something of a texture that is not there. */

@@ -12,6 +12,8 @@ import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Optional;
 import java.util.Properties;
+import rasterlab.app.outcome.FileKind;
+import rasterlab.app.outcome.FileToRead;
 
 /** The account of the last course joined, in a file that only its owner may read. */
 final class AccountFile {
@@ -28,6 +30,8 @@ final class AccountFile {
      */
     Optional<Account> load() throws IOException {
         if (!Files.exists(file)) return Optional.empty();
+        Optional<String> obstacle = FileToRead.obstacle(file, FileKind.SETTINGS);
+        if (obstacle.isPresent()) throw new IOException(file + ": " + obstacle.get());
         var kept = new Properties();
         try {
             kept.load(new StringReader(Files.readString(file)));

@@ -15,6 +15,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.FileKind;
+import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.WholeFile;
 
 /**
@@ -26,8 +28,6 @@ import rasterlab.app.outcome.WholeFile;
 final class DraftFile implements AutoCloseable {
     /** Windows at once, and the number of drafts kept of one exercise. */
     static final int MOST = 9;
-
-    private static final long LONGEST_BYTES = 1 << 20;
 
     /** What another window wrote. */
     record Other(String file, Instant changed, String text) {}
@@ -140,7 +140,8 @@ final class DraftFile implements AutoCloseable {
 
     private static Optional<String> read(Path file) throws IOException {
         if (!Files.exists(file)) return Optional.empty();
-        if (Files.size(file) > LONGEST_BYTES) throw new CharacterCodingException();
+        if (FileToRead.obstacle(file, FileKind.DRAFT).isPresent())
+            throw new CharacterCodingException();
         ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file));
         return Optional.of(StandardCharsets.UTF_8.newDecoder().decode(bytes).toString());
     }

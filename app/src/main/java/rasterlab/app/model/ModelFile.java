@@ -5,13 +5,12 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;
-import rasterlab.app.outcome.PictureFile;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.obj.BrokenFileException;
@@ -30,11 +29,11 @@ public final class ModelFile {
      * @throws Complaint naming file and line, if one cannot be read, is broken or lies elsewhere
      */
     public static Scene read(Path file, UpAxis up, Consumer<String> notes) {
-        FileToRead.require(file, "a model");
+        FileToRead.require(file, FileKind.MODEL);
         try {
             var folder = new OwnFolder(file);
             ObjModel model;
-            try (Reader reader = text(file)) {
+            try (Reader reader = text(file, FileKind.MODEL)) {
                 model = ObjReader.read(file.toString(), reader, name -> opened(folder, name));
             }
             model.notes().forEach(notes);
@@ -57,16 +56,19 @@ public final class ModelFile {
     private static Optional<Reader> opened(OwnFolder folder, String name) throws IOException {
         try {
             Optional<Path> found = folder.find(name);
-            return found.isEmpty() ? Optional.empty() : Optional.of(text(found.get()));
+            if (found.isEmpty()) return Optional.empty();
+            return Optional.of(text(found.get(), FileKind.MATERIALS));
+        } catch (Complaint e) {
+            throw new IOException(e.getMessage(), e);
         } catch (IOException e) {
             throw new IOException(WholeFile.reason(e), e);
         }
     }
 
     /** Bytes that are no UTF-8 become a sign that stands for them; names only can have any. */
-    private static Reader text(Path file) throws IOException {
+    private static Reader text(Path file, FileKind kind) throws IOException {
         return new BufferedReader(
-                new InputStreamReader(Files.newInputStream(file), StandardCharsets.UTF_8));
+                new InputStreamReader(FileToRead.stream(file, kind), StandardCharsets.UTF_8));
     }
 
     /**
@@ -74,18 +76,9 @@ public final class ModelFile {
      */
     private static Texture texture(Path model, OwnFolder folder, String name, String place) {
         try {
-            Path found =
-                    folder.find(name)
-                            .orElseThrow(
-                                    () ->
-                                            Complaint.badInput(
-                                                    "%s: %s: there is no texture '%s' in its folder"
-                                                            .formatted(model, place, name)));
-            return PictureFile.texture(found);
-        } catch (IOException e) {
-            throw Complaint.badInput(
-                    "%s: %s: texture '%s' cannot be read: %s"
-                            .formatted(model, place, name, WholeFile.reason(e)));
+            return folder.picture(name).texture();
+        } catch (Complaint e) {
+            throw Complaint.badInput("%s: %s: %s".formatted(model, place, e.getMessage()));
         }
     }
 }

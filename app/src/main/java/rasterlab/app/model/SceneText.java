@@ -1,15 +1,15 @@
 package rasterlab.app.model;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.engine.texture.Texture;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
 import rasterlab.exercises.scene.SceneView;
@@ -42,42 +42,33 @@ public final class SceneText {
     }
 
     private static SceneFile read(Path file) {
-        FileToRead.require(file, "a scene");
         try {
-            if (Files.size(file) > SceneFile.LONGEST)
-                throw Complaint.badInput(
-                        "%s: has %d bytes, a scene file has at most %d"
-                                .formatted(file, Files.size(file), SceneFile.LONGEST));
-            ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file));
-            return SceneFile.read(StandardCharsets.UTF_8.newDecoder().decode(bytes).toString());
-        } catch (CharacterCodingException e) {
-            throw Complaint.badInput(file + ": is not UTF-8 text");
-        } catch (IOException e) {
-            throw Complaint.badInput(file + ": cannot be read: " + WholeFile.reason(e));
+            return SceneFile.read(FileToRead.text(file, FileKind.SCENE));
         } catch (IllegalArgumentException e) {
             throw Complaint.badInput(file + ": " + e.getMessage());
         }
     }
 
     /**
-     * The picture that a scene file lays on its faces; empty where it names none.
+     * What is made of the picture that a scene file lays on its faces; empty where it names none.
      *
-     * @throws Complaint if it is not in the file's folder
+     * @param lay takes the picture's file and its texels
+     * @throws Complaint naming the file and the path in it, if the picture is not in the file's
+     *     folder, cannot be read, or is refused by {@code lay}
      */
-    public static Optional<Path> image(Path file, Settings settings) {
+    public static <T> Optional<T> laid(
+            Path file, Settings settings, BiFunction<Path, Texture, T> lay) {
         Optional<String> name = settings.get(Setting.TEXTURE_IMAGE);
         if (name.isEmpty()) return Optional.empty();
-        String place = file + ": " + Setting.TEXTURE_IMAGE.place();
         try {
-            Optional<Path> found = new OwnFolder(file, place).find(name.get());
-            if (found.isPresent()) return found;
+            OwnFolder.Picture picture = new OwnFolder(file).picture(name.get());
+            return Optional.of(lay.apply(picture.file(), picture.texture()));
         } catch (IOException e) {
+            throw Complaint.badInput(file + ": cannot be read: " + WholeFile.reason(e));
+        } catch (IllegalArgumentException | Complaint e) {
             throw Complaint.badInput(
-                    "%s: texture '%s' cannot be read: %s"
-                            .formatted(place, name.get(), WholeFile.reason(e)));
+                    "%s: %s: %s".formatted(file, Setting.TEXTURE_IMAGE.place(), e.getMessage()));
         }
-        throw Complaint.badInput(
-                "%s: there is no texture '%s' in its folder".formatted(place, name.get()));
     }
 
     /** Writes a view whole or not at all. */

@@ -1,29 +1,90 @@
 package rasterlab.app.outcome;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.AccessMode;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Optional;
 
-/** Tells before a file is opened why it cannot be read. */
+/**
+ * Every file that the user names is read by way of this: only regular files of a stated size are.
+ *
+ * <p>A pipe would be waited for and a device such as /dev/zero read without end. Links are
+ * followed.
+ */
 public final class FileToRead {
     private FileToRead() {}
 
     /**
-     * Passes if the file is there and may be read.
+     * Why the file cannot be read, without its name; empty where it can.
      *
-     * @param kind what it should be, such as "a picture"
-     * @throws Complaint if it is a folder, is not there, or the user has no right to read it
+     * @param kind what it should be
      */
-    public static void require(Path file, String kind) {
-        if (Files.isDirectory(file)) throw Complaint.badInput(file + ": is a folder, not " + kind);
+    public static Optional<String> obstacle(Path file, FileKind kind) {
         try {
             file.getFileSystem().provider().checkAccess(file, AccessMode.READ);
+            if (Files.isDirectory(file)) return Optional.of("is a folder, not " + kind);
+            if (!Files.isRegularFile(file))
+                return Optional.of("is a device, pipe or socket, not " + kind);
+            long size = Files.size(file);
+            return size > kind.most() ? Optional.of(tooLong(size, kind)) : Optional.empty();
         } catch (AccessDeniedException e) {
-            throw Complaint.badInput(file + ": no right to read it");
+            return Optional.of("no right to read it");
+        } catch (NoSuchFileException e) {
+            return Optional.of("no such file to read");
         } catch (IOException e) {
-            throw Complaint.badInput(file + ": no such file to read");
+            return Optional.of("cannot be read: " + WholeFile.reason(e));
+        }
+    }
+
+    private static String tooLong(long bytes, FileKind kind) {
+        return "has %d bytes, %s has at most %d".formatted(bytes, kind, kind.most());
+    }
+
+    /**
+     * Passes if the file can be read.
+     *
+     * @throws Complaint if it is not there, no regular file, too large, or the user has no right to
+     *     read it
+     */
+    public static void require(Path file, FileKind kind) {
+        Optional<String> obstacle = obstacle(file, kind);
+        if (obstacle.isPresent()) throw Complaint.badInput(file + ": " + obstacle.get());
+    }
+
+    /**
+     * The file's bytes, one after the other.
+     *
+     * @return throws a {@link Complaint} where the file grows beyond what its kind may have
+     * @throws Complaint as {@link #require}
+     */
+    public static InputStream stream(Path file, FileKind kind) throws IOException {
+        require(file, kind);
+        return new BoundedStream(
+                Files.newInputStream(file),
+                kind.most(),
+                () -> Complaint.badInput(file + ": " + tooLong(kind.most() + 1L, kind)));
+    }
+
+    /**
+     * All of a text in UTF-8.
+     *
+     * @throws Complaint as {@link #require}, and if it is no such text
+     */
+    public static String text(Path file, FileKind kind) {
+        try (InputStream in = stream(file, kind)) {
+            ByteBuffer bytes = ByteBuffer.wrap(in.readAllBytes());
+            return StandardCharsets.UTF_8.newDecoder().decode(bytes).toString();
+        } catch (CharacterCodingException e) {
+            throw Complaint.badInput(file + ": is not UTF-8 text");
+        } catch (IOException e) {
+            throw Complaint.badInput(file + ": cannot be read: " + WholeFile.reason(e));
         }
     }
 }

@@ -35,7 +35,7 @@ public final class PictureFile {
     }
 
     private static BufferedImage read(Path file) {
-        FileToRead.require(file, "a picture");
+        FileToRead.require(file, FileKind.PICTURE);
         try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
             Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
             if (!readers.hasNext())

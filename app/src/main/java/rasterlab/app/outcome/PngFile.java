@@ -37,7 +37,7 @@ public final class PngFile {
      * @throws Complaint if there is no such file, or it is no PNG, broken, or of another size
      */
     public static BufferedImage read(Path file, int width, int height) {
-        FileToRead.require(file, "a picture");
+        FileToRead.require(file, FileKind.PICTURE);
         if (file.toFile().length() == 0)
             throw Complaint.badInput(file + ": the file is empty; expected a PNG picture");
         ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();

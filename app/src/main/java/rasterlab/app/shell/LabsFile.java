@@ -15,10 +15,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.FileKind;
+import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.WholeFile;
+import rasterlab.exercises.json.JsonMistake;
 
 /**
  * What every lab shows, kept between runs in a JSON file beside the window's settings.
@@ -27,9 +31,6 @@ import rasterlab.app.outcome.WholeFile;
  * others as they were left.
  */
 public final class LabsFile {
-    /** Larger files are none of ours. */
-    private static final long MOST_BYTES = 4 << 20;
-
     private static final ObjectMapper JSON =
             JsonMapper.builder()
                     .addModule(new Jdk8Module())
@@ -63,10 +64,14 @@ public final class LabsFile {
         if (!Files.exists(file)) return;
         JsonNode root;
         try {
-            if (Files.size(file) > MOST_BYTES)
-                throw new IOException("more than " + MOST_BYTES + " bytes");
+            Optional<String> obstacle = FileToRead.obstacle(file, FileKind.SETTINGS);
+            if (obstacle.isPresent()) throw new IOException(obstacle.get());
             root = JSON.readTree(file.toFile());
             if (!root.isObject()) throw new IOException("not a JSON object");
+        } catch (JsonProcessingException e) {
+            String reason = "not JSON: " + JsonMistake.in(e);
+            problem.accept(Problem.of("labs.notUsed", file.toString(), reason));
+            return;
         } catch (IOException e) {
             problem.accept(Problem.of("labs.notUsed", file.toString(), reason(e)));
             return;

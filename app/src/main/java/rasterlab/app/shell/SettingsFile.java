@@ -11,6 +11,8 @@ import java.util.Optional;
 import java.util.Properties;
 import java.util.function.Consumer;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.FileKind;
+import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.WholeFile;
 
 /**
@@ -65,6 +67,11 @@ public final class SettingsFile {
     /** What the file holds; the given settings where it holds nothing or nonsense. */
     public synchronized LabSettings load(LabSettings otherwise) {
         if (!Files.exists(file)) return otherwise;
+        Optional<String> obstacle = FileToRead.obstacle(file, FileKind.SETTINGS);
+        if (obstacle.isPresent()) {
+            tell(notUsed(obstacle.get()));
+            return otherwise;
+        }
         try (var in = Files.newBufferedReader(file)) {
             var kept = new Properties();
             kept.load(in);

@@ -79,10 +79,7 @@ final class SceneFiles {
                 view.source() instanceof SceneSource.ByName named && named.detail().isEmpty()
                         ? SceneChoice.named(named.name())
                         : SceneChoice.opened(file, view.source().scene());
-        SceneChoice found =
-                SceneText.image(file, view.settings())
-                        .map(picture -> held.covered(picture, PictureFile.texture(picture)))
-                        .orElse(held);
+        SceneChoice found = SceneText.laid(file, view.settings(), held::covered).orElse(held);
         return choice -> {
             try {
                 VisibilityChoice next = SavedView.applied(choice, found, view.settings());

@@ -85,13 +85,13 @@ class CheckCommandTest {
 
     @Test
     void badFilesAreNamed() throws Exception {
-        complains(folder, "is a folder, not a file");
-        complains(folder.resolve("no.java"), "cannot be read: no such file");
+        complains(folder, "is a folder, not a source");
+        complains(folder.resolve("no.java"), "no such file to read");
         Path file = folder.resolve("a.java");
         Files.write(file, new byte[0]);
         complains(file, "is empty");
         Files.write(file, new byte[10_000_000]);
-        complains(file, "has 10000000 bytes, the most for a source is 262144");
+        complains(file, "has 10000000 bytes, a source has at most 262144");
         Files.write(file, new byte[] {(byte) 0xC3, 0x28});
         complains(file, "is not UTF-8 text");
     }

@@ -119,7 +119,10 @@ class RenderModelTest {
     @MethodSource("broken")
     void complainsInOneLine(String model, String materials, String complaint) throws Exception {
         model(model, materials, 2, 2);
-        String message = complaint.replace("CUBE", folder.resolve("cube.obj").toString());
+        String message =
+                complaint
+                        .replace("CUBE", folder.resolve("cube.obj").toString())
+                        .replace("FOLDER", folder.toRealPath().toString());
         render().assertComplains(2, "./lab render: " + message);
     }
 
@@ -134,12 +137,14 @@ class RenderModelTest {
                         "materials are read from anywhere",
                         CUBE.replace("cube.mtl", "../cube.mtl"),
                         MATERIALS,
-                        "CUBE: '../cube.mtl' leads out of the file's folder, which is not allowed"),
+                        "CUBE:1: material file '../cube.mtl' cannot be read: '../cube.mtl' leads out of"
+                                + " the file's folder, which is not allowed"),
                 argumentSet(
                         "textures are read from anywhere",
                         CUBE,
                         MATERIALS.replace("textures/grid.png", "/grid.png"),
-                        "CUBE: '/grid.png' leads out of the file's folder, which is not allowed"),
+                        "CUBE: cube.mtl:5: '/grid.png' leads out of the file's folder, which is not"
+                                + " allowed"),
                 argumentSet(
                         "missing texture is white",
                         CUBE,
@@ -149,7 +154,7 @@ class RenderModelTest {
                         "folder is read as a texture",
                         CUBE,
                         MATERIALS.replace("/grid.png", ""),
-                        "CUBE: 'textures' is no file"),
+                        "CUBE: cube.mtl:5: FOLDER/textures: is a folder, not a picture"),
                 argumentSet(
                         "empty file is an empty picture",
                         "",
@@ -166,7 +171,8 @@ class RenderModelTest {
                         2,
                         "./lab render: "
                                 + folder.resolve("cube.obj")
-                                + ": 'cube.mtl' leads out of the file's folder, which is not"
+                                + ":1: material file 'cube.mtl' cannot be read: 'cube.mtl' leads"
+                                + " out of the file's folder, which is not"
                                 + " allowed");
     }
 

@@ -13,10 +13,12 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.outcome.Pipe;
 
 class AccountTest {
     @TempDir Path folder;
@@ -36,6 +38,15 @@ class AccountTest {
             strings = {"", "ftp://example.org", "http://", "a b", "http://h/?q=1", "file:///x"})
     void refusesWhatIsNone(String typed) {
         assertThrows(IllegalArgumentException.class, () -> Account.server(typed));
+    }
+
+    @Test
+    @Timeout(60)
+    void pipeIsNotWaitedFor() throws Exception {
+        Path pipe = Pipe.at(folder.resolve("grader.properties"));
+        var refusal = assertThrows(IOException.class, () -> new AccountFile(folder).load());
+        assertEquals(
+                pipe + ": is a device, pipe or socket, not a settings file", refusal.getMessage());
     }
 
     @Test

@@ -11,7 +11,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.outcome.Pipe;
 
 class DraftsTest {
     private static final String ID = "line-bresenham";
@@ -38,6 +40,19 @@ class DraftsTest {
             assertEquals(Optional.of("class Á {}"), again.open(ID));
         }
         assertEquals("", told.get(told.size() - 1).problem());
+    }
+
+    @Test
+    @Timeout(60)
+    void pipeIsPassedOver() throws Exception {
+        Files.createDirectories(folder.resolve("drafts"));
+        Pipe.at(file(ID + ".java"));
+        try (Drafts drafts = opened()) {
+            assertEquals(Optional.empty(), drafts.open(ID));
+            drafts.save(ID, "typed");
+            drafts.settle();
+            assertEquals("typed", Files.readString(file(ID + ".2.java")));
+        }
     }
 
     @Test

@@ -14,11 +14,13 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.outcome.Pipe;
 
 class SettingsFileTest {
     private static final LabSettings FIRST = LabSettings.first(Language.ENGLISH);
@@ -45,6 +47,15 @@ class SettingsFileTest {
     void firstRunHasNothingToComplainAbout() {
         assertEquals(FIRST, file(folder.resolve("none")).load(FIRST));
         assertEquals(List.of(), problems);
+    }
+
+    @Test
+    @Timeout(60)
+    void pipeStopsNoWindow() throws Exception {
+        Path pipe = Pipe.at(folder.resolve("window.properties"));
+        assertEquals(FIRST, file(pipe).load(FIRST));
+        assertEquals(1, problems.size(), problems.toString());
+        assertTrue(problems.get(0).contains("is a device, pipe or socket"), problems.get(0));
     }
 
     @ParameterizedTest(name = "broken file stops the window: {0}")

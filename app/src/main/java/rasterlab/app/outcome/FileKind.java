@@ -1,0 +1,38 @@
+package rasterlab.app.outcome;
+
+import rasterlab.exercises.Grading;
+import rasterlab.exercises.scene.SceneFile;
+
+/** What a file that is read should be, and the most bytes that it may have. */
+public enum FileKind {
+    SCENE("a scene", SceneFile.LONGEST),
+    /** 10 million triangles with all they can have. */
+    MODEL("a model", 1 << 30),
+    MATERIALS("a material file", 16 << 20),
+    /** A PNG of the largest size takes about half of it, however little it can be packed. */
+    PICTURE("a picture", 512 << 20),
+    SOURCE("a source", Grading.MOST_SOURCE_BYTES),
+    /** A student's source as the window keeps it, finished or not. */
+    DRAFT("a draft", 1 << 20),
+    /** What the window keeps of itself. */
+    SETTINGS("a settings file", 4 << 20);
+
+    private final String words;
+    private final int most;
+
+    FileKind(String words, int most) {
+        this.words = words;
+        this.most = most;
+    }
+
+    /** With its article. */
+    @Override
+    public String toString() {
+        return words;
+    }
+
+    /** Bytes. */
+    public int most() {
+        return most;
+    }
+}
