@@ -3,14 +3,12 @@ package rasterlab.app.cli;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 import rasterlab.engine.transform.SphericalView;
+import rasterlab.exercises.scene.Setting;
 
 /**
  * Reads a camera θ,φ,ρ: two angles in radians, also as multiples such as 0.25pi, and a distance.
  */
 final class CameraOption implements ITypeConverter<SphericalView> {
-    /** Of larger ones rounding leaves no direction to speak of. */
-    private static final double MOST_RADIANS = 1e6;
-
     @Override
     public SphericalView convert(String text) {
         String[] parts = text.split(",", -1);
@@ -28,10 +26,10 @@ final class CameraOption implements ITypeConverter<SphericalView> {
         String number = text.strip().replaceFirst("(pi|π)$", "");
         boolean multiple = number.length() < text.strip().length();
         double radians = multiple ? number(number) * Math.PI : number(number);
-        if (Math.abs(radians) > MOST_RADIANS)
+        if (Math.abs(radians) > Setting.MOST_RADIANS)
             throw new TypeConversionException(
                     "angle must be from %s to %s radians, got '%s'"
-                            .formatted(-MOST_RADIANS, MOST_RADIANS, text));
+                            .formatted(-Setting.MOST_RADIANS, Setting.MOST_RADIANS, text));
         return radians;
     }
 

@@ -12,15 +12,20 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
 import rasterlab.app.line.LineMode;
 import rasterlab.app.opengl.state.Setting;
+import rasterlab.app.outcome.Pipe;
 import rasterlab.app.polygon.PolygonMode;
 import rasterlab.app.spline.CurveForm;
 import rasterlab.app.spline.SplineMode;
@@ -111,6 +116,27 @@ class LabsFileTest {
         problems.forEach(problem -> assertTrue(problem.contains("labs.json"), problem));
         assertEquals(1, problems.size(), problems::toString);
         assertEquals(shown(models -> {}, false), opened);
+    }
+
+    @Test
+    @Timeout(60)
+    void pipeStopsNoWindow() throws Exception {
+        Pipe.at(folder.resolve("labs.json"));
+        shown(models -> {}, true);
+        assertTrue(problems.get(0).contains("is a device, pipe or socket"), problems::toString);
+    }
+
+    @Test
+    @DisplayName("broken JSON is told without its place, or half in English")
+    void brokenJsonIsToldInTheWindowsLanguage() throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("labs.json"), "{\n\"line\" 7}");
+        shown(models -> {}, true);
+        String said = Complaints.said(Language.RUSSIAN, problems.get(0));
+        assertTrue(
+                said.endsWith(
+                        "это не JSON: строка 2, столбец 8: здесь допустимо: двоеточие после имени"
+                                + " поля, получено «7»"),
+                said);
     }
 
     @Test

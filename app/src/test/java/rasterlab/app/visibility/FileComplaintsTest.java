@@ -1,22 +1,35 @@
 package rasterlab.app.visibility;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.cli.Lab;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
+import rasterlab.app.outcome.Pipe;
 
 /** What the lab says in Russian of files that are broken. */
 class FileComplaintsTest {
@@ -24,6 +37,32 @@ class FileComplaintsTest {
     private static final Pattern ENGLISH =
             Pattern.compile(
                     "\\b(a|the|must|needs?|got|is|are|was|to|at most|from|there|no|not|and|only)\\b");
+
+    private static final long SEED = 20261122;
+
+    /** One for each thing that the parser says. */
+    private static final List<String> BROKEN_JSON =
+            List.of(
+                    "// x",
+                    "[1.]",
+                    "[1e]",
+                    "[-]",
+                    "[+1]",
+                    "[nan]",
+                    "{\"a\" 1}",
+                    "[1 2]",
+                    "[\"\\q\"]",
+                    "[\"\\u00g1\"]",
+                    "[\"a\nb\"]",
+                    "{} x",
+                    "{}}",
+                    "[}",
+                    "{]",
+                    "[tru]",
+                    "[1]2",
+                    "[\u0000]",
+                    "[" + "9".repeat(2000) + "]",
+                    "[".repeat(2000));
 
     @TempDir Path folder;
 
@@ -35,6 +74,10 @@ class FileComplaintsTest {
                 "one.scene.json | {",
                 "one.scene.json | {\"version\": 1,, }",
                 "one.scene.json | {\"version\": 1, \"version\": 1}",
+                "one.scene.json | {\"version\": 01}",
+                "one.scene.json | {\"version\": NaN}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"zoom\": -Infinity}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"camera\": {\"theta\": 1e308, \"phi\": 1, \"rho\": 9}}",
                 "one.scene.json | []",
                 "one.scene.json | {}",
                 "one.scene.json | {\"version\": 1, \"scene\": 7}",
@@ -65,6 +108,8 @@ class FileComplaintsTest {
                 "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"stereo\": \"x\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"textureImage\": \"gone.png\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"textureImage\": \"../up.png\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"textureImage\": \".\"}}",
+                "one.scene.json | {\"version\": 1, \"scene\": \"house\", \"look\": {\"textureImage\": \"one.scene.json\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": {\"name\": \"\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": {\"name\": \"n\", \"vertices\": [[1, 2]]}}",
                 "one.obj | f 1 2 3",
@@ -118,6 +163,74 @@ class FileComplaintsTest {
         Path notText = folder.resolve("latin.scene.json");
         Files.write(notText, "\u00e9".getBytes(StandardCharsets.ISO_8859_1));
         assertRussian(SceneFiles.done(new SceneFiles.Task(notText, Optional.empty())).problem());
+    }
+
+    /** Damage of one sign or two, and what the parser says of each kind of it. */
+    @Test
+    @DisplayName("a place that is not JSON is told without line and column, or half in English")
+    void brokenJsonIsToldInRussian() throws IOException {
+        List<String> texts = new ArrayList<>(BROKEN_JSON);
+        var random = new Random(SEED);
+        String signs = "0123456789-+.eE{}[]\",: \\\ntrufals\u00e9\u0000'/#NaI";
+        for (int round = 0; round < 4000; round++) {
+            var damaged =
+                    new StringBuilder("{\"version\": 1, \"scene\": \"vase\", \"near\": -0.5e3}");
+            for (int times = random.nextInt(2); times >= 0; times--)
+                damaged.setCharAt(
+                        random.nextInt(damaged.length()),
+                        signs.charAt(random.nextInt(signs.length())));
+            texts.add(damaged.toString());
+        }
+        for (String text : texts) {
+            Path file = Files.writeString(folder.resolve("one.scene.json"), text);
+            String problem = SceneFiles.done(new SceneFiles.Task(file, Optional.empty())).problem();
+            if (problem.contains("not JSON")) assertRussianPlace(file, problem);
+        }
+    }
+
+    private static void assertRussianPlace(Path file, String problem) {
+        String said = Complaints.said(Language.RUSSIAN, problem).replace(file.toString(), "");
+        String words = said.replaceAll("(?s)«.*?»|true|false|null|JSON", "");
+        assertFalse(
+                Pattern.compile("[A-Za-z]{2}").matcher(words).find(),
+                "seed " + SEED + ": " + problem + " → " + said);
+        assertTrue(
+                problem.contains("exceeds") || said.contains("строка ") && said.contains("столбец"),
+                said);
+    }
+
+    @Test
+    @DisplayName("the lab waits for a pipe")
+    void pipeIsToldInRussian() throws Exception {
+        for (String name : new String[] {"one.obj", "one.scene.json", "one.png"}) {
+            Path pipe = Pipe.at(folder.resolve(name));
+            SceneFiles.Answer answer =
+                    assertTimeoutPreemptively(
+                            Duration.ofSeconds(60),
+                            () -> SceneFiles.done(new SceneFiles.Task(pipe, Optional.empty())));
+            assertRussian(answer.problem());
+            assertTrue(answer.problem().contains("pipe"), answer.problem());
+        }
+    }
+
+    @ParameterizedTest(name = "the lab names {0} otherwise than the command")
+    @ValueSource(strings = {"gone.png", "../up.png", "text.png", ".", "one.scene.json"})
+    void pictureIsNamedAsTheCommandNamesIt(String image) throws IOException {
+        Files.writeString(folder.resolve("text.png"), "no picture");
+        Path file =
+                Files.writeString(
+                        folder.resolve("one.scene.json"),
+                        "{\"version\": 1, \"scene\": \"torus\", \"look\": {\"textureImage\": \"%s\"}}"
+                                .formatted(image));
+        var err = new ByteArrayOutputStream();
+        Lab.run(
+                new String[] {"render", file.toString(), "--out", folder + "/out.png"},
+                InputStream.nullInputStream(),
+                new PrintStream(OutputStream.nullOutputStream()),
+                new PrintStream(err));
+        String problem = SceneFiles.done(new SceneFiles.Task(file, Optional.empty())).problem();
+        assertEquals("./lab render: " + problem, err.toString(StandardCharsets.UTF_8).strip());
+        assertTrue(problem.startsWith(file + ": $.look.textureImage: "), problem);
     }
 
     private void assertRussian(String problem) {

@@ -2,6 +2,7 @@ package rasterlab.exercises.scene;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.core.json.JsonReadFeature;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
@@ -18,6 +19,8 @@ final class Place {
     static final JsonMapper MAPPER =
             JsonMapper.builder()
                     .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+                    // Read, so that they are refused with their path.
+                    .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
                     .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
                     .build();
     private static final int SHOWN = 60;
@@ -116,10 +119,22 @@ final class Place {
         return members.stream().mapToDouble(member -> member.number(least, most)).toArray();
     }
 
-    /** This object as it stands. */
+    /** This object as it stands, of which all numbers are finite. */
     String json() {
         object();
+        requireFinite();
         return node.toString();
+    }
+
+    private void requireFinite() {
+        if (isEndless()) throw wrong("must be a finite number, got " + shown());
+        if (node.isArray()) members().forEach(Place::requireFinite);
+        node.fieldNames().forEachRemaining(name -> at(name).requireFinite());
+    }
+
+    /** Whether this is NaN or infinite, for which JSON has no number. */
+    private boolean isEndless() {
+        return node.isFloatingPointNumber() && !Double.isFinite(node.doubleValue());
     }
 
     /** What {@code make} makes of this place; what it refuses is refused with the path. */
@@ -138,7 +153,8 @@ final class Place {
     }
 
     private String shown() {
-        return node.isMissingNode() ? "nothing" : cut(node.toString());
+        if (node.isMissingNode()) return "nothing";
+        return isEndless() ? node.asText() : cut(node.toString());
     }
 
     private static String cut(String text) {

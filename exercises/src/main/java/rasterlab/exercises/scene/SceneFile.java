@@ -9,6 +9,9 @@ package rasterlab.exercises.scene;
  * refused with the path of the place, such as {@code $.scene.faces[2].corners[0]}.
  */
 public sealed interface SceneFile permits MethodCase, SceneView {
+    /** What some editors begin a text in UTF-8 with. */
+    String BYTE_ORDER_MARK = "\uFEFF";
+
     /** The only version there is. */
     int VERSION = 1;
 
@@ -16,7 +19,7 @@ public sealed interface SceneFile permits MethodCase, SceneView {
     int LONGEST = 64 << 20;
 
     /**
-     * @param json the whole text
+     * @param json the whole text; a byte-order mark that it begins with is passed over
      * @throws IllegalArgumentException naming the path, what is there and what is allowed
      */
     static SceneFile read(String json) {
@@ -24,7 +27,7 @@ public sealed interface SceneFile permits MethodCase, SceneView {
             throw new IllegalArgumentException(
                     "a scene file has at most %d characters, got %d"
                             .formatted(LONGEST, json.length()));
-        Place file = Place.root(json);
+        Place file = Place.root(json.startsWith(BYTE_ORDER_MARK) ? json.substring(1) : json);
         return file.has("topic") ? CaseJson.read(file) : ViewJson.read(file);
     }
 

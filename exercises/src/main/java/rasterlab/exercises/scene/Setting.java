@@ -31,11 +31,13 @@ import rasterlab.engine.visibility.ClipPlane;
  */
 public final class Setting<T> {
     private static final JsonNodeFactory JSON = JsonNodeFactory.instance;
-    private static final double ANY = Double.MAX_VALUE;
     private static final double LARGEST = 1e30;
 
     /** The largest and, as 1 / it, the smallest factor on a scene's size. */
     public static final double MOST_ZOOM = 1e6;
+
+    /** The largest angle of a camera: of larger ones rounding leaves no direction to speak of. */
+    public static final double MOST_RADIANS = 1e6;
 
     private static final double LEAST_EYES = 1e-6;
 
@@ -176,8 +178,8 @@ public final class Setting<T> {
 
     private static SphericalView camera(Place place) {
         place.object("theta", "phi", "rho");
-        double theta = place.at("theta").number(-ANY, ANY);
-        double phi = place.at("phi").number(-ANY, ANY);
+        double theta = place.at("theta").number(-MOST_RADIANS, MOST_RADIANS);
+        double phi = place.at("phi").number(-MOST_RADIANS, MOST_RADIANS);
         double rho = place.at("rho").number(SphericalView.NEAREST, SphericalView.FARTHEST);
         return new SphericalView(theta, phi, rho);
     }

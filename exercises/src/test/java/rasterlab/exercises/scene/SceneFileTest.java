@@ -164,7 +164,35 @@ class SceneFileTest {
                         "[100, 0, 0]",
                         "[1e999, 0, 0]",
                         "$.scene.vertices[1][0]: must be a number from -1.0E30 to 1.0E30, got"
-                                + " \"Infinity\""),
+                                + " Infinity"),
+                argumentSet(
+                        "the parser's words are said of NaN",
+                        "[100, 0, 0]",
+                        "[NaN, 0, 0]",
+                        "$.scene.vertices[1][0]: must be a number from -1.0E30 to 1.0E30, got NaN"),
+                argumentSet(
+                        "a negative infinity has no path",
+                        "\"background\": 255",
+                        "\"background\": -Infinity",
+                        "$.scene.background: must be a whole number from 0 to 16777215, got"
+                                + " -Infinity"),
+                argumentSet(
+                        "an angle without a direction is taken",
+                        "\"theta\": 0.5",
+                        "\"theta\": 1e308",
+                        "$.camera.theta: must be a number from -1000000.0 to 1000000.0, got"
+                                + " 1.0E308"),
+                argumentSet(
+                        "a huge height is taken",
+                        "\"phi\": 1",
+                        "\"phi\": -1000001",
+                        "$.camera.phi: must be a number from -1000000.0 to 1000000.0, got"
+                                + " -1000001"),
+                argumentSet(
+                        "the parser's words are said of a missing comma",
+                        "\"version\": 1,",
+                        "\"version\": 1",
+                        "not JSON: line 3, column 3: expected a comma or }, got '\"'"),
                 argumentSet(
                         "an unknown method is kept",
                         "\"zfloat\"",
@@ -209,6 +237,22 @@ class SceneFileTest {
             })
     void refuses(String json) {
         assertThrows(IllegalArgumentException.class, () -> SceneFile.read(json));
+    }
+
+    @Test
+    @DisplayName("a byte-order mark is refused, or one in the midst of the text is not")
+    void passesOverAByteOrderMark() {
+        assertEquals(SceneFile.read(TRIANGLE).write(), SceneFile.read("\uFEFF" + TRIANGLE).write());
+        assertThrows(
+                IllegalArgumentException.class, () -> SceneFile.read("\uFEFF\uFEFF" + TRIANGLE));
+    }
+
+    @Test
+    @DisplayName("NaN in a method's input becomes a text")
+    void refusesNotANumberInAnInput() {
+        String json = "{\"version\":1,\"topic\":\"line\",\"input\":{\"from\":[0,{\"x\":NaN}]}}";
+        var refusal = assertThrows(IllegalArgumentException.class, () -> SceneFile.read(json));
+        assertEquals("$.input.from[1].x: must be a finite number, got NaN", refusal.getMessage());
     }
 
     /** Damage of one sign each time: read, or refused in words, and nothing else. */
