@@ -23,7 +23,7 @@ import rasterlab.exercises.scene.Setting;
 /** The options of {@code ./lab render} that say how a scene is drawn. */
 final class LookOptions {
     /** Turns off what a scene file turns on. */
-    private static final String NONE = "none";
+    static final String NONE = "none";
 
     @Option(
             names = "--shading",
@@ -44,7 +44,6 @@ final class LookOptions {
     @Option(
             names = "--terms",
             paramLabel = "TERM,…",
-            split = ",",
             description = "what light is seen: ${COMPLETION-CANDIDATES}; or none; default: all",
             completionCandidates = EngineNames.OfLightTerms.class)
     private List<String> terms;
@@ -95,9 +94,9 @@ final class LookOptions {
                     "cuts off what has Ax + By + Cz + D below 0, in the world's x, y, z and units;"
                             + " may be given "
                             + ClipPlane.MOST
-                            + " times",
+                            + " times; or none",
             converter = ClipPlaneOption.class)
-    private List<ClipPlane> clipPlanes;
+    private List<ClipPlaneOption.Cut> clipPlanes;
 
     @Option(
             names = "--depth-cue",
@@ -143,14 +142,19 @@ final class LookOptions {
                         .withLight(seenTerms(shown), sides(shown))
                         .withCull(shown.option("--cull", Cull.named(cull), Setting.CULL))
                         .withWire(wire(shown))
-                        .withClipPlanes(
-                                shown.option(clipPlanes, Setting.CLIP_PLANES).orElse(List.of()));
+                        .withClipPlanes(planes(shown));
         if (outline == null ? outlines(shown, look) : outline)
             look = outline == null ? look.withOutline() : outlined(look);
         Optional<DepthCue> cue = cue(shown);
         if (cue.isPresent()) look = look.withCue(cue.get());
         Optional<Stereo> eyesApart = stereo(shown, projection, rho);
         return eyesApart.isPresent() ? look.withStereo(eyesApart.get()) : look;
+    }
+
+    private List<ClipPlane> planes(ShownScene shown) {
+        return clipPlanes == null
+                ? shown.said().get(Setting.CLIP_PLANES).orElse(List.of())
+                : ClipPlaneOption.planes(clipPlanes);
     }
 
     private Optional<DepthCue> cue(ShownScene shown) {
@@ -246,11 +250,8 @@ final class LookOptions {
     private Set<LightTerm> seenTerms(ShownScene shown) {
         if (terms == null) return shown.said().get(Setting.TERMS).orElse(LightTerm.all());
         if (terms.equals(List.of(NONE))) return Set.of();
-        if (terms.isEmpty())
-            throw new IllegalArgumentException(
-                    "--terms needs one of " + String.join(", ", LightTerm.names()));
         Set<LightTerm> seen = new TreeSet<>();
-        for (String term : terms)
+        for (String term : NameList.of("--terms", terms, LightTerm.names()))
             if (!seen.add(LightTerm.named(term)))
                 throw new IllegalArgumentException("--terms names '" + term + "' twice");
         return seen;

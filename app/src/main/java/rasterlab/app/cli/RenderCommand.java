@@ -79,7 +79,8 @@ final class RenderCommand implements Callable<Integer> {
             names = "--camera",
             paramLabel = "THETA,PHI,RHO",
             description =
-                    "eye in spherical coordinates, radians (0.25pi works too); default: the scene's",
+                    "eye in spherical coordinates, radians from -1e6 to 1e6 (0.25pi works too), RHO from"
+                            + " 0.001 to 1e6; default: the scene's",
             converter = CameraOption.class)
     private SphericalView camera;
 
@@ -93,11 +94,17 @@ final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--near",
             paramLabel = "N",
-            description = "draws nothing nearer, in world units along the line of sight")
-    private Double near;
+            description =
+                    "draws nothing nearer, in world units along the line of sight; none: all of it",
+            converter = DepthOption.class)
+    private DepthOption.Limit near;
 
-    @Option(names = "--far", paramLabel = "F", description = "draws nothing farther")
-    private Double far;
+    @Option(
+            names = "--far",
+            paramLabel = "F",
+            description = "draws nothing farther; none: all of it",
+            converter = DepthOption.class)
+    private DepthOption.Limit far;
 
     @Mixin private LookOptions look;
 
@@ -190,8 +197,8 @@ final class RenderCommand implements Callable<Integer> {
 
     private DrawnDepths depths(ShownScene opened, Projection chosen, double rho) {
         DrawnDepths all = DrawnDepths.all(chosen, rho);
-        double from = opened.option(near, Setting.NEAR).orElse(all.near());
-        double to = opened.option(far, Setting.FAR).orElse(all.far());
+        double from = limit(opened, near, Setting.NEAR).orElse(all.near());
+        double to = limit(opened, far, Setting.FAR).orElse(all.far());
         Optional<Setting<Double>> ofNear = opened.ofFile(near, Setting.NEAR);
         Optional<Setting<Double>> ofFar = opened.ofFile(far, Setting.FAR);
         return opened.placed(
@@ -201,6 +208,11 @@ final class RenderCommand implements Callable<Integer> {
                     drawn.require(chosen, rho);
                     return drawn;
                 });
+    }
+
+    private static Optional<Double> limit(
+            ShownScene opened, DepthOption.Limit given, Setting<Double> setting) {
+        return given == null ? opened.said().get(setting) : given.units();
     }
 
     private static void requireErrors(Look look) {

@@ -12,6 +12,7 @@ import rasterlab.app.model.SceneText;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.scene.obj.UpAxis;
+import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
 import rasterlab.exercises.scene.Setting;
 import rasterlab.exercises.scene.Settings;
@@ -35,8 +36,8 @@ final class SceneArgument {
             names = "--detail",
             paramLabel = "N",
             description =
-                    "faces once round a curved surface, 3 to 1024, and half as many across it;"
-                            + " default: the scene's")
+                    "faces once round a curved surface, 3 to 1024, and half as many across it, of a"
+                            + " scene by name; default: the scene's")
     private Integer detail;
 
     @Option(
@@ -64,8 +65,8 @@ final class SceneArgument {
         String name = scene.toLowerCase(Locale.ROOT);
         boolean model = name.endsWith(".obj");
         boolean view = name.endsWith(SceneText.EXTENSION);
-        if (detail != null && (model || view))
-            throw new IllegalArgumentException("--detail is for scenes by name, not for a file");
+        if (detail != null && model)
+            throw new IllegalArgumentException("--detail is for scenes by name, not for a model");
         if (up != null && !model)
             throw new IllegalArgumentException("--up is for a model, FILE.obj; scenes have z up");
         if (sceneOnly && !view)
@@ -86,7 +87,7 @@ final class SceneArgument {
 
     private ShownScene shown(Path file) {
         SceneView view = SceneText.view(file);
-        Scene held = view.source().scene();
+        Scene held = held(file, view.source());
         if (sceneOnly) return plain(held);
         Settings said = view.settings();
         return new ShownScene(
@@ -94,5 +95,12 @@ final class SceneArgument {
                 said,
                 Optional.of(file),
                 command.commandLine().getParseResult()::hasMatchedOption);
+    }
+
+    private Scene held(Path file, SceneSource source) {
+        if (detail == null) return source.scene();
+        if (source instanceof SceneSource.ByName named) return Scenes.named(named.name(), detail);
+        throw new IllegalArgumentException(
+                "--detail is for scenes by name; %s holds the scene itself".formatted(file));
     }
 }

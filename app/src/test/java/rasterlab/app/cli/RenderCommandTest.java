@@ -158,7 +158,12 @@ class RenderCommandTest {
                 mistake("eyes are one", "distance must be above 0, got '0'", GLASSES, "--eyes=0"),
                 mistake("angle is huge", "1000000.0 radians, got '1e300'", "--camera=1e300,1,5"),
                 mistake("zoom is huge", "to 1000000.0, got 1.0E300", "--zoom=1e300"),
-                mistake("no term", "--terms needs one of ambient", "--terms=,"),
+                mistake(
+                        "no term",
+                        "--terms ',' has an empty name; expected some of amb",
+                        "--terms=,"),
+                mistake("term without a name", "'ambient,' has an empty", "--terms=ambient,"),
+                mistake("first term without one", "',ambient' has an", "--terms=,ambient"),
                 mistake("term is given twice", "'ambient' twice", "--terms=ambient,ambient"),
                 mistake("light of wires", "--terms needs light", WIRE, "--terms=ambient"),
                 mistake(

@@ -14,10 +14,16 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.model.SceneText;
+import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.exercises.scene.SceneSource;
+import rasterlab.exercises.scene.SceneView;
+import rasterlab.exercises.scene.Settings;
 
 class SceneFileCommandTest {
     private static final String VIEW =
@@ -187,9 +193,11 @@ class SceneFileCommandTest {
                 "'near': -5 | $.near: near must be above 0 in perspective",
                 "'near': 0, 'far': 9 | $.near: near must be above 0 in perspective",
                 "'far': 1e-9 | $.far: near must be below far",
+                "'camera': {'theta': NaN, 'phi': 1, 'rho': 9} | $.camera.theta: must be a number from"
+                        + " -1000000.0 to 1000000.0, got NaN",
                 "'detail': 0 | $.detail: must be a whole number from 3 to 1024, got 0",
                 "'look': {'textureImage': '../x.png'} | $.look.textureImage: '../x.png' leads out",
-                "'look': {'textureImage': '.'} | $.look.textureImage: '.' is no file",
+                "'look': {'textureImage': '.'} | $.look.textureImage: FOLDER: is a folder, not a picture",
                 "'look': {'textureImage': 'one.scene.json'} | $.look.textureImage: FOLDER/one.scene"
                         + ".json: is not a PNG",
             })
@@ -240,6 +248,52 @@ class SceneFileCommandTest {
         assertArrayEquals(drawn("torus", off), drawn(file, off));
     }
 
+    @ParameterizedTest(name = "{0} of a file is not taken back by {1}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "'near': 480 | --near none",
+                "'far': 470 | --far none",
+                "'near': 470, 'far': 480 | --far none --near none",
+                "'clipPlanes': [[1,0,0,0],[0,1,1,9]] | --clip-plane none",
+            })
+    void commandLineTakesBack(String said, String back) throws Exception {
+        String file =
+                written("{\"version\": 1, \"scene\": \"torus\", " + said.replace('\'', '"') + "}");
+        assertFalse(Arrays.equals(drawn("torus", ""), drawn(file, "")), "nothing is cut off");
+        assertArrayEquals(drawn("torus", ""), drawn(file, back));
+        assertArrayEquals(drawn("torus", ""), drawn("torus", back));
+    }
+
+    @Test
+    void nothingAndPlanesCannotBeCutOffTogether() {
+        Ran.lab("render torus --clip-plane none --clip-plane 1,0,0,0 --out x.png".split(" "))
+                .assertComplains(2, "./lab render: --clip-plane none must stand alone");
+    }
+
+    @Test
+    @DisplayName("--detail is refused for a scene by name in a file, or does not count before it")
+    void detailCountsBeforeTheFile() throws Exception {
+        String fine = written("{\"version\": 1, \"scene\": \"torus\", \"detail\": 24}");
+        assertArrayEquals(drawn("torus", "--detail 24"), drawn(fine, ""));
+        assertArrayEquals(drawn("torus", "--detail 9"), drawn(fine, "--detail 9"));
+        assertArrayEquals(drawn("torus", "--detail 9"), drawn(fine, "--detail 9 --scene-only"));
+        String plain = written("{\"version\": 1, \"scene\": \"torus\"}");
+        assertArrayEquals(drawn("torus", "--detail 9"), drawn(plain, "--detail 9"));
+        SceneText.write(
+                Path.of(plain),
+                new SceneView(new SceneSource.Inline(Scenes.named("house")), Settings.NONE));
+        Ran.lab("render", plain, "--detail", "9", "--out", "x.png")
+                .assertComplains(
+                        2,
+                        "./lab render: --detail is for scenes by name; "
+                                + plain
+                                + " holds the scene itself");
+        Ran.lab("render", "x.obj", "--detail", "9", "--out", "x.png")
+                .assertComplains(
+                        2, "./lab render: --detail is for scenes by name, not for a model");
+    }
+
     @Test
     void noTermAtAllCanBeAskedForInBothPlaces() throws Exception {
         String file = written("{\"version\": 1, \"scene\": \"torus\", \"look\": {\"terms\": []}}");
@@ -252,7 +306,7 @@ class SceneFileCommandTest {
                 .assertComplains(
                         2,
                         "./lab render: invalid value for option '--clip-plane' (A,B,C,D): '1,0,0' is not a"
-                                + " plane; expected four numbers A,B,C,D such as 1,0,0,-20 (see `./lab render --help`)");
+                                + " plane; expected four numbers A,B,C,D such as 1,0,0,-20, or none (see `./lab render --help`)");
         Ran.lab("render", "cube", "--clip-plane", "0,0,0,1", "--out", "x.png")
                 .assertComplains(
                         2,
