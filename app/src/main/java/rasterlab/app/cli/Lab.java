@@ -41,7 +41,7 @@ public final class Lab {
         lab.addSubcommand(new ChartCommand(console));
         lab.addSubcommand(new HazardsCommand(console));
         lab.addSubcommand(new RenderCommand(console));
-        lab.addSubcommand(new OpenGlCommand(console));
+        lab.addSubcommand(OpenGlCommand.commandLine(console));
         lab.addSubcommand(new CheckCommand(console));
         lab.addSubcommand(new TourCommand(console));
         lab.addSubcommand(new GraderCommand(console));

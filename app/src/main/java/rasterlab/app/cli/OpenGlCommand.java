@@ -1,6 +1,7 @@
 package rasterlab.app.cli;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumMap;
 import java.util.List;
@@ -8,9 +9,14 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.Option;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.app.opengl.SoftwareHalf;
+import rasterlab.app.opengl.software.Deviations;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlChoice.ImageTexture;
 import rasterlab.app.opengl.state.Setting;
@@ -26,7 +32,8 @@ import rasterlab.engine.naming.Named;
         mixinStandardHelpOptions = true,
         description = {
             "Draws, without OpenGL, the picture that the tab OpenGL shows beside OpenGL's own.",
-            "Each --set is one of the tab's settings; the others are as the tab opens."
+            "Each --set is one of the tab's settings, listed below with their options; the others are as"
+                    + " the tab opens."
         },
         footer = {
             "",
@@ -38,10 +45,15 @@ final class OpenGlCommand implements Callable<Integer> {
     @Option(
             names = "--set",
             paramLabel = "SETTING=OPTION",
-            description = "may be given for each setting, such as shade-model=GL_FLAT")
+            description = "may be given once for each setting, such as shade-model=GL_FLAT")
     private List<String> settings = List.of();
 
-    @Option(names = "--image", paramLabel = "FILE", description = "the texture of image=file")
+    @Option(
+            names = "--image",
+            paramLabel = "FILE",
+            description =
+                    "PNG, JPEG, GIF or BMP as the texture: image=file, and texture-2d=on, are then"
+                            + " taken where --set does not say them")
     private Path image;
 
     @Option(
@@ -84,6 +96,21 @@ final class OpenGlCommand implements Callable<Integer> {
         this.console = console;
     }
 
+    /** The command with the settings and their options in its help. */
+    static CommandLine commandLine(Console console) {
+        var line = new CommandLine(new OpenGlCommand(console));
+        UsageMessageSpec usage = line.getCommandSpec().usageMessage();
+        List<String> below =
+                new ArrayList<>(
+                        List.of(
+                                "",
+                                "Settings and their options; the tab opens with the first of each:"));
+        below.addAll(OpenGlSettings.lines());
+        below.addAll(List.of(usage.footer()));
+        usage.footer(below.toArray(String[]::new));
+        return line;
+    }
+
     @Override
     public Integer call() {
         if (!out.toString().toLowerCase(Locale.ROOT).endsWith(".png"))
@@ -92,6 +119,7 @@ final class OpenGlCommand implements Callable<Integer> {
         GlChoice choice = choice();
         WholeFile.write(
                 out, PngFile.bytes(SoftwareHalf.of(choice, size.width(), size.height()).image()));
+        tellDeviations(choice);
         console.err().println("wrote " + out);
         return ExitCode.DONE;
     }
@@ -100,7 +128,7 @@ final class OpenGlCommand implements Callable<Integer> {
         GlChoice first = GlChoice.first();
         try {
             Map<Setting, String> options = new EnumMap<>(first.options());
-            for (String given : settings) set(given, options);
+            options.putAll(given());
             Optional<ImageTexture> file = Optional.ofNullable(image).map(SoftwareHalf::image);
             return new GlChoice(
                     options,
@@ -113,13 +141,38 @@ final class OpenGlCommand implements Callable<Integer> {
         }
     }
 
-    private static void set(String given, Map<Setting, String> options) {
-        int equals = given.indexOf('=');
+    /** What the options say, each setting once. */
+    private Map<Setting, String> given() {
+        Map<Setting, String> given = new EnumMap<>(Setting.class);
+        for (String each : settings) set(each, given);
+        if (image == null) return given;
+        if (!given.containsKey(Setting.IMAGE)) given.putIfAbsent(Setting.TEXTURE_2D, "on");
+        String shown = given.computeIfAbsent(Setting.IMAGE, setting -> "file");
+        if (!shown.equals("file"))
+            throw new IllegalArgumentException(
+                    "--image is the texture of image=file, but --set image=%s asks for another"
+                            .formatted(shown));
+        return given;
+    }
+
+    private static void set(String text, Map<Setting, String> given) {
+        int equals = text.indexOf('=');
         if (equals < 0)
             throw new IllegalArgumentException(
-                    "--set needs SETTING=OPTION such as shade-model=GL_FLAT, got '" + given + "'");
+                    "--set needs SETTING=OPTION such as shade-model=GL_FLAT, got '" + text + "'");
         List<Setting> all = Arrays.asList(Setting.values());
-        Setting setting = Named.find("setting", given.substring(0, equals), all, Setting::code);
-        options.put(setting, given.substring(equals + 1));
+        Setting setting = Named.find("setting", text.substring(0, equals), all, Setting::code);
+        String before = given.put(setting, text.substring(equals + 1));
+        if (before != null)
+            throw new IllegalArgumentException(
+                    "--set gives %s twice, '%s' and '%s'"
+                            .formatted(setting.code(), before, given.get(setting)));
+    }
+
+    /** Tells what of the state the picture does not have, as the tab does beside its pictures. */
+    private void tellDeviations(GlChoice choice) {
+        Texts texts = Texts.of("opengl", Language.ENGLISH);
+        for (Deviations each : Deviations.of(choice))
+            console.err().println("note: " + texts.text("why." + each.code()));
     }
 }

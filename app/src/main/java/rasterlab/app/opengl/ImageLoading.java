@@ -2,7 +2,6 @@ package rasterlab.app.opengl;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Optional;
@@ -10,6 +9,8 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import rasterlab.app.opengl.state.GlChoice.ImageTexture;
+import rasterlab.app.outcome.FileKind;
+import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.PixelLevels;
 import rasterlab.engine.texture.Texture;
 
@@ -24,15 +25,16 @@ record ImageLoading(Optional<ImageTexture> image, Optional<ImageProblem> problem
      */
     static ImageLoading of(Path file, int limit) {
         String name = String.valueOf(file.getFileName());
-        if (!Files.isReadable(file) || Files.isDirectory(file))
-            return refused(ImageProblem.of("unreadable", name));
+        Optional<String> obstacle = FileToRead.obstacle(file, FileKind.PICTURE);
+        if (obstacle.isPresent())
+            return refused(ImageProblem.of("unreadable", name, obstacle.get()));
         try (ImageInputStream stream = ImageIO.createImageInputStream(file.toFile())) {
             Iterator<ImageReader> readers = ImageIO.getImageReaders(stream);
             if (!readers.hasNext()) return refused(ImageProblem.of("unknown", name));
             ImageReader reader = readers.next();
             try {
                 reader.setInput(stream);
-                return read(reader, name, Math.min(limit, Texture.LARGEST));
+                return read(reader, file, Math.min(limit, Texture.LARGEST));
             } finally {
                 reader.dispose();
             }
@@ -42,18 +44,20 @@ record ImageLoading(Optional<ImageTexture> image, Optional<ImageProblem> problem
         }
     }
 
-    private static ImageLoading read(ImageReader reader, String name, int limit)
-            throws IOException {
+    private static ImageLoading read(ImageReader reader, Path file, int limit) throws IOException {
         int width = reader.getWidth(0);
         int height = reader.getHeight(0);
         if (width > limit || height > limit)
-            return refused(ImageProblem.of("large", name, width, height, limit));
+            return refused(
+                    ImageProblem.of(
+                            "large", String.valueOf(file.getFileName()), width, height, limit));
         BufferedImage image = reader.read(0);
         int[] texels = new int[width * height];
         for (int y = 0; y < height; y++)
             PixelLevels.row(image, y, texels, (height - 1 - y) * width);
         var texture = Texture.of(width, height, 4, texels);
-        return new ImageLoading(Optional.of(new ImageTexture(name, texture)), Optional.empty());
+        var loaded = new ImageTexture(file.toAbsolutePath(), texture);
+        return new ImageLoading(Optional.of(loaded), Optional.empty());
     }
 
     private static ImageLoading refused(ImageProblem problem) {

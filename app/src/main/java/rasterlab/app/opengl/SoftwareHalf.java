@@ -1,6 +1,5 @@
 package rasterlab.app.opengl;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -43,14 +42,13 @@ public final class SoftwareHalf {
                 .orElseThrow(
                         () ->
                                 new IllegalArgumentException(
-                                        file + ": " + refusal(file, loading.problem().get())));
+                                        file + ": " + refusal(loading.problem().get())));
     }
 
-    private static String refusal(Path file, ImageProblem problem) {
-        if (Files.notExists(file)) return "no such file to read";
+    private static String refusal(ImageProblem problem) {
         List<Object> arguments = problem.arguments();
         return switch (problem.key()) {
-            case "unreadable" -> "cannot be read: it is no file, or its rights forbid it";
+            case "unreadable" -> (String) arguments.get(1);
             case "unknown" -> "is no PNG, JPEG, GIF or BMP image";
             case "large" ->
                     "has %s × %s pixels; a texture here has at most %s on a side"
@@ -59,7 +57,7 @@ public final class SoftwareHalf {
         };
     }
 
-    /** The shell command that draws it; an image of the user is looked for where it is run. */
+    /** The shell command that draws it, in whatever folder it is run. */
     static String command(GlChoice choice, int width, int height) {
         GlChoice first = GlChoice.first();
         List<String> words = new ArrayList<>(List.of("./lab opengl"));
@@ -67,7 +65,7 @@ public final class SoftwareHalf {
             if (!choice.is(each, first.get(each)))
                 words.add("--set " + each.code() + "=" + choice.get(each));
         if (choice.is(Setting.IMAGE, "file"))
-            words.add("--image " + ShellPath.quoted(Path.of(choice.file().orElseThrow().name())));
+            words.add("--image " + ShellPath.quoted(choice.file().orElseThrow().file()));
         words.add("--turn " + choice.turn());
         words.add("--tilt " + choice.tilt());
         words.add("--distance " + choice.distance());

@@ -15,12 +15,17 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.app.opengl.call.GlCall;
 import rasterlab.app.opengl.context.GlReport;
+import rasterlab.app.opengl.software.Deviations;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlFrame;
 import rasterlab.app.opengl.state.Setting;
+import rasterlab.app.outcome.Pipe;
 import rasterlab.engine.raster.Raster;
 
 class OpenGlLabModelTest {
@@ -188,6 +193,35 @@ class OpenGlLabModelTest {
     void folderAndMissingFileAreNamed(@TempDir Path folder) throws InterruptedException {
         assertEquals("unreadable", problemWith(folder).key());
         assertEquals("unreadable", problemWith(folder.resolve("none.png")).key());
+    }
+
+    @Test
+    @Timeout(60)
+    void pipeIsNotWaitedFor(@TempDir Path folder) throws Exception {
+        Path pipe = Pipe.at(folder.resolve("pipe.png"));
+        ImageProblem problem = problemWith(pipe);
+        assertEquals(
+                List.of("pipe.png", "is a device, pipe or socket, not a picture"),
+                problem.arguments());
+        assertEquals(
+                "Изображение pipe.png: это устройство, канал или сокет, а не рисунок.",
+                Texts.of("opengl", Language.RUSSIAN)
+                        .text("problem." + problem.key(), problem.said(Language.RUSSIAN)));
+    }
+
+    /** In every order of the two choices. */
+    @Test
+    void decalWithoutColoursStaysAndIsNamed() {
+        GlChoice quad = GlChoice.first().with(Setting.SCENE, "quad");
+        GlChoice decal = quad.with(Setting.ENV_MODE, "GL_DECAL");
+        for (String components : new String[] {"1", "2"}) {
+            GlChoice last = decal.with(Setting.COMPONENTS, components);
+            GlChoice first =
+                    quad.with(Setting.COMPONENTS, components).with(Setting.ENV_MODE, "GL_DECAL");
+            assertEquals(first, last);
+            assertEquals(List.of(Deviations.DECAL), Deviations.of(last));
+        }
+        assertEquals(List.of(), Deviations.of(decal));
     }
 
     @Test

@@ -2,6 +2,7 @@ package rasterlab.app.opengl;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -12,8 +13,11 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,6 +26,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.cli.Lab;
 import rasterlab.app.opengl.state.GlChoice;
+import rasterlab.app.opengl.state.Setting;
 import rasterlab.engine.raster.Raster;
 
 class SoftwareHalfTest {
@@ -45,6 +50,8 @@ class SoftwareHalfTest {
     @ParameterizedTest(name = "{0} is taken")
     @CsvSource({
         "--set shade-model, SETTING=OPTION",
+        "--set scene=quad --set lights=2 --set scene=globe, 'scene twice, ''quad'' and ''globe'''",
+        "--set lights=2 --set lights=2, 'lights twice, ''2'' and ''2'''",
         "--set shade=GL_FLAT, no setting 'shade'; there are scene",
         "--set shade-model=GL_ROUND, GL_SMOOTH",
         "--set image=file, needs a file",
@@ -74,9 +81,93 @@ class SoftwareHalfTest {
         assertEquals("", lab("./lab opengl " + options + " --out " + folder.resolve("x.png")));
     }
 
+    @Test
+    @DisplayName("an image is passed over where --set does not ask for it")
+    void imageIsTheTexture() throws IOException {
+        Path image = Files.write(folder.resolve("one image.png"), striped());
+        byte[] expected = drawn("--set image=file --set texture-2d=on --image", image);
+        assertArrayEquals(expected, drawn("--image", image));
+        byte[] bare = drawn("--set texture-2d=off --image", image);
+        assertFalse(Arrays.equals(expected, bare), "the image is not seen");
+        assertArrayEquals(bare, drawn("--set image=file --image", image));
+        String complaint =
+                lab("./lab opengl --set image=map --image a.png --out " + folder.resolve("y.png"));
+        assertTrue(complaint.contains("--image is the texture of image=file"), complaint);
+    }
+
+    private byte[] drawn(String options, Path image) throws IOException {
+        Path out = folder.resolve("x.png");
+        List<String> words = words("./lab opengl --set scene=quad --size 80x60 " + options);
+        words.addAll(List.of(image.toString(), "--out", out.toString()));
+        assertEquals("", lab(words));
+        return Files.readAllBytes(out);
+    }
+
+    private static byte[] striped() throws IOException {
+        var bytes = new ByteArrayOutputStream();
+        var image = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
+        for (int i = 0; i < 16; i++) image.setRGB(i % 4, i / 4, i * 0x0F0301);
+        ImageIO.write(image, "png", bytes);
+        return bytes.toByteArray();
+    }
+
+    @Test
+    @DisplayName("the copied command finds an image of the user in its own folder only")
+    void commandNamesTheImageWhereverItIsRun() throws IOException {
+        Path image = Files.write(folder.resolve("image.png"), striped());
+        Path fromHere = Path.of("").toAbsolutePath().relativize(image);
+        for (Path given : List.of(image, fromHere)) {
+            GlChoice choice =
+                    GlChoice.first()
+                            .with(Setting.SCENE, "quad")
+                            .withFile(SoftwareHalf.image(given));
+            String command = SoftwareHalf.command(choice, WIDTH, HEIGHT);
+            String named = command.replaceFirst(".* --image (\\S+) .*", "$1");
+            assertTrue(Path.of(named).isAbsolute(), command);
+            Path out = folder.resolve("drawn.png");
+            assertEquals("", lab(command.replaceFirst("--out .*", "--out " + out)), command);
+            Raster shown = SoftwareHalf.of(choice, WIDTH, HEIGHT);
+            int[] drawn = ImageIO.read(out.toFile()).getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH);
+            assertArrayEquals(shown.argb(), drawn, command);
+        }
+    }
+
+    @ParameterizedTest(name = "what OpenGL leaves open is drawn without a word: components={0}")
+    @CsvSource({"1, true", "2, true", "3, false", "4, false"})
+    void tellsWhatOpenGlLeavesOpen(String components, boolean open) {
+        Said said =
+                said(
+                        words(
+                                "./lab opengl --set scene=globe --set texture-2d=on --set"
+                                        + " env-mode=GL_DECAL --size 8x6 --set components="
+                                        + components
+                                        + " --out "
+                                        + folder.resolve("x.png")));
+        assertEquals(0, said.exit(), said.err());
+        assertEquals(
+                open,
+                said.err().contains("note: OpenGL leaves open what GL_DECAL does"),
+                said.err());
+    }
+
+    @Test
+    void helpListsEverySettingAndOption() {
+        String help = said(words("./lab help opengl")).out();
+        String joined = help.replaceAll("\n {9,}", " ");
+        for (Setting setting : Setting.values()) {
+            String row = "\n  " + setting.code() + " ";
+            int at = joined.indexOf(row);
+            assertTrue(at >= 0, setting.code());
+            String options = joined.substring(at + row.length()).lines().findFirst().orElseThrow();
+            assertEquals(setting.options(), List.of(options.strip().split(", ")), row);
+        }
+        assertTrue(help.lines().allMatch(line -> line.length() <= 100), help);
+        assertTrue(help.contains("\nExample: "), help);
+    }
+
     @ParameterizedTest(name = "the complaint does not tell what is wrong: {0}")
     @CsvSource({
-        "folder, cannot be read",
+        "folder, 'is a folder, not a picture'",
         "text, 'is no PNG, JPEG, GIF or BMP image'",
         "cut, is a broken image",
         "wide, has 9000 × 1 pixels"
@@ -104,15 +195,32 @@ class SoftwareHalfTest {
         assertTrue(complaint.contains("allowed is .png"), complaint);
     }
 
+    private record Said(int exit, String out, String err) {}
+
     /** What it complains of; "" where it is done. */
     private static String lab(String command) {
+        return lab(words(command));
+    }
+
+    private static String lab(List<String> words) {
+        Said said = said(words);
+        return said.exit() == 0 ? "" : said.err();
+    }
+
+    private static List<String> words(String command) {
+        return new ArrayList<>(List.of(command.substring("./lab ".length()).split(" ")));
+    }
+
+    private static Said said(List<String> words) {
+        var out = new ByteArrayOutputStream();
         var err = new ByteArrayOutputStream();
         int exit =
                 Lab.run(
-                        command.substring("./lab ".length()).split(" "),
+                        words.toArray(String[]::new),
                         new ByteArrayInputStream(new byte[0]),
-                        new PrintStream(new ByteArrayOutputStream()),
+                        new PrintStream(out, true, StandardCharsets.UTF_8),
                         new PrintStream(err, true, StandardCharsets.UTF_8));
-        return exit == 0 ? "" : err.toString(StandardCharsets.UTF_8);
+        return new Said(
+                exit, out.toString(StandardCharsets.UTF_8), err.toString(StandardCharsets.UTF_8));
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.app.opengl.state;
 
+import java.nio.file.Path;
 import java.util.Collections;
 import java.util.EnumMap;
 import java.util.Map;
@@ -24,8 +25,17 @@ public record GlChoice(
     public static final double NEAREST = 3.8;
     public static final double FARTHEST = 16;
 
-    /** An image of the user: where it came from and its texels. */
-    public record ImageTexture(String name, Texture texture) {}
+    /**
+     * An image of the user.
+     *
+     * @param file where it came from, an absolute path
+     */
+    public record ImageTexture(Path file, Texture texture) {
+        /** Without its folder. */
+        public String name() {
+            return String.valueOf(file.getFileName());
+        }
+    }
 
     public GlChoice {
         if (!(distance >= NEAREST && distance <= FARTHEST))
@@ -91,8 +101,6 @@ public record GlChoice(
             next.put(Setting.TEXTURE_2D, bare ? "off" : "on");
             next.put(Setting.FRONT_MATERIAL, bare ? "brass" : "chalk");
         }
-        if (setting == Setting.COMPONENTS && !option.equals("3") && !option.equals("4"))
-            next.replace(Setting.ENV_MODE, "GL_DECAL", "GL_MODULATE");
         return new GlChoice(next, turn, tilt, distance, file);
     }
 
