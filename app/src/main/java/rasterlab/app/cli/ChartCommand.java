@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import rasterlab.app.line.BrightnessChart;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.outcome.WholeFile;
@@ -56,7 +57,6 @@ final class ChartCommand implements Callable<Integer> {
     @Option(
             names = "--methods",
             paramLabel = "METHOD,…",
-            split = ",",
             description =
                     "of line-brightness: methods of topic line; default: bresenham,naive-textbook")
     private List<String> methods = List.of();
@@ -72,7 +72,7 @@ final class ChartCommand implements Callable<Integer> {
             extension(file);
             WholeFile.requireWritable(file);
         }
-        table(chart).lines().forEach(console.out()::println);
+        chart.table().get().lines().forEach(console.out()::println);
         for (Path file : files) {
             WholeFile.write(file, chart.content(extension(file), language.inWindow()));
             console.err().println("wrote " + file);
@@ -80,18 +80,12 @@ final class ChartCommand implements Callable<Integer> {
         return ExitCode.DONE;
     }
 
-    private static TextTable table(Chart chart) {
-        try {
-            return chart.table().get();
-        } catch (IllegalArgumentException unknown) {
-            throw Complaint.badInput(unknown.getMessage());
-        }
-    }
-
     private Chart chart() {
         try {
-            Chart chart = Named.find("chart", name, Chart.all(methods), Chart::name);
-            if (!methods.isEmpty() && !name.equals(Chart.OF_METHODS))
+            List<String> named = NameList.of("--methods", methods, BrightnessChart.known());
+            BrightnessChart.requireKnown(named);
+            Chart chart = Named.find("chart", name, Chart.all(named), Chart::name);
+            if (!named.isEmpty() && !name.equals(Chart.OF_METHODS))
                 throw new IllegalArgumentException("--methods is for chart " + Chart.OF_METHODS);
             return chart;
         } catch (IllegalArgumentException e) {

@@ -3,11 +3,13 @@ package rasterlab.app.line;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.StringJoiner;
+import java.util.stream.Collectors;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
 import org.knowm.xchart.style.Styler.LegendPosition;
@@ -23,6 +25,9 @@ public final class BrightnessChart {
 
     private static final double HIGHEST = 1.2;
 
+    /** Characters of a line of the legend, which cuts longer ones. */
+    private static final int LEGEND = 60;
+
     private final Map<String, List<Double>> light = new LinkedHashMap<>();
 
     /**
@@ -34,6 +39,21 @@ public final class BrightnessChart {
         var topics = new FigureTopics();
         for (String method : methods.isEmpty() ? USUAL : methods)
             light.put(method, FigureDrawing.brightness(topics, method));
+    }
+
+    /** The methods that there are. */
+    public static List<String> known() {
+        return new FigureTopics().methods(LineMode.SEGMENT);
+    }
+
+    /**
+     * Passes if all are known.
+     *
+     * @throws IllegalArgumentException for an unknown name; the message lists the known ones
+     */
+    public static void requireKnown(List<String> methods) {
+        var topics = new FigureTopics();
+        methods.forEach(method -> topics.line().method(method));
     }
 
     /** The methods drawn. */
@@ -68,6 +88,11 @@ public final class BrightnessChart {
     }
 
     private void paint(Graphics2D graphics, Language language) {
+        chart(language).paint(graphics, ChartLook.WIDTH, ChartLook.HEIGHT);
+    }
+
+    /** A series for each curve that differs from the others. */
+    XYChart chart(Language language) {
         Texts texts = Texts.of("line", language);
         XYChart chart =
                 new XYChartBuilder()
@@ -83,21 +108,45 @@ public final class BrightnessChart {
                 .setYAxisMax(HIGHEST);
         chart.getStyler().setLegendPosition(LegendPosition.OutsideS);
         chart.getStyler().setLocale(Locale.ROOT);
-        Map<String, MethodLook> looks = MethodLook.of(new FigureTopics().methods(LineMode.SEGMENT));
+        Map<String, MethodLook> looks = MethodLook.of(known());
         int number = 0;
-        for (String method : methods()) add(chart, method, looks.get(method).unmarked(number++));
-        chart.paint(graphics, ChartLook.WIDTH, ChartLook.HEIGHT);
+        for (List<String> alike : alike())
+            add(chart, alike, looks.get(alike.get(0)).unmarked(number++));
+        return chart;
     }
 
-    private void add(XYChart chart, String method, MethodLook look) {
+    /** The methods in their order, those together whose curves are one. */
+    private Collection<List<String>> alike() {
+        return methods().stream()
+                .collect(Collectors.groupingBy(light::get, LinkedHashMap::new, Collectors.toList()))
+                .values();
+    }
+
+    /**
+     * @param alike whose curve this is
+     */
+    private void add(XYChart chart, List<String> alike, MethodLook look) {
+        List<Double> curve = light.get(alike.get(0));
         var degrees = new ArrayList<Integer>();
         var shown = new ArrayList<Double>();
         for (int at = 0; at <= SlopeFigure.STEEPEST; at++) {
-            if (light.get(method).get(at).isNaN()) continue;
+            if (curve.get(at).isNaN()) continue;
             degrees.add(at);
-            shown.add(light.get(method).get(at));
+            shown.add(curve.get(at));
         }
         if (degrees.isEmpty()) return;
-        look.style(chart.addSeries(method, degrees, shown));
+        look.style(chart.addSeries(legend(alike), degrees, shown));
+    }
+
+    /** The names with signs of equality between them, in as many lines as they take. */
+    private static String legend(List<String> alike) {
+        var legend = new StringBuilder(alike.get(0));
+        int line = legend.length();
+        for (String method : alike.subList(1, alike.size())) {
+            boolean fits = line + method.length() < LEGEND;
+            legend.append(fits ? " = " : "\n= ").append(method);
+            line = legend.length() - legend.lastIndexOf("\n") - 1;
+        }
+        return legend.toString();
     }
 }

@@ -15,6 +15,8 @@ import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.MethodColours;
 
 class ChartCommandTest {
@@ -36,6 +38,18 @@ class ChartCommandTest {
         assertTrue(unknown.err().contains("'wuu'; there are naive"), unknown.err());
         Ran.lab("chart", "mach-bands", "--methods", "wu")
                 .assertComplains(2, "./lab chart: --methods is for chart line-brightness");
+    }
+
+    @ParameterizedTest(name = "an empty name is passed over: \"{0}\"")
+    @ValueSource(strings = {"wu,", ",wu", "wu,,dda", ",", ""})
+    void emptyNameIsRefused(String methods) {
+        Ran ran = Ran.lab("chart", "line-brightness", "--methods", methods);
+        String start =
+                "./lab chart: --methods '" + methods + "' has an empty name; expected some of";
+        assertTrue(ran.err().startsWith(start), ran.err());
+        assertTrue(ran.err().contains(" wu with commas between them"), ran.err());
+        assertEquals(2, ran.exitCode());
+        assertEquals("", ran.out());
     }
 
     @Test
