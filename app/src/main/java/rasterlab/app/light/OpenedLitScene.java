@@ -2,12 +2,17 @@ package rasterlab.app.light;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.pipeline.Cull;
+import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.Projection;
 import rasterlab.exercises.scene.SceneSource;
@@ -26,15 +31,43 @@ import rasterlab.exercises.scene.Settings;
  * @param whole whether {@code ./lab render} draws what is shown from the file
  */
 record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
-    /** What the lab does not draw. */
-    private static final List<Setting<?>> PASSED_OVER =
+    /**
+     * A setting of a file.
+     *
+     * @param drawn whether the lab draws a value of it
+     */
+    private record Part<T>(Setting<T> setting, Predicate<T> drawn) {
+        static <T> Part<T> never(Setting<T> setting) {
+            return new Part<>(setting, value -> false);
+        }
+
+        boolean passedOver(Settings said) {
+            return said.get(setting).filter(drawn.negate()).isPresent();
+        }
+    }
+
+    private static final List<Part<?>> PARTS =
             List.of(
-                    Setting.NEAR,
-                    Setting.FAR,
-                    Setting.CLIP_PLANES,
-                    Setting.TEXTURE_IMAGE,
-                    Setting.DEPTH_CUE,
-                    Setting.STEREO);
+                    Part.never(Setting.NEAR),
+                    Part.never(Setting.FAR),
+                    Part.never(Setting.CLIP_PLANES),
+                    Part.never(Setting.TEXTURE_IMAGE),
+                    Part.never(Setting.DEPTH_CUE),
+                    Part.never(Setting.STEREO),
+                    new Part<>(Setting.PROJECTION, EnumSet.of(Projection.PERSPECTIVE)::contains),
+                    new Part<>(Setting.CULL, EnumSet.of(Cull.NONE)::contains),
+                    new Part<>(Setting.OUTLINE, outlined -> !outlined),
+                    new Part<>(
+                            Setting.SHADING,
+                            EnumSet.complementOf(EnumSet.of(ShadingMethod.TONE, ShadingMethod.WIRE))
+                                    ::contains),
+                    new Part<>(
+                            Setting.TEXTURE,
+                            EnumSet.of(TextureMode.NONE, TextureMode.AUTO)::contains),
+                    Part.never(Setting.WRAP),
+                    Part.never(Setting.ENVIRONMENT),
+                    new Part<>(Setting.HIDDEN_LINES, EnumSet.of(HiddenLines.REMOVED)::contains),
+                    new Part<>(Setting.CREASE, degrees -> degrees == 0));
 
     /**
      * @param before what was shown, of which stays what the file does not say
@@ -86,18 +119,9 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
     }
 
     private static String passedOver(Settings said) {
-        var fields = new ArrayList<String>();
-        for (Setting<?> setting : PASSED_OVER)
-            if (said.get(setting).isPresent()) fields.add(setting.field());
-        said.get(Setting.PROJECTION)
-                .filter(projection -> projection != Projection.PERSPECTIVE)
-                .ifPresent(other -> fields.add(Setting.PROJECTION.field()));
-        said.get(Setting.CULL)
-                .filter(cull -> cull != Cull.NONE)
-                .ifPresent(other -> fields.add(Setting.CULL.field()));
-        said.get(Setting.OUTLINE)
-                .filter(drawn -> drawn)
-                .ifPresent(other -> fields.add(Setting.OUTLINE.field()));
-        return fields.stream().collect(Collectors.joining(", "));
+        return PARTS.stream()
+                .filter(part -> part.passedOver(said))
+                .map(part -> part.setting().field())
+                .collect(Collectors.joining(", "));
     }
 }

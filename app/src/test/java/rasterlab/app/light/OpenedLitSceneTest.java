@@ -24,6 +24,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
+import rasterlab.app.outcome.Pipe;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Substance;
@@ -154,6 +155,11 @@ class OpenedLitSceneTest {
                         + " \"back\"}} | cull",
                 "{\"version\": 1, \"scene\": \"vase\", \"look\": {\"cull\": \"back\","
                         + " \"stereo\": \"anaglyph\"}} | stereo, cull",
+                "{\"version\": 1, \"scene\": \"vase\", \"look\": {\"shading\": \"wire\","
+                        + " \"hiddenLines\": \"dashed\", \"crease\": 20}} | shading, hiddenLines, crease",
+                "{\"version\": 1, \"scene\": \"vase\", \"look\": {\"shading\": \"tone\","
+                        + " \"texture\": \"linear\", \"wrap\": \"clamp\", \"environment\": \"replace\"}}"
+                        + " | shading, texture, wrap, environment",
                 "{\"version\": 1, \"topic\": \"line\", \"input\": {}} | lab run",
             })
     void saysWhatIsNotShown(String text, String part) throws IOException, InterruptedException {
@@ -170,6 +176,27 @@ class OpenedLitSceneTest {
                 said);
         model.choose(choice -> choice.withAmbient(0.9));
         assertEquals("", model.state().problem());
+    }
+
+    @Test
+    @DisplayName("what a file says as the lab draws it anyway is said to be passed over")
+    void saysNothingOfWhatIsDrawn() throws IOException, InterruptedException {
+        open(
+                written(
+                        """
+                        "torus", "detail": 20, "projection": "perspective", "look": {
+                         "shading": "gouraud", "texture": "auto", "cull": "none", "outline": false,
+                         "hiddenLines": "removed", "crease": 0}
+                        """));
+        assertEquals("", model.state().problem());
+    }
+
+    @Test
+    @DisplayName("the lab waits for a pipe")
+    void refusesAPipe() throws Exception {
+        Path pipe = Pipe.at(folder.resolve("one.scene.json"));
+        open(pipe);
+        assertEquals(pipe + ": is a device, pipe or socket, not a scene", model.state().problem());
     }
 
     @ParameterizedTest(name = "light or faces that the lab cannot make are taken: {2}")
