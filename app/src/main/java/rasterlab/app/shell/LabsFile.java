@@ -4,6 +4,7 @@ import com.fasterxml.jackson.annotation.JsonAutoDetect.Visibility;
 import com.fasterxml.jackson.annotation.PropertyAccessor;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonMappingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.json.JsonMapper;
@@ -15,8 +16,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.FileKind;
@@ -85,8 +88,21 @@ public final class LabsFile {
             lab.bringBack(JSON.treeToValue(kept, lab.keptType()));
         } catch (JsonProcessingException | RuntimeException e) {
             // A file that was changed by hand can miss more than a lab's own checks look at.
-            problem.accept(Problem.of("labs.oneNotUsed", file.toString(), name, reason(e)));
+            String reason = e instanceof JsonMappingException part ? reasonOf(part) : reason(e);
+            problem.accept(Problem.of("labs.oneNotUsed", file.toString(), name, reason));
         }
+    }
+
+    /** What a part's own check says of it, else where it is. */
+    private static String reasonOf(JsonMappingException part) {
+        if (part.getCause() instanceof IllegalArgumentException refusal) return reason(refusal);
+        String path =
+                part.getPath().stream()
+                        .map(JsonMappingException.Reference::getFieldName)
+                        .filter(Objects::nonNull)
+                        .collect(Collectors.joining("."));
+        return (path.isEmpty() ? "a part of it" : "'" + path + "'")
+                + " is missing or not what it should be";
     }
 
     /** What every lab shows, by the names of their parts of the file. On the event thread. */

@@ -1,6 +1,7 @@
 package rasterlab.app.shell;
 
 import java.util.List;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -8,7 +9,8 @@ import rasterlab.app.language.Texts;
  * What is wrong with a file of the user's, told in any language.
  *
  * @param key of a text of this package
- * @param arguments of that text; a problem among them is told in the same language
+ * @param arguments of that text; a problem among them, and what readers of files say, is told in
+ *     the same language
  */
 public record Problem(String key, List<Object> arguments) {
     public Problem {
@@ -21,11 +23,13 @@ public record Problem(String key, List<Object> arguments) {
 
     /** One line. */
     public String in(Language language) {
-        Object[] said =
-                arguments.stream()
-                        .map(each -> each instanceof Problem reason ? reason.in(language) : each)
-                        .toArray();
+        Object[] said = arguments.stream().map(each -> said(each, language)).toArray();
         return Texts.of("shell", language).text(key, said);
+    }
+
+    private static Object said(Object argument, Language language) {
+        if (argument instanceof Problem reason) return reason.in(language);
+        return argument instanceof String text ? Complaints.said(language, text) : argument;
     }
 
     /** One line in English. */

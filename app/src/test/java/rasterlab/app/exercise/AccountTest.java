@@ -13,7 +13,6 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -41,7 +40,6 @@ class AccountTest {
     }
 
     @Test
-    @Timeout(60)
     void pipeIsNotWaitedFor() throws Exception {
         Path pipe = Pipe.at(folder.resolve("grader.properties"));
         var refusal = assertThrows(IOException.class, () -> new AccountFile(folder).load());

@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.outcome.Pipe;
 
@@ -43,7 +42,6 @@ class DraftsTest {
     }
 
     @Test
-    @Timeout(60)
     void pipeIsPassedOver() throws Exception {
         Files.createDirectories(folder.resolve("drafts"));
         Pipe.at(file(ID + ".java"));

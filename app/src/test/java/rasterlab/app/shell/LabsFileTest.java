@@ -14,14 +14,12 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
-import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.line.LineMode;
 import rasterlab.app.opengl.state.Setting;
@@ -119,7 +117,6 @@ class LabsFileTest {
     }
 
     @Test
-    @Timeout(60)
     void pipeStopsNoWindow() throws Exception {
         Pipe.at(folder.resolve("labs.json"));
         shown(models -> {}, true);
@@ -129,14 +126,31 @@ class LabsFileTest {
     @Test
     @DisplayName("broken JSON is told without its place, or half in English")
     void brokenJsonIsToldInTheWindowsLanguage() throws IOException, InterruptedException {
-        Files.writeString(folder.resolve("labs.json"), "{\n\"line\" 7}");
-        shown(models -> {}, true);
-        String said = Complaints.said(Language.RUSSIAN, problems.get(0));
+        String said = russian("{\n\"line\" 7}");
         assertTrue(
                 said.endsWith(
                         "это не JSON: строка 2, столбец 8: здесь допустимо: двоеточие после имени"
                                 + " поля, получено «7»"),
                 said);
+        said = russian("{\"line\": {\"segment\": {\"x0\": \"one\"}}}");
+        assertTrue(said.endsWith("нет «segment.x0», или там не то, что нужно"), said);
+        said = russian("7");
+        assertTrue(said.endsWith("это не объект JSON"), said);
+    }
+
+    private String russian(String text) throws IOException, InterruptedException {
+        Files.writeString(folder.resolve("labs.json"), text);
+        var told = new ArrayList<String>();
+        OffscreenPainter.onEventThread(
+                () -> {
+                    try (LabModels models = LabModels.first(failures::add)) {
+                        LabsFile.beside(
+                                        folder.resolve("window.properties"),
+                                        problem -> told.add(problem.in(Language.RUSSIAN)))
+                                .load(models);
+                    }
+                });
+        return told.get(0);
     }
 
     @Test

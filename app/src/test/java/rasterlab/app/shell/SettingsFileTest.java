@@ -14,7 +14,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -50,7 +49,6 @@ class SettingsFileTest {
     }
 
     @Test
-    @Timeout(60)
     void pipeStopsNoWindow() throws Exception {
         Path pipe = Pipe.at(folder.resolve("window.properties"));
         assertEquals(FIRST, file(pipe).load(FIRST));
