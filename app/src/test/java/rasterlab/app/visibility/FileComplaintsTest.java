@@ -72,10 +72,6 @@ class FileComplaintsTest {
                 "one.scene.json | {",
                 "one.scene.json | {\"version\": 1,, }",
                 "one.scene.json | {\"version\": 1, \"version\": 1}",
-                "one.scene.json | {\"version\": 01}",
-                "one.scene.json | {\"version\": NaN}",
-                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"zoom\": -Infinity}",
-                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"camera\": {\"theta\": 1e308, \"phi\": 1, \"rho\": 9}}",
                 "one.scene.json | []",
                 "one.scene.json | {}",
                 "one.scene.json | {\"version\": 1, \"scene\": 7}",
@@ -106,8 +102,6 @@ class FileComplaintsTest {
                 "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"stereo\": \"x\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"textureImage\": \"gone.png\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"textureImage\": \"../up.png\"}}",
-                "one.scene.json | {\"version\": 1, \"scene\": \"vase\", \"look\": {\"textureImage\": \".\"}}",
-                "one.scene.json | {\"version\": 1, \"scene\": \"house\", \"look\": {\"textureImage\": \"one.scene.json\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": {\"name\": \"\"}}",
                 "one.scene.json | {\"version\": 1, \"scene\": {\"name\": \"n\", \"vertices\": [[1, 2]]}}",
                 "one.obj | f 1 2 3",
@@ -129,6 +123,20 @@ class FileComplaintsTest {
         Path file = Files.writeString(folder.resolve(name), content);
         SceneFiles.Answer answer = SceneFiles.done(new SceneFiles.Task(file, Optional.empty()));
         assertRussian(answer.problem().isEmpty() ? refusal(answer) : answer.problem());
+    }
+
+    @ParameterizedTest(name = "a number or picture of no use is told in English: {0}")
+    @ValueSource(
+            strings = {
+                "{\"version\": 01}",
+                "{\"version\": NaN}",
+                "{\"version\": 1, \"scene\": \"vase\", \"zoom\": -Infinity}",
+                "{\"version\": 1, \"scene\": \"vase\", \"camera\": {\"theta\": 1e308, \"phi\": 1, \"rho\": 9}}",
+                "{\"version\": 1, \"scene\": \"vase\", \"look\": {\"textureImage\": \".\"}}",
+                "{\"version\": 1, \"scene\": \"house\", \"look\": {\"textureImage\": \"one.scene.json\"}}",
+            })
+    void numberOrPictureOfNoUseIsToldInRussian(String content) throws IOException {
+        brokenFileIsToldInRussian("one.scene.json", content);
     }
 
     /** What the lab cannot show of a file that could be read. */
@@ -170,7 +178,7 @@ class FileComplaintsTest {
         List<String> texts = new ArrayList<>(BROKEN_JSON);
         var random = new Random(SEED);
         String signs = "0123456789-+.eE{}[]\",: \\\ntrufals\u00e9\u0000'/#NaI";
-        for (int round = 0; round < 4000; round++) {
+        for (int round = 0; round < 1000; round++) {
             var damaged =
                     new StringBuilder("{\"version\": 1, \"scene\": \"vase\", \"near\": -0.5e3}");
             for (int times = random.nextInt(2); times >= 0; times--)
