@@ -18,7 +18,10 @@ record TopicTexts(Texts texts, String hazardKey) {
                     "clip-polygon", new Source("clip", "hazard.polygon."),
                     "clip-volume", new Source("clip", "hazard.volume."),
                     "curve", new Source("spline", "hazard."),
-                    "spline-function", new Source("spline", "hazard."));
+                    "spline-function", new Source("spline", "hazard."),
+                    "depth-buffer", new Source("row", "hazard."),
+                    "texture-mapping", new Source("row", "hazard."),
+                    "texture-filter", new Source("row", "hazard."));
 
     /** Empty where no lab has such texts: the engine's English serves then. */
     static Optional<TopicTexts> of(String topic, Language language) {

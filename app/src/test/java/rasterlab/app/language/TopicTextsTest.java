@@ -48,11 +48,14 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.texture.filter.FilterTopic;
+import rasterlab.engine.texture.mapping.MappingTopic;
 import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 import rasterlab.engine.transform.matrix.NamedMatrices;
 import rasterlab.engine.transform.matrix.NamedMatrix;
 import rasterlab.engine.transform.rotate.RotateTopic;
+import rasterlab.engine.visibility.depth.DepthBufferTopic;
 
 /** The Russian of what the engine says in English about methods and hazards. */
 class TopicTextsTest {
@@ -70,6 +73,7 @@ class TopicTextsTest {
                 "clip",
                 "visibility",
                 "light",
+                "row",
                 "spline");
     }
 
@@ -132,6 +136,7 @@ class TopicTextsTest {
         if (topic.equals("spline")) return spline(said);
         if (topic.startsWith("coordinates/")) return coordinates(topic, said);
         if (topic.equals("polygon")) return polygon(said);
+        if (topic.equals("row")) return rows(said);
         if (topic.equals("clip")) {
             clip("segments", new SegmentClipTopic(), said);
             clip("polygon", new PolygonClipTopic(), said);
@@ -213,6 +218,16 @@ class TopicTextsTest {
     /** What methods say when they refuse is looked at in the lab's own tests. */
     private static Map<String, String> spline(Map<String, String> said) {
         for (Topic<?, ?, ?> topic : List.of(new CurveTopic(), new SplineFunctionTopic())) {
+            topic.methods().forEach(method -> about(method, said));
+            for (Hazard<?> hazard : topic.hazards())
+                said.put("hazard." + hazard.name(), hazard.description());
+        }
+        return said;
+    }
+
+    private static Map<String, String> rows(Map<String, String> said) {
+        for (Topic<?, ?, ?> topic :
+                List.of(new DepthBufferTopic(), new MappingTopic(), new FilterTopic())) {
             topic.methods().forEach(method -> about(method, said));
             for (Hazard<?> hazard : topic.hazards())
                 said.put("hazard." + hazard.name(), hazard.description());

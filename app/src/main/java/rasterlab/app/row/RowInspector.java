@@ -1,0 +1,125 @@
+package rasterlab.app.row;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javax.swing.JLabel;
+import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.MethodChooser;
+import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.coordinates.figure.NumberTable;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+
+/** The method, what is special about the row, the chosen pixel's numbers and the verdict. */
+final class RowInspector {
+    private static final int DIGITS = 9;
+
+    /** The same where there are many columns. */
+    private static final int FEWER = 7;
+
+    private final RowLabModel model;
+    private final Texts texts;
+    private final Texts translations;
+    private final Texts verdicts;
+    private final Inspector column;
+    private final NameChooser mode;
+    private final List<MethodChooser> methods = new ArrayList<>();
+    private final WrappedText description = new WrappedText("description");
+    private final JLabel pixel;
+    private final NumberTable numbers;
+    private final JLabel verdict;
+    private final JLabel wrong;
+    private final AboutText about;
+
+    /**
+     * @param modes of the tab, the labs' names in its texts
+     * @param chosen told which the user wants
+     */
+    RowInspector(
+            RowLabModel model,
+            Texts texts,
+            Texts modeTexts,
+            List<String> modes,
+            Consumer<String> chosen) {
+        this.model = model;
+        this.texts = texts;
+        translations = Texts.of("row", "topic", texts.language());
+        verdicts = Texts.of("study", texts.language());
+        column = new Inspector(texts);
+        mode = new NameChooser("mode", modes, code -> modeTexts.text("mode." + code), chosen);
+        column.row("mode", mode);
+        for (String topic : model.topics()) methods.add(methods(topic));
+        column.heading("heading.row");
+        column.wide(description);
+        column.heading("heading.pixel");
+        pixel = column.value("pixel");
+        numbers = new NumberTable("numbers", texts.text("heading.pixel"));
+        column.wide(numbers);
+        column.heading("heading.result");
+        verdict = column.value("verdict");
+        wrong = column.value("wrong");
+        column.heading("heading.about");
+        about = new AboutText("about", texts.language());
+        column.wide(about);
+    }
+
+    private MethodChooser methods(String topic) {
+        List<String> names = model.methods(topic).stream().map(Method::name).toList();
+        var chooser = new MethodChooser("method", "", names, model::chooseMethod);
+        column.row("method", chooser);
+        return chooser;
+    }
+
+    Inspector column() {
+        return column;
+    }
+
+    /** Shows the model's present state. */
+    void refresh() {
+        RowChoice choice = model.choice();
+        RowScene scene = model.scene();
+        mode.show(choice.topic());
+        for (int i = 0; i < methods.size(); i++) {
+            boolean shown = model.topics().get(i).equals(choice.topic());
+            column.showRow(methods.get(i), shown);
+            if (shown) methods.get(i).show(choice.method());
+        }
+        description.show(
+                translations.textOr("hazard." + choice.hazard(), model.hazard().description()));
+        pixel.setText(texts.text("pixel.number", choice.pixel(), scene.pixels() - 1));
+        RowScene.Numbers shown = scene.numbers().apply(choice.pixel());
+        numbers.show(
+                shown.headings().stream().map(key -> texts.text("column." + key)).toList(),
+                shown.lines().stream().map(this::line).toList(),
+                -1);
+        verdict.setText(verdicts.text("verdict." + scene.verdict().kind().code()));
+        wrong.setText(
+                scene.errors().length == 0
+                        ? "–"
+                        : texts.text("pixel.of", scene.wrongPixels(), scene.pixels()));
+        Topic<?, ?, ?> topic = model.topic();
+        about.show(translations, topic.method(choice.method()), "", "");
+    }
+
+    private List<String> line(RowScene.Line line) {
+        var cells = new ArrayList<String>();
+        cells.add(line.name());
+        int digits = line.values().length < 3 ? DIGITS : FEWER;
+        for (double value : line.values()) cells.add(number(value, digits));
+        return cells;
+    }
+
+    /** As many digits as tell apart what a format does. */
+    private String number(double value, int digits) {
+        String text = String.format(Locale.ROOT, "%." + digits + "g", value);
+        if (value == Math.rint(value) && Math.abs(value) < 1e10)
+            text = String.format(Locale.ROOT, "%.0f", value);
+        if (!text.contains("e") && text.contains(".")) text = text.replaceFirst("\\.?0+$", "");
+        return texts.locale().getLanguage().equals("ru") ? text.replace('.', ',') : text;
+    }
+}

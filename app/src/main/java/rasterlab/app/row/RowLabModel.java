@@ -1,0 +1,210 @@
+package rasterlab.app.row;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.Steps;
+import rasterlab.app.coordinates.figure.ChoiceModel;
+import rasterlab.engine.naming.Named;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
+
+/** The lab of rows without its window: some topics, and whether their tab shows it. */
+public final class RowLabModel extends ChoiceModel<RowChoice> {
+    private final List<RowKind<?, ?, ?>> kinds;
+
+    /** What was asked for last, whatever pixel is chosen; a right answer takes long. */
+    private Optional<Made> made = Optional.empty();
+
+    private boolean open;
+
+    private record Made(RowChoice choice, RowScene scene) {}
+
+    private RowLabModel(List<RowKind<?, ?, ?>> kinds) {
+        super(first(kinds.get(0).topic()));
+        this.kinds = kinds;
+    }
+
+    /** Of the depths that buffers store. */
+    public static RowLabModel ofDepths() {
+        return new RowLabModel(List.of(new DepthKind()));
+    }
+
+    /** Of textures: where they are looked up, and how they are filtered. */
+    public static RowLabModel ofTextures() {
+        return new RowLabModel(List.of(new MappingKind(), new FilterKind()));
+    }
+
+    private static RowChoice first(Topic<?, ?, ?> topic) {
+        return new RowChoice(
+                topic.name(), topic.hazards().get(1).name(), topic.methods().get(0).name(), 0);
+    }
+
+    /** Names of the topics whose rows can be shown. */
+    public List<String> topics() {
+        return kinds.stream().map(kind -> kind.topic().name()).toList();
+    }
+
+    /** Whether the tab shows rows rather than its other lab. */
+    public boolean open() {
+        return open;
+    }
+
+    /** Shows the topic's rows, those of another topic from the first on. */
+    public void open(String topic) {
+        Topic<?, ?, ?> chosen = kind(topic).topic();
+        if (!open) {
+            open = true;
+            tell();
+        }
+        if (!topic.equals(choice().topic())) rearrange(first(chosen));
+    }
+
+    /** Shows the tab's other lab. */
+    public void close() {
+        if (!open) return;
+        open = false;
+        tell();
+    }
+
+    /**
+     * Shows a hazard from its first pixel that is wrong.
+     *
+     * @param method "" for the present one, or the first where the topic is another
+     * @throws IllegalArgumentException naming what there is
+     */
+    public void show(String topic, String hazard, String method) {
+        Topic<?, ?, ?> chosen = kind(topic).topic();
+        boolean same = topic.equals(choice().topic());
+        String kept = same ? choice().method() : chosen.methods().get(0).name();
+        var next = new RowChoice(topic, hazard, method.isEmpty() ? kept : method, 0);
+        RowChoice opened = next.at(firstWrong(scene(next)));
+        open = true;
+        rearrange(opened);
+        tell();
+    }
+
+    private static int firstWrong(RowScene scene) {
+        for (int i = 0; i < scene.wrong().length; i++) if (scene.wrong()[i]) return i;
+        return 0;
+    }
+
+    /**
+     * @throws IllegalArgumentException naming the methods there are
+     */
+    public void chooseMethod(String method) {
+        change(choice().withMethod(topic().method(method).name()));
+    }
+
+    RowScene scene() {
+        return scene(choice());
+    }
+
+    private RowScene scene(RowChoice of) {
+        RowChoice asked = of.at(0);
+        if (made.filter(last -> last.choice().equals(asked)).isEmpty())
+            made = Optional.of(new Made(asked, kind(asked).scene(asked)));
+        return made.orElseThrow().scene();
+    }
+
+    Topic<?, ?, ?> topic() {
+        return kind(choice()).topic();
+    }
+
+    List<? extends Method<?>> methods(String topic) {
+        return kind(topic).topic().methods();
+    }
+
+    Hazard<?> hazard() {
+        List<Hazard<?>> hazards = List.copyOf(topic().hazards());
+        return Named.find("hazard", choice().hazard(), hazards, Hazard::name);
+    }
+
+    /** The hazards of all its topics. */
+    public Stream<TopicHazard> hazards() {
+        return kinds.stream()
+                .map(RowKind::topic)
+                .flatMap(
+                        topic ->
+                                topic.hazards().stream()
+                                        .map(each -> new TopicHazard(topic.name(), each)));
+    }
+
+    /** A hazard, and of which topic. */
+    public record TopicHazard(String topic, Hazard<?> hazard) {}
+
+    /** A pixel outside the row goes to the nearer end. */
+    void choosePixel(int pixel) {
+        pass(choice().at(Math.max(0, Math.min(pixels() - 1, pixel))));
+    }
+
+    int pixels() {
+        return kind(choice()).pixels(choice().hazard());
+    }
+
+    /** The pixels as steps. */
+    Steps steps() {
+        return new Steps() {
+            @Override
+            public int first() {
+                return 0;
+            }
+
+            @Override
+            public int last() {
+                return pixels() - 1;
+            }
+
+            @Override
+            public int step() {
+                return choice().pixel();
+            }
+
+            @Override
+            public void goTo(int step) {
+                choosePixel(step);
+            }
+
+            @Override
+            public boolean turnsRound() {
+                return false;
+            }
+        };
+    }
+
+    private RowKind<?, ?, ?> kind(RowChoice choice) {
+        return kind(choice.topic());
+    }
+
+    private RowKind<?, ?, ?> kind(String topic) {
+        return Named.find("topic", topic, kinds, kind -> kind.topic().name());
+    }
+
+    @Override
+    protected void chosen(RowChoice next) {
+        kind(next).require(next);
+    }
+
+    /** Whether the lab was open, as it is kept between runs, beside the choice. */
+    public Kept<Boolean> keptOpen() {
+        return new Kept<>() {
+            @Override
+            public Class<Boolean> keptType() {
+                return Boolean.class;
+            }
+
+            @Override
+            public Boolean kept() {
+                return open;
+            }
+
+            @Override
+            public void bringBack(Boolean choice) {
+                open = choice;
+                tell();
+            }
+        };
+    }
+}

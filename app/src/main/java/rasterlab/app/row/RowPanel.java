@@ -1,0 +1,80 @@
+package rasterlab.app.row;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.coordinates.figure.LabCard;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+/** The lab of rows as its tab shows it, in one language. */
+public final class RowPanel extends LabCard {
+    private static final long serialVersionUID = 1L;
+
+    private final transient RowLabModel model;
+    private final RowStage stage;
+    private final transient RowInspector inspector;
+
+    /**
+     * @param tab whose texts name its labs
+     * @param modes names of the tab's labs, the topics of this one among them
+     * @param onMode told which of them is chosen
+     * @param onFailure told what a control could not do
+     */
+    public RowPanel(
+            RowLabModel model,
+            Texts tab,
+            List<String> modes,
+            Consumer<String> onMode,
+            Consumer<Throwable> onFailure) {
+        super("rows", model, tab.language());
+        Language language = tab.language();
+        Texts texts = Texts.of("row", language);
+        this.model = model;
+        stage = new RowStage(model, texts);
+        inspector = new RowInspector(model, texts, tab, modes, onMode);
+        addCopies(
+                () -> stage,
+                stage::svg,
+                () -> Optional.of("./lab hazards " + model.choice().topic()),
+                onFailure);
+        var steps =
+                new StepPlayer(
+                        Texts.of("canvas", language),
+                        model.steps(),
+                        () -> model.choice().pixel() + " / " + (model.scene().pixels() - 1));
+        play(chips(texts, language), stage, inspector.column(), steps);
+    }
+
+    private Chips chips(Texts texts, Language language) {
+        Texts translations = Texts.of("row", "topic", language);
+        var chips = new Chips(texts.text("hazards"));
+        model.hazards()
+                .forEach(
+                        each -> {
+                            String key = "hazard." + each.hazard().name();
+                            chips.add(
+                                    each.hazard().name(),
+                                    texts.text(key),
+                                    translations.textOr(key, each.hazard().description()),
+                                    () -> model.show(each.topic(), each.hazard().name(), ""));
+                        });
+        return chips;
+    }
+
+    @Override
+    public void focusPicture() {
+        stage.requestFocusInWindow();
+    }
+
+    @Override
+    protected void refresh() {
+        stage.repaint();
+        inspector.refresh();
+    }
+
+    @Override
+    protected void closeStage() {}
+}

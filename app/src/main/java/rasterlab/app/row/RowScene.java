@@ -1,0 +1,58 @@
+package rasterlab.app.row;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.IntFunction;
+import rasterlab.engine.study.Verdict;
+
+/**
+ * A row as it is right, as a method has it, and how far the two are apart.
+ *
+ * @param bands what is right, then what the method made of it, if it did not refuse
+ * @param wrong of each pixel, whether it is beyond what the topic calls usable
+ * @param errors of each pixel, in the topic's unit; none where the method refused
+ * @param numbers of a pixel
+ * @param image what a filter makes smaller or larger; empty for other topics
+ */
+record RowScene(
+        List<Band> bands,
+        boolean[] wrong,
+        double[] errors,
+        Verdict verdict,
+        IntFunction<Numbers> numbers,
+        Optional<Image> image) {
+    /**
+     * @param key of its name
+     * @param argb of each pixel, 0xAARRGGBB
+     * @param words of each pixel, written where there is room
+     */
+    record Band(String key, int[] argb, IntFunction<String> words) {
+        /** Colours that speak for themselves. */
+        Band(String key, int[] argb) {
+            this(key, argb, pixel -> "");
+        }
+    }
+
+    /**
+     * @param headings keys of the columns
+     */
+    record Numbers(List<String> headings, List<Line> lines) {}
+
+    record Line(String name, double... values) {}
+
+    /**
+     * @param argb row by row, the bottom row first
+     * @param footprints s, t, ds/dx, dt/dx, ds/dy, dt/dy of each pixel
+     */
+    record Image(int width, int height, int[] argb, double[] footprints) {}
+
+    int pixels() {
+        return bands.get(0).argb().length;
+    }
+
+    int wrongPixels() {
+        int count = 0;
+        for (boolean each : wrong) if (each) count++;
+        return count;
+    }
+}

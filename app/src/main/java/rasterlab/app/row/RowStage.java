@@ -1,0 +1,104 @@
+package rasterlab.app.row;
+
+import java.awt.BasicStroke;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import javax.accessibility.AccessibleRole;
+import javax.swing.KeyStroke;
+import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.SelfDrawn;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgPicture;
+import rasterlab.app.language.Texts;
+
+/** The bands of the row; a click, a drag or an arrow key chooses a pixel. */
+final class RowStage extends SelfDrawn {
+    private static final long serialVersionUID = 1L;
+
+    private final transient RowLabModel model;
+    private final transient Texts texts;
+
+    RowStage(RowLabModel model, Texts texts) {
+        super(AccessibleRole.CANVAS);
+        this.model = model;
+        this.texts = texts;
+        setName("stage");
+        setFocusable(true);
+        setOpaque(true);
+        getAccessibleContext().setAccessibleName(texts.text("stage"));
+        getAccessibleContext().setAccessibleDescription(texts.text("stage.hint"));
+        var mouse = new Choosing();
+        addMouseListener(mouse);
+        addMouseMotionListener(mouse);
+        addFocusListener(
+                new FocusAdapter() {
+                    @Override
+                    public void focusGained(FocusEvent e) {
+                        repaint();
+                    }
+
+                    @Override
+                    public void focusLost(FocusEvent e) {
+                        repaint();
+                    }
+                });
+        bind(KeyEvent.VK_LEFT, -1);
+        bind(KeyEvent.VK_RIGHT, 1);
+    }
+
+    private void bind(int key, int by) {
+        KeyBinding.whenFocused(
+                this,
+                KeyStroke.getKeyStroke(key, 0),
+                () -> model.choosePixel(model.choice().pixel() + by));
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(800, 600);
+    }
+
+    /** What is shown, as an SVG document. */
+    String svg() {
+        return SvgPicture.of(this, this::paintAll);
+    }
+
+    private void paintAll(Graphics2D g) {
+        new RowPainter(g, texts, model.choice(), model.scene()).paint(getWidth(), getHeight());
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        var g = (Graphics2D) graphics.create();
+        paintAll(g);
+        if (showsFocus()) {
+            g.setColor(StageColours.now().focus());
+            g.setStroke(new BasicStroke(2));
+            g.drawRect(1, 1, getWidth() - 2, getHeight() - 2);
+        }
+        g.dispose();
+    }
+
+    private final class Choosing extends MouseAdapter {
+        @Override
+        public void mousePressed(MouseEvent e) {
+            requestFocusInWindow();
+            choose(e);
+        }
+
+        @Override
+        public void mouseDragged(MouseEvent e) {
+            choose(e);
+        }
+
+        private void choose(MouseEvent e) {
+            model.choosePixel(RowPainter.pixelAt(e.getX(), getWidth(), model.scene().pixels()));
+        }
+    }
+}

@@ -1,0 +1,123 @@
+package rasterlab.app.row;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Verdict;
+
+class RowLabModelTest {
+    private final RowLabModel depths = RowLabModel.ofDepths();
+    private final RowLabModel textures = RowLabModel.ofTextures();
+
+    static Stream<Arguments> cells() {
+        return Stream.of(RowLabModel.ofDepths(), RowLabModel.ofTextures())
+                .flatMap(
+                        model ->
+                                model.hazards()
+                                        .flatMap(
+                                                each ->
+                                                        model.methods(each.topic()).stream()
+                                                                .map(
+                                                                        method ->
+                                                                                Arguments.of(
+                                                                                        each
+                                                                                                .topic(),
+                                                                                        each
+                                                                                                .hazard(),
+                                                                                        method))));
+    }
+
+    private RowLabModel shown(String topic, String hazard, String method) {
+        RowLabModel model = depths.topics().contains(topic) ? depths : textures;
+        model.show(topic, hazard, method);
+        return model;
+    }
+
+    @ParameterizedTest(name = "{0} {1} {2}")
+    @MethodSource("cells")
+    void whatIsRecordedIsSeen(String topic, Hazard<?> hazard, Method<?> method) {
+        RowScene scene = shown(topic, hazard.name(), method.name()).scene();
+        Verdict.Kind recorded = hazard.recorded().get(method.name());
+        assertEquals(recorded, scene.verdict().kind());
+        boolean refused = recorded == Verdict.Kind.REFUSED;
+        assertEquals(refused, scene.bands().size() == 1);
+        assertEquals(refused, scene.errors().length == 0);
+        if (recorded == Verdict.Kind.WRONG) assertTrue(scene.wrongPixels() > 0);
+        if (recorded == Verdict.Kind.EXACT) assertEquals(0, scene.wrongPixels());
+    }
+
+    @ParameterizedTest(name = "{0} {1} {2}")
+    @MethodSource("cells")
+    void exactRowLooksLikeTheRightOneButWhereTwoSurfacesAreLevel(
+            String topic, Hazard<?> hazard, Method<?> method) {
+        RowScene scene = shown(topic, hazard.name(), method.name()).scene();
+        if (scene.verdict().kind() != Verdict.Kind.EXACT || topic.equals("texture-filter")) return;
+        if (hazard.name().equals("twice-the-same")) return;
+        for (RowScene.Band band : scene.bands())
+            assertArrayEquals(scene.bands().get(0).argb(), band.argb(), band.key());
+    }
+
+    @Test
+    void depthsThatAreToldApartByNoCodeAreSeenByTheOrderOfDrawing() {
+        RowScene scene = shown("depth-buffer", "far-near-million", "z24").scene();
+        assertEquals(scene.bands().get(0).argb()[0], scene.bands().get(1).argb()[0]);
+        assertFalse(scene.bands().get(0).argb()[0] == scene.bands().get(2).argb()[0]);
+    }
+
+    @Test
+    void numbersAreThoseOfTheChosenPixel() {
+        RowLabModel model = shown("texture-mapping", "floor", "affine");
+        model.choosePixel(299);
+        RowScene.Line t = model.scene().numbers().apply(299).lines().get(1);
+        assertEquals("t", t.name());
+        assertArrayEquals(new double[] {1, 1}, t.values());
+        model.choosePixel(150);
+        double[] middle = model.scene().numbers().apply(150).lines().get(1).values();
+        assertTrue(middle[0] < 0.2 && middle[1] > 0.5, middle[0] + " " + middle[1]);
+    }
+
+    @Test
+    void rowOpensAtItsFirstWrongPixel() {
+        RowLabModel model = shown("depth-buffer", "drift-8192", "incremental-float");
+        assertTrue(model.scene().wrong()[model.choice().pixel()]);
+        assertFalse(model.scene().wrong()[model.choice().pixel() - 1]);
+        model.choosePixel(1 << 20);
+        assertEquals(8191, model.choice().pixel());
+    }
+
+    @Test
+    void anotherTopicStartsAnewAndIsUndone() {
+        textures.show("texture-mapping", "long-row", "stepped-float");
+        RowChoice before = textures.choice();
+        textures.open("texture-filter");
+        assertEquals("texture-filter", textures.choice().topic());
+        textures.history().undo();
+        assertEquals(before, textures.choice());
+        assertTrue(textures.open());
+        textures.close();
+        assertFalse(textures.open());
+    }
+
+    @Test
+    void choiceOfAnotherTimeIsRefusedAndWhatWasShownStays() {
+        RowChoice before = depths.choice();
+        for (RowChoice bad :
+                new RowChoice[] {
+                    new RowChoice("depth-buffer", "crossing", "z24", 8192),
+                    new RowChoice("depth-buffer", "crossing", "z48", 0),
+                    new RowChoice("depth-buffer", "none", "z24", 0),
+                    new RowChoice("line", "crossing", "z24", 0)
+                }) assertThrows(IllegalArgumentException.class, () -> depths.bringBack(bad));
+        assertEquals(before, depths.choice());
+    }
+}
