@@ -27,6 +27,8 @@ record ColourChoice(
         double yaw,
         double pitch,
         boolean outside) {
+    private static final int HALVINGS = 40;
+
     ColourChoice {
         components = List.copyOf(components);
     }
@@ -54,18 +56,44 @@ record ColourChoice(
     }
 
     /**
-     * The first of those colours, as it is written; outside the cube it is not taken.
+     * The first of those colours, as it is written; one outside the cube is brought into it, with
+     * its hue and value if those are in range.
      *
      * @param byMethod whose round trips are shown
      */
     ColourChoice with(Colors colors, String byMethod) {
-        double[] numbers = Arrays.copyOf(colors.components(), colors.model().size());
-        try {
-            new FormulaColors().convert(colors.model(), numbers, ColorModel.RGB);
-        } catch (IllegalArgumentException e) {
-            return new ColourChoice(model, components, byMethod, yaw, pitch, true);
+        ColorModel in = colors.model();
+        double[] numbers = Arrays.copyOf(colors.components(), in.size());
+        boolean whole = inside(in, numbers);
+        if (!whole) {
+            for (int i = 0; i < numbers.length; i++)
+                numbers[i] = Math.max(0, Math.min(in.highest(i), numbers[i]));
+            paled(in, numbers);
         }
-        return new ColourChoice(colors.model(), list(numbers), byMethod, yaw, pitch, false);
+        return new ColourChoice(in, list(numbers), byMethod, yaw, pitch, !whole);
+    }
+
+    private static boolean inside(ColorModel in, double[] numbers) {
+        try {
+            new FormulaColors().convert(in, numbers, ColorModel.RGB);
+            return true;
+        } catch (IllegalArgumentException outside) {
+            return false;
+        }
+    }
+
+    /** Takes from the last number, a saturation, what leaves the cube: a grey is always in it. */
+    private static void paled(ColorModel in, double[] numbers) {
+        if (inside(in, numbers)) return;
+        int last = numbers.length - 1;
+        double out = numbers[last];
+        double least = 0;
+        for (int halving = 0; halving < HALVINGS; halving++) {
+            numbers[last] = (least + out) / 2;
+            if (inside(in, numbers)) least = numbers[last];
+            else out = numbers[last];
+        }
+        numbers[last] = least;
     }
 
     ColourChoice withMethod(String name) {

@@ -11,9 +11,12 @@ import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.Optional;
 import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
+import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
@@ -25,6 +28,9 @@ final class CubeStage extends SelfDrawn {
 
     private static final double DRAG = Math.PI / 400;
     private static final double KEY = Math.PI / 36;
+
+    /** The cube leaves room for so many lines below it where there is something to say. */
+    private static final int NOTE_LINES = 4;
 
     private final transient LightLabModel model;
     private final transient Texts texts;
@@ -81,8 +87,15 @@ final class CubeStage extends SelfDrawn {
         g.setColor(StageColours.now().margin());
         g.fillRect(0, 0, getWidth(), getHeight());
         var cube = (Graphics2D) g.create();
-        new CubePainter(cube, model.state().colour(), texts, getWidth(), getHeight()).paint();
+        Optional<HazardNote> note = model.state().note();
+        int below = note.isPresent() ? NOTE_LINES * g.getFontMetrics().getHeight() : 0;
+        int high = Math.max(1, getHeight() - below);
+        new CubePainter(cube, model.state().colour(), texts, getWidth(), high).paint();
         cube.dispose();
+        note.ifPresent(
+                said ->
+                        Plates.sentenceAbove(
+                                g, said.in(texts.language()), getWidth(), getHeight() - 12));
     }
 
     @Override

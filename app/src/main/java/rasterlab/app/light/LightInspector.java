@@ -58,7 +58,13 @@ final class LightInspector {
         this.texts = texts;
         column = new Inspector(texts);
         mode = new ModeRow(model, texts, column);
-        body = names("body", Body.NAMES, this::chooseBody);
+        body =
+                new NameChooser(
+                        "body",
+                        Body.NAMES,
+                        name -> texts.textOr("body." + name, shown(name)),
+                        this::chooseBody);
+        column.row("body", body);
         detail =
                 new NumberSlider(
                         "detail",
@@ -158,6 +164,13 @@ final class LightInspector {
 
     private void chooseNormals(String method) {
         model.choose(choice -> choice.with(choice.body().withNormals(method)));
+    }
+
+    /** Of a hazard's body only what tells it from the topic's others: the list is narrow. */
+    private static String shown(String body) {
+        return TopicBodies.has(body)
+                ? body.substring(body.indexOf('/') + 1).replace("/", ", ")
+                : body;
     }
 
     private NameChooser names(String key, List<String> names, Consumer<String> chosen) {

@@ -8,11 +8,13 @@ import java.util.concurrent.Executor;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
-import rasterlab.app.canvas.Unshown;
+import rasterlab.app.canvas.Unlike;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.color.Colors;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
@@ -49,13 +51,19 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private final Renderer renderer = new Renderer();
     private final History<Chosen> history = new History<>(this::chosen, this::show);
     private final List<Consumer<LightLabState>> listeners = new ArrayList<>();
+    private final RowLabModel rows = RowLabModel.ofTextures();
     private Optional<Made> made = Optional.empty();
     private Optional<LitSceneFile> saved = Optional.empty();
     private int width;
     private int height;
     private LightLabState state =
             new LightLabState(
-                    LightChoice.first(), false, Optional.empty(), ColourChoice.first(), "");
+                    LightChoice.first(),
+                    false,
+                    Optional.empty(),
+                    ColourChoice.first(),
+                    "",
+                    Optional.empty());
 
     /**
      * @param events runs what it is given on the one thread that uses this model, in order
@@ -107,6 +115,11 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         publish(state.choice(), state.drawn(), "");
     }
 
+    /** The tab's third lab: rows of textures. */
+    public RowLabModel rows() {
+        return rows;
+    }
+
     LightLabState state() {
         return state;
     }
@@ -152,12 +165,25 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         show(new Chosen(state.choice(), shown, state.colour()));
     }
 
-    /** Why the lab cannot show a hazard's input, of a topic about light; empty where it can. */
-    public Optional<Unshown> obstacle(Object input) {
-        if (!(input instanceof Colors colors)) return TopicBodies.obstacle(input);
+    /** In what the lab shows a hazard's input, of a topic about light, otherwise than it is. */
+    public List<Unlike> unlike(Object input, String method) {
+        if (!(input instanceof Colors colors)) return TopicBodies.unlike(input, method);
         return ColourChoice.first().with(colors, "formula").outside()
-                ? Optional.of(Unshown.OUTSIDE_CUBE)
-                : Optional.empty();
+                ? List.of(Unlike.of(Unlike.Kind.COLOUR_CUT))
+                : List.of();
+    }
+
+    /** Says beside the present picture in what it is other than a hazard. */
+    public void tell(HazardNote note) {
+        state =
+                new LightLabState(
+                        state.choice(),
+                        state.colours(),
+                        state.drawn(),
+                        state.colour(),
+                        state.problem(),
+                        Optional.of(note));
+        tellAll();
     }
 
     /**
@@ -165,7 +191,6 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
      *
      * @param input the hazard's
      * @param method by which, where the lab has it
-     * @throws IllegalArgumentException if there is an {@link #obstacle}
      */
     public void show(String topic, String hazard, Object input, String method) {
         boolean colours = input instanceof Colors;
@@ -268,7 +293,14 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     private void show(Chosen next) {
         boolean other = !next.light().equals(state.choice());
-        state = new LightLabState(next.light(), next.colours(), state.drawn(), next.colour(), "");
+        state =
+                new LightLabState(
+                        next.light(),
+                        next.colours(),
+                        state.drawn(),
+                        next.colour(),
+                        "",
+                        Optional.empty());
         publish(next.light(), state.drawn(), "");
         if (other && width > 0) pictures.ask(new LightFrame(next.light(), width, height));
     }
@@ -291,7 +323,13 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     private void publish(LightChoice choice, Optional<LightFrame.Drawn> drawn, String problem) {
-        state = new LightLabState(choice, state.colours(), drawn, state.colour(), problem);
+        state =
+                new LightLabState(
+                        choice, state.colours(), drawn, state.colour(), problem, state.note());
+        tellAll();
+    }
+
+    private void tellAll() {
         List.copyOf(listeners).forEach(listener -> listener.accept(state));
     }
 }

@@ -1,6 +1,7 @@
 package rasterlab.app.light;
 
 import java.util.Optional;
+import rasterlab.app.canvas.HazardNote;
 
 /**
  * What the lab shows at one moment.
@@ -10,10 +11,12 @@ import java.util.Optional;
  * @param colour the colour in all models
  * @param problem why a file was not opened, or what of it is not shown; "" if nothing or something
  *     else was chosen since
+ * @param note in what the picture is other than the hazard that it was opened for
  */
 record LightLabState(
         LightChoice choice,
         boolean colours,
         Optional<LightFrame.Drawn> drawn,
         ColourChoice colour,
-        String problem) {}
+        String problem,
+        Optional<HazardNote> note) {}

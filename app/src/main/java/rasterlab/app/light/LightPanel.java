@@ -13,14 +13,13 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.row.RowCard;
+import rasterlab.app.row.RowPanel;
 import rasterlab.contract.ColorModel;
 
-/** The lighting lab as the window shows it, in one language: light, or colour models. */
+/** The lighting lab as the window shows it, in one language: light, colour models, or textures. */
 public final class LightPanel extends LabPanel {
     private static final long serialVersionUID = 1L;
-
-    private static final String LIGHT = "light";
-    private static final String COLOURS = "colours";
 
     private final transient LightLabModel model;
     private final transient Texts texts;
@@ -29,6 +28,7 @@ public final class LightPanel extends LabPanel {
     private final JPanel shown = new JPanel(cards);
     private final LightStage stage;
     private final CubeStage cube;
+    private final transient RowCard rows;
     private final transient LightInspector light;
     private final transient ColourInspector colours;
     private final StepPlayer orbit;
@@ -65,16 +65,36 @@ public final class LightPanel extends LabPanel {
                 () -> saving.commands().ifPresent(lines -> Copying.text(lines, onFailure)));
         colourActions.add("copySvg", () -> Copying.svg(cube.svg(), onFailure));
         colourActions.add("copyCommand", () -> Copying.text(command(), onFailure));
-        shown.add(new LabLayout(chips(), stage, light.column(), lightActions, orbit), LIGHT);
-        shown.add(
+        rows = new RowCard(shown, cards, this::rows);
+        addCard(new LabLayout(chips(), stage, light.column(), lightActions, orbit), ModeRow.LIGHT);
+        addCard(
                 new LabLayout(colourChips(), cube, colours.column(), colourActions, turning),
-                COLOURS);
+                ModeRow.COLOURS);
         add(shown);
-        Actions.bindUndo(this, model.history());
         orbit.bindKeys(stage);
         turning.bindKeys(cube);
-        unsubscribe = model.listen(state -> refresh());
+        Runnable noState = model.listen(state -> refresh());
+        Runnable noRows = model.rows().listen(choice -> refresh());
+        unsubscribe =
+                () -> {
+                    noState.run();
+                    noRows.run();
+                };
         refresh();
+    }
+
+    private RowPanel rows() {
+        return new RowPanel(
+                model.rows(),
+                texts,
+                ModeRow.names(model),
+                mode -> ModeRow.choose(model, mode),
+                onFailure);
+    }
+
+    private void addCard(LabLayout card, String name) {
+        shown.add(card, name);
+        Actions.bindUndo(card, model.history());
     }
 
     private Actions actions(Texts canvas, Runnable copy) {
@@ -144,7 +164,8 @@ public final class LightPanel extends LabPanel {
     /** Gives the keyboard to the picture, whose arrow keys turn the scene or the cube. */
     @Override
     public void focusPicture() {
-        if (model.state().colours()) cube.requestFocusInWindow();
+        if (model.rows().open()) rows.focusPicture();
+        else if (model.state().colours()) cube.requestFocusInWindow();
         else stage.requestFocusInWindow();
     }
 
@@ -154,10 +175,18 @@ public final class LightPanel extends LabPanel {
         orbit.stop();
         turning.stop();
         unsubscribe.run();
+        rows.close();
     }
 
     private void refresh() {
-        cards.show(shown, model.state().colours() ? COLOURS : LIGHT);
+        if (model.rows().open()) {
+            orbit.stop();
+            turning.stop();
+            rows.show();
+            return;
+        }
+        rows.stop();
+        cards.show(shown, model.state().colours() ? ModeRow.COLOURS : ModeRow.LIGHT);
         if (model.state().colours()) {
             orbit.stop();
             cube.repaint();

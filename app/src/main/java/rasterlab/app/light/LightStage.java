@@ -139,12 +139,12 @@ final class LightStage extends SelfDrawn implements Settling {
                         drawn ->
                                 new LightPainter(g, texts, drawn, state.choice(), scale)
                                         .paint(plan()));
-        if (!state.problem().isEmpty())
-            Plates.sentenceAbove(
-                    g,
-                    texts.text("problem", Complaints.said(texts.language(), state.problem())),
-                    getWidth(),
-                    plan().picture(0).height - 12);
+        String said =
+                state.problem().isEmpty()
+                        ? state.note().map(note -> note.in(texts.language())).orElse("")
+                        : texts.text("problem", Complaints.said(texts.language(), state.problem()));
+        if (!said.isEmpty())
+            Plates.sentenceAbove(g, said, getWidth(), plan().picture(0).height - 12);
     }
 
     @Override

@@ -1,14 +1,15 @@
 package rasterlab.app.light;
 
+import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.language.Texts;
 
-/** The choice between light and colour models, first in both columns. */
+/** The choice between light, colour models and rows of textures, first in each column. */
 final class ModeRow {
-    private static final String LIGHT = "light";
-    private static final String COLOURS = "colours";
+    static final String LIGHT = "light";
+    static final String COLOURS = "colours";
 
     private final LightLabModel model;
     private final NameChooser mode;
@@ -18,10 +19,26 @@ final class ModeRow {
         mode =
                 new NameChooser(
                         "mode",
-                        List.of(LIGHT, COLOURS),
+                        names(model),
                         code -> texts.text("mode." + code),
-                        code -> model.showColours(code.equals(COLOURS)));
+                        code -> choose(model, code));
         column.row("mode", mode);
+    }
+
+    /** Light, colours, and the topics whose rows can be shown. */
+    static List<String> names(LightLabModel model) {
+        var names = new ArrayList<String>(List.of(LIGHT, COLOURS));
+        names.addAll(model.rows().topics());
+        return names;
+    }
+
+    static void choose(LightLabModel model, String name) {
+        if (model.rows().topics().contains(name)) {
+            model.rows().open(name);
+            return;
+        }
+        model.rows().close();
+        model.showColours(name.equals(COLOURS));
     }
 
     void refresh() {

@@ -81,7 +81,11 @@ public record LabModels(
         kept.put("polygon", polygon);
         kept.put("clip", clip);
         kept.put("visibility", visibility);
+        kept.put("visibility.rows", visibility.rows());
+        kept.put("visibility.rows.open", visibility.rows().keptOpen());
         kept.put("light", light);
+        kept.put("light.rows", light.rows());
+        kept.put("light.rows.open", light.rows().keptOpen());
         kept.put("spline", spline);
         kept.put("spline.curve", spline.curve());
         kept.put("spline.function", spline.function());

@@ -1,21 +1,28 @@
 package rasterlab.app.shell;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.canvas.Unlike;
 import rasterlab.app.canvas.Unshown;
 import rasterlab.app.line.LineInput;
 import rasterlab.engine.Topics;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
 
 /** Opens inputs of topics in their tabs, hazards and cases of exercises by the same ways. */
 final class LabOpening implements OpenInLab {
+    private static final Duration LONGEST = Duration.ofSeconds(5);
+
     private final Map<String, Topic<?, ?, ?>> topics = new TreeMap<>();
     private final TopicWays ways;
 
@@ -38,12 +45,26 @@ final class LabOpening implements OpenInLab {
 
     @Override
     public Optional<Unshown> obstacleTo(String topic, String hazard) {
-        return ways.of(topic).obstacle().apply(input(topic, hazard));
+        input(topic, hazard);
+        return ways.of(topic).isPresent() ? Optional.empty() : Optional.of(Unshown.NO_TAB);
     }
 
     @Override
     public void showHazard(String topic, String hazard, String method) {
-        show(topic, input(topic, hazard), method);
+        TopicInput input = input(topic, hazard);
+        TopicWay way = show(topic, input, method);
+        List<Unlike> unlike = way.unlike().apply(input, method);
+        if (!unlike.isEmpty() && !method.isEmpty())
+            way.note()
+                    .accept(
+                            new HazardNote(
+                                    hazard, method, verdict(named(topic), hazard, method), unlike));
+    }
+
+    /** What the method does with the hazard's own numbers. */
+    static <C, I, O> Verdict verdict(Topic<C, I, O> topic, String hazard, String method) {
+        Hazard<I> found = Named.find("hazard", hazard, topic.hazards(), Hazard::name);
+        return HazardTrial.judge(topic, topic.method(method), found, LONGEST);
     }
 
     @Override
@@ -73,14 +94,16 @@ final class LabOpening implements OpenInLab {
         return Named.find("topic", topic, List.copyOf(topics.values()), Topic::name);
     }
 
-    private void show(String topic, TopicInput input, String method) {
+    private TopicWay show(String topic, TopicInput input, String method) {
         if (!method.isEmpty()) named(topic).method(method);
-        TopicWay way = ways.of(topic);
-        Optional<Unshown> obstacle = way.obstacle().apply(input);
-        if (obstacle.isPresent())
-            throw new IllegalArgumentException(
-                    "no tab shows " + input.name() + ": " + obstacle.get());
+        TopicWay way =
+                ways.of(topic)
+                        .orElseThrow(
+                                () ->
+                                        new IllegalArgumentException(
+                                                "no tab shows inputs of topic " + topic));
         way.show().accept(input, method);
         showTab.accept(way.tab());
+        return way;
     }
 }

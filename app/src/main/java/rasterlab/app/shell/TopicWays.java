@@ -4,10 +4,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.function.BiConsumer;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import rasterlab.app.canvas.Unshown;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.coordinates.CoordinatesLabModel;
@@ -18,6 +17,7 @@ import rasterlab.app.line.LineLabModel;
 import rasterlab.app.line.LineMode;
 import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonMode;
+import rasterlab.app.row.RowLabModel;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.spline.SplineMode;
 import rasterlab.app.visibility.TopicView;
@@ -57,14 +57,13 @@ final class TopicWays {
         visibility(models.visibility());
         light(models.light());
         splines(models.spline());
-        ways.put("depth-buffer", TopicWay.none(Unshown.DEPTHS_ALONE));
-        ways.put("texture-mapping", TopicWay.none(Unshown.TEXELS_ALONE));
-        ways.put("texture-filter", TopicWay.none(Unshown.TEXELS_ALONE));
+        rows("visibility", models.visibility().rows());
+        rows("light", models.light().rows());
     }
 
-    /** The way of that topic; that of one which is not known shows nothing. */
-    TopicWay of(String topic) {
-        return ways.getOrDefault(topic, TopicWay.none(Unshown.NO_TAB));
+    /** The way of that topic; empty where there is none. */
+    Optional<TopicWay> of(String topic) {
+        return Optional.ofNullable(ways.get(topic));
     }
 
     private void lines(LineLabModel lab) {
@@ -164,25 +163,46 @@ final class TopicWays {
     }
 
     private void visibility(VisibilityLabModel lab) {
-        seen("hidden-surfaces", lab, in -> TopicView.of(in.name(), (SurfaceView) in.input()));
-        seen("visible-faces", lab, in -> TopicView.of(in.name(), (Body) in.input()));
-        seen("depth-order", lab, in -> TopicView.of(in.name(), (Sight) in.input()));
+        seen(
+                "hidden-surfaces",
+                lab,
+                (in, method) -> TopicView.of(in.name(), (SurfaceView) in.input(), method));
+        seen(
+                "visible-faces",
+                lab,
+                (in, method) ->
+                        TopicView.of(in.name(), (Body) in.input(), method, drawnBy(method)));
+        seen(
+                "depth-order",
+                lab,
+                (in, method) ->
+                        TopicView.of(in.name(), (Sight) in.input(), method, drawnBy(method)));
+    }
+
+    private static String drawnBy(String method) {
+        return DRAWN_BY.getOrDefault(method, method);
     }
 
     private void seen(
-            String topic, VisibilityLabModel lab, Function<TopicInput, TopicView.Found> found) {
-        BiConsumer<TopicInput, String> show =
-                (input, method) -> {
-                    TopicView view = found.apply(input).view().orElseThrow();
-                    lab.choose(
-                            choice ->
-                                    view.shown(
-                                            choice,
-                                            method.isEmpty()
-                                                    ? choice.visibility()
-                                                    : DRAWN_BY.getOrDefault(method, method)));
-                };
-        ways.put(topic, new TopicWay("visibility", input -> found.apply(input).obstacle(), show));
+            String topic, VisibilityLabModel lab, BiFunction<TopicInput, String, TopicView> view) {
+        ways.put(
+                topic,
+                new TopicWay(
+                        "visibility",
+                        (input, method) -> {
+                            lab.rows().close();
+                            lab.choose(view.apply(input, method)::shown);
+                        },
+                        (input, method) -> view.apply(input, method).unlike(),
+                        lab::tell));
+    }
+
+    private void rows(String tab, RowLabModel lab) {
+        for (String topic : lab.topics())
+            ways.put(
+                    topic,
+                    TopicWay.whole(
+                            tab, (input, method) -> lab.show(topic, input.hazard(), method)));
     }
 
     private void light(LightLabModel lab) {
@@ -191,18 +211,20 @@ final class TopicWays {
                     topic,
                     new TopicWay(
                             "light",
-                            input -> lab.obstacle(input.input()),
-                            (input, method) ->
-                                    lab.show(topic, input.hazard(), input.input(), method)));
+                            (input, method) -> {
+                                lab.rows().close();
+                                lab.show(topic, input.hazard(), input.input(), method);
+                            },
+                            (input, method) -> lab.unlike(input.input(), method),
+                            lab::tell));
     }
 
     private void put(
             String topic, String tab, Consumer<Object> show, Consumer<String> chooseMethod) {
         ways.put(
                 topic,
-                new TopicWay(
+                TopicWay.whole(
                         tab,
-                        input -> Optional.empty(),
                         (input, method) -> {
                             show.accept(input.input());
                             if (!method.isEmpty()) chooseMethod.accept(method);

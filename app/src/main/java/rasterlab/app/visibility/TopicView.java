@@ -1,10 +1,10 @@
 package rasterlab.app.visibility;
 
 import java.util.Arrays;
-import java.util.Optional;
+import java.util.List;
 import java.util.OptionalDouble;
 import java.util.stream.IntStream;
-import rasterlab.app.canvas.Unshown;
+import rasterlab.app.canvas.Unlike;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.scene.Mesh;
 import rasterlab.engine.scene.Scene;
@@ -13,6 +13,7 @@ import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.visibility.faces.Body;
 import rasterlab.engine.visibility.hidden.SurfaceView;
+import rasterlab.engine.visibility.order.Painting;
 import rasterlab.engine.visibility.order.Sight;
 
 /**
@@ -20,8 +21,16 @@ import rasterlab.engine.visibility.order.Sight;
  *
  * @param near the nearest depth that is drawn, in world units; 0 for all
  * @param far the farthest; infinite for all
+ * @param drawnBy the visibility method that draws it
+ * @param unlike in what it is other than the input
  */
-public record TopicView(Scene scene, Projection projection, double near, double far) {
+public record TopicView(
+        Scene scene,
+        Projection projection,
+        double near,
+        double far,
+        String drawnBy,
+        List<Unlike> unlike) {
     /** Pixels from the middle of a picture of 800×600 to the farthest corner. */
     private static final double REACH = 240;
 
@@ -29,60 +38,71 @@ public record TopicView(Scene scene, Projection projection, double near, double 
     private static final int FEWEST_PIXELS = 16;
 
     private static final double MOST_UNLIKE = 8;
+
+    /** Draws faces in their order, the last one above the others. */
+    private static final String AS_PAINTED = "none";
+
     private static final int BACKGROUND = 0xFFFFFF;
     private static final int[] COLOURS = {
         0xE69F00, 0x56B4E9, 0x009E73, 0xF0E442, 0x0072B2, 0xD55E00, 0xCC79A7, 0x999999
     };
 
-    /** A view, or why there is none. */
-    public record Found(Optional<TopicView> view, Optional<Unshown> obstacle) {
-        private static Found no(Unshown why) {
-            return new Found(Optional.empty(), Optional.of(why));
-        }
-
-        private static Found yes(TopicView view) {
-            return new Found(Optional.of(view), Optional.empty());
-        }
+    /** Such a view of a scene. */
+    private static TopicView perspective(Scene scene, String drawnBy, List<Unlike> unlike) {
+        return new TopicView(
+                scene, Projection.PERSPECTIVE, 0, Double.POSITIVE_INFINITY, drawnBy, unlike);
     }
 
     /**
      * @param name of the input, shown as the scene's
      */
-    public static Found of(String name, SurfaceView input) {
+    public static TopicView of(String name, SurfaceView input, String drawnBy) {
         PictureFit fit = input.view().fit();
         int smaller = Math.min(fit.width(), fit.height());
         int larger = Math.max(fit.width(), fit.height());
-        if (smaller < FEWEST_PIXELS || larger > MOST_UNLIKE * smaller)
-            return Found.no(Unshown.PICTURE_SIZE);
         double natural =
                 Math.min(
                         (double) fit.width() / PictureFit.NATURAL_WIDTH,
                         (double) fit.height() / PictureFit.NATURAL_HEIGHT);
-        Scene scene = scene(name, input.mesh(), input.camera(), fit.pixelsPerUnit() / natural);
+        Mesh mesh = input.mesh();
+        double scale = fit.pixelsPerUnit() / natural;
+        List<Unlike> unlike = List.of();
+        if (smaller < FEWEST_PIXELS || larger > MOST_UNLIKE * smaller) {
+            var fitted = FittedSurfaces.of(input, REACH);
+            mesh = fitted.mesh();
+            scale = fitted.scale();
+            unlike = fitted.unlike();
+        }
         boolean cut = Double.isFinite(input.view().far());
-        return Found.yes(
-                new TopicView(
-                        scene,
-                        input.view().transform().projection(),
-                        cut ? input.view().near() : 0,
-                        input.view().far()));
+        return new TopicView(
+                scene(name, mesh, colours(mesh.faceCount()), input.camera(), scale),
+                input.view().transform().projection(),
+                cut ? input.view().near() : 0,
+                input.view().far(),
+                drawnBy,
+                unlike);
     }
 
     /**
      * The eye looks at the mean of the corners.
      *
      * @param name of the input, shown as the scene's
+     * @param method of the topic
+     * @param drawnBy what draws a body that can be drawn as it is
      */
-    public static Found of(String name, Body body) {
-        if (body.inside().length > 0) return Found.no(Unshown.INNER_POINT);
-        double[] middle = body.insideOrMean();
-        double[] xyz = minus(body.xyz(), middle);
-        double[] eye = minus(body.eye(), middle);
+    public static TopicView of(String name, Body body, String method, String drawnBy) {
+        var drawn = DrawnBody.of(body, method);
+        double[] eye = drawn.eye();
         double rho = Math.hypot(Math.hypot(eye[0], eye[1]), eye[2]);
-        if (!reachable(rho) || !(farthest(xyz) >= SphericalView.NEAREST))
-            return Found.no(Unshown.MAGNITUDE);
         var camera = new SphericalView(Math.atan2(eye[1], eye[0]), Math.acos(eye[2] / rho), rho);
-        return perspective(name, xyz, body.faces(), camera, ballScale(farthest(xyz), rho));
+        Scene scene =
+                scene(
+                        name,
+                        drawn.mesh(),
+                        Arrays.stream(drawn.numbers()).map(TopicView::colour).toArray(),
+                        camera,
+                        ballScale(drawn.radius(), rho));
+        return perspective(scene, drawn.drawnBy().orElse(drawnBy), drawn.unlike());
     }
 
     /** Pixels per unit for which a ball about the middle is seen, unless the eye is too near. */
@@ -90,25 +110,45 @@ public record TopicView(Scene scene, Projection projection, double near, double 
         return REACH * Math.max(rho - radius, rho / 2) / (radius * rho);
     }
 
-    private static double farthest(double[] xyz) {
-        double farthest = 0;
-        for (int i = 0; i < xyz.length; i += 3)
-            farthest = Math.max(farthest, Math.hypot(Math.hypot(xyz[i], xyz[i + 1]), xyz[i + 2]));
-        return farthest;
-    }
-
     /**
      * The eye looks along z, as the topic's methods do: y up, x to the right.
      *
      * @param name of the input, shown as the scene's
+     * @param method of the topic
+     * @param drawnBy what draws polygons that can be drawn as they are
      */
-    public static Found of(String name, Sight sight) {
-        double[][] seen =
-                Arrays.stream(sight.polygons())
-                        .map(polygon -> minus(polygon, sight.eye()))
-                        .toArray(double[][]::new);
+    public static TopicView of(String name, Sight sight, String method, String drawnBy) {
+        double[][] seen = seen(sight.polygons(), sight.eye());
         double rho = meanDepth(seen).orElse(0);
-        if (!reachable(rho)) return Found.no(Unshown.MAGNITUDE);
+        if (reachable(rho)) {
+            int[] numbers = IntStream.range(0, seen.length).toArray();
+            return perspective(sight(name, seen, numbers, rho), drawnBy, List.of());
+        }
+        var painted = PaintedSight.of(sight, method, rho);
+        List<Painting.Piece> pieces = painted.pieces();
+        double[][] larger =
+                pieces.stream()
+                        .map(piece -> painted.scaled(piece, sight.eye()))
+                        .toArray(double[][]::new);
+        Scene scene =
+                sight(
+                        name,
+                        larger,
+                        pieces.stream().mapToInt(Painting.Piece::polygon).toArray(),
+                        Math.scalb(rho, painted.exponent()));
+        return perspective(scene, AS_PAINTED, painted.unlike());
+    }
+
+    private static double[][] seen(double[][] polygons, double[] eye) {
+        return Arrays.stream(polygons).map(polygon -> minus(polygon, eye)).toArray(double[][]::new);
+    }
+
+    /**
+     * @param seen polygons as seen from the eye
+     * @param numbers of each, for its colour
+     * @param rho mean depth
+     */
+    private static Scene sight(String name, double[][] seen, int[] numbers, double rho) {
         var faces = new int[seen.length][];
         int at = 0;
         for (int f = 0; f < faces.length; f++) {
@@ -117,35 +157,33 @@ public record TopicView(Scene scene, Projection projection, double near, double 
             at += faces[f].length;
         }
         double[] xyz = Arrays.stream(seen).flatMapToDouble(Arrays::stream).toArray();
-        var camera = new SphericalView(0, Math.PI / 2, rho);
-        return perspective(name, towardsX(xyz, rho), faces, camera, scale(xyz, rho));
+        return scene(
+                name,
+                new Mesh(towardsX(xyz, rho), faces),
+                Arrays.stream(numbers).map(TopicView::colour).toArray(),
+                new SphericalView(0, Math.PI / 2, rho),
+                scale(xyz, rho));
     }
 
-    private static Found perspective(
-            String name, double[] xyz, int[][] faces, SphericalView camera, double scale) {
-        Mesh mesh;
-        try {
-            mesh = new Mesh(xyz, faces);
-        } catch (IllegalArgumentException broken) {
-            return Found.no(Unshown.BROKEN_FACE);
-        }
-        Scene scene = scene(name, mesh, camera, scale);
-        return Found.yes(new TopicView(scene, Projection.PERSPECTIVE, 0, Double.POSITIVE_INFINITY));
-    }
-
-    private static Scene scene(String name, Mesh mesh, SphericalView camera, double scale) {
-        int[] colours =
-                IntStream.range(0, mesh.faceCount())
-                        .map(face -> COLOURS[face % COLOURS.length])
-                        .toArray();
+    private static Scene scene(
+            String name, Mesh mesh, int[] colours, SphericalView camera, double scale) {
         return Scene.dull(name, mesh, colours, BACKGROUND, camera, scale);
     }
 
-    private static boolean reachable(double rho) {
+    private static int[] colours(int faces) {
+        return IntStream.range(0, faces).map(TopicView::colour).toArray();
+    }
+
+    private static int colour(int face) {
+        return COLOURS[face % COLOURS.length];
+    }
+
+    /** Whether an eye can be so far away, in world units. */
+    static boolean reachable(double rho) {
         return rho >= SphericalView.NEAREST && rho <= SphericalView.FARTHEST;
     }
 
-    private static double[] minus(double[] xyz, double[] point) {
+    static double[] minus(double[] xyz, double[] point) {
         var moved = new double[xyz.length];
         for (int i = 0; i < xyz.length; i++) moved[i] = xyz[i] - point[i % 3];
         return moved;
@@ -153,11 +191,15 @@ public record TopicView(Scene scene, Projection projection, double near, double 
 
     /** Of the corners before the eye; empty where there are none. */
     private static OptionalDouble meanDepth(double[][] polygons) {
-        return Arrays.stream(polygons)
-                .flatMapToDouble(
-                        p -> IntStream.range(0, p.length / 3).mapToDouble(i -> p[3 * i + 2]))
-                .filter(z -> z > 0)
-                .average();
+        double[] depths =
+                Arrays.stream(polygons)
+                        .flatMapToDouble(
+                                p ->
+                                        IntStream.range(0, p.length / 3)
+                                                .mapToDouble(i -> p[3 * i + 2]))
+                        .filter(z -> z > 0)
+                        .toArray();
+        return Arrays.stream(depths).map(z -> z / depths.length).reduce(Double::sum);
     }
 
     /** From x to the right, y up and z away from the eye to the world that is seen from its x. */
@@ -182,17 +224,17 @@ public record TopicView(Scene scene, Projection projection, double near, double 
     }
 
     /** The choice that shows it, each face in a colour of its own. */
-    public VisibilityChoice shown(VisibilityChoice choice, String method) {
+    public VisibilityChoice shown(VisibilityChoice choice) {
         double rho = scene.defaultCamera().rho();
         LookChoice look = LookChoice.USUAL;
         if (Double.isFinite(far)) look = look.withFar(far / rho).withNear(near / rho);
-        return choice.with(SceneChoice.of(scene))
-                .with(look)
+        VisibilityChoice other = choice.with(SceneChoice.of(scene));
+        return other.with(look)
                 .withView(StageView.COLOURS)
-                .withVisibility(method)
+                .withVisibility(drawnBy.isEmpty() ? choice.visibility() : drawnBy)
                 .withShading(ShadingMethod.FLAT.code())
                 .withProjection(projection.code())
-                .zoomed(1 / choice.with(SceneChoice.of(scene)).zoom())
+                .zoomed(1 / other.zoom())
                 .withDifference(true);
     }
 }

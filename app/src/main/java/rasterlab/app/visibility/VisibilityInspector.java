@@ -30,6 +30,7 @@ final class VisibilityInspector {
     private final Texts texts;
     private final Texts translations;
     private final Inspector column;
+    private final NameChooser mode;
     private final NameChooser scene;
     private final MethodChooser visibility;
     private final MethodChooser comparison;
@@ -57,6 +58,14 @@ final class VisibilityInspector {
         this.texts = texts;
         translations = Texts.of("visibility", "topic", texts.language());
         column = new Inspector(texts);
+        mode =
+                new NameChooser(
+                        "mode",
+                        VisibilityMode.names(model),
+                        name -> texts.text("mode." + name),
+                        name -> VisibilityMode.choose(model, name));
+        column.row("mode", mode);
+        refreshMode();
         scene = scenes();
         column.wide(new SceneRow(model, texts));
         visibility = methods("method", "", VisibilityChoice::withVisibility);
@@ -106,6 +115,11 @@ final class VisibilityInspector {
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
         column.wide(about);
+    }
+
+    /** It stands in the lab of scenes, where it always names that. */
+    void refreshMode() {
+        mode.show(VisibilityMode.SCENE);
     }
 
     private NameChooser scenes() {

@@ -8,9 +8,11 @@ import java.util.concurrent.Executor;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
+import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
@@ -41,6 +43,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private final FrameTimes times = new FrameTimes();
     private final List<Consumer<VisibilityLabState>> listeners = new ArrayList<>();
     private final ChartStudies charts;
+    private final RowLabModel rows = RowLabModel.ofDepths();
     private Optional<Frame> compared = Optional.empty();
     private StagePictures stage = new StagePictures(Renderer.visibilityMethods(), 0, 0);
     private VisibilityLabState state = VisibilityLabState.of(VisibilityChoice.first());
@@ -128,6 +131,16 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         stage = sized;
         times.clear();
         draw(state.choice());
+    }
+
+    /** Says beside the present scene in what it is other than a hazard. */
+    public void tell(HazardNote note) {
+        publish(state.with(note));
+    }
+
+    /** The tab's other lab: rows of depths. */
+    public RowLabModel rows() {
+        return rows;
     }
 
     /**

@@ -1,6 +1,7 @@
 package rasterlab.app.visibility;
 
 import java.util.Optional;
+import rasterlab.app.canvas.HazardNote;
 
 /**
  * What the lab shows at one moment.
@@ -16,6 +17,7 @@ import java.util.Optional;
  * @param chosen the chosen pixel
  * @param problem why a file was not opened or saved, "" if nothing went wrong or something was
  *     changed since
+ * @param note in what the scene is other than the hazard that it was opened for
  * @param medianNanos median time of the last pictures of the present method and size; 0 while there
  *     are too few
  */
@@ -30,6 +32,7 @@ public record VisibilityLabState(
         Optional<PixelReport> pixel,
         Optional<ChosenPixel> chosen,
         String problem,
+        Optional<HazardNote> note,
         long medianNanos) {
     static VisibilityLabState of(VisibilityChoice first) {
         return new VisibilityLabState(
@@ -43,6 +46,7 @@ public record VisibilityLabState(
                 Optional.empty(),
                 Optional.empty(),
                 "",
+                Optional.empty(),
                 0);
     }
 
@@ -54,7 +58,10 @@ public record VisibilityLabState(
     VisibilityLabState with(VisibilityChoice next) {
         var draft = new Draft(this);
         draft.choice = next;
-        if (!next.equals(choice)) draft.problem = "";
+        if (!next.equals(choice)) {
+            draft.problem = "";
+            draft.note = Optional.empty();
+        }
         draft.difference = Optional.empty();
         draft.otherDifference = Optional.empty();
         draft.pixel = Optional.empty();
@@ -107,6 +114,12 @@ public record VisibilityLabState(
         return draft.state();
     }
 
+    VisibilityLabState with(HazardNote said) {
+        var draft = new Draft(this);
+        draft.note = Optional.of(said);
+        return draft.state();
+    }
+
     VisibilityLabState measured(long nanos) {
         var draft = new Draft(this);
         draft.medianNanos = nanos;
@@ -125,6 +138,7 @@ public record VisibilityLabState(
         private Optional<PixelReport> pixel;
         private Optional<ChosenPixel> chosen;
         private String problem;
+        private Optional<HazardNote> note;
         private long medianNanos;
 
         Draft(VisibilityLabState from) {
@@ -138,6 +152,7 @@ public record VisibilityLabState(
             pixel = from.pixel;
             chosen = from.chosen;
             problem = from.problem;
+            note = from.note;
             medianNanos = from.medianNanos;
         }
 
@@ -153,6 +168,7 @@ public record VisibilityLabState(
                     pixel,
                     chosen,
                     problem,
+                    note,
                     medianNanos);
         }
     }

@@ -1,6 +1,8 @@
 package rasterlab.app.visibility;
 
+import java.awt.CardLayout;
 import java.util.function.Consumer;
+import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
@@ -9,6 +11,8 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.row.RowCard;
+import rasterlab.app.row.RowPanel;
 
 /** The hidden-surface lab as the window shows it, in one language. */
 public final class VisibilityPanel extends LabPanel {
@@ -16,6 +20,9 @@ public final class VisibilityPanel extends LabPanel {
 
     private final transient VisibilityLabModel model;
     private final transient Texts texts;
+    private final CardLayout cards = new CardLayout();
+    private final JPanel shown = new JPanel(cards);
+    private final transient RowCard rows;
     private final VisibilityStage stage;
     private final transient VisibilityInspector inspector;
     private final StepPlayer player;
@@ -43,24 +50,31 @@ public final class VisibilityPanel extends LabPanel {
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
         actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         actions.add("copyCommand", () -> Copying.text(VisibilityCommand.of(model), onFailure));
-        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
-        Actions.bindUndo(this, model.history());
+        var scenes = new LabLayout(chips(), stage, inspector.column(), actions, player);
+        shown.add(scenes, VisibilityMode.SCENE);
+        rows = new RowCard(shown, cards, () -> rows(onFailure));
+        add(shown);
+        Actions.bindUndo(scenes, model.history());
         player.bindKeys(stage);
         SceneRow.acceptFiles(stage, model, onFailure);
         Runnable noModel = model.listen(state -> refresh());
+        Runnable noRows = model.rows().listen(choice -> showMode());
         Runnable noCharts = model.charts().listen(stage::refresh);
         unsubscribe =
                 () -> {
                     noModel.run();
+                    noRows.run();
                     noCharts.run();
                 };
         refresh();
+        showMode();
     }
 
     /** Gives the keyboard to the picture, whose arrow keys turn the scene. */
     @Override
     public void focusPicture() {
-        stage.requestFocusInWindow();
+        if (model.rows().open()) rows.focusPicture();
+        else stage.requestFocusInWindow();
     }
 
     /** Stops listening and playing; the model lives on. */
@@ -68,6 +82,27 @@ public final class VisibilityPanel extends LabPanel {
     public void close() {
         player.stop();
         unsubscribe.run();
+        rows.close();
+    }
+
+    private RowPanel rows(Consumer<Throwable> onFailure) {
+        return new RowPanel(
+                model.rows(),
+                texts,
+                VisibilityMode.names(model),
+                mode -> VisibilityMode.choose(model, mode),
+                onFailure);
+    }
+
+    private void showMode() {
+        if (model.rows().open()) {
+            player.stop();
+            rows.show();
+        } else {
+            rows.stop();
+            cards.show(shown, VisibilityMode.SCENE);
+        }
+        inspector.refreshMode();
     }
 
     private void refresh() {

@@ -209,7 +209,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
                 .ifPresent(picture -> paintPicture(g, picture, state.difference(), state, false));
         if (state.other().isPresent() && !state.choice().comparison().isEmpty())
             paintPicture(g, state.other().get(), state.otherDifference(), state, true);
-        sayProblem(g, state.problem());
+        sayProblem(g, state);
     }
 
     private void paintPicture(
@@ -261,12 +261,17 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         say(overlay, g, said, width, getHeight() / 2);
     }
 
-    private void sayProblem(Graphics2D g, String problem) {
-        if (!problem.isEmpty())
+    private void sayProblem(Graphics2D g, VisibilityLabState state) {
+        String problem = state.problem();
+        String said =
+                problem.isEmpty()
+                        ? state.note().map(note -> note.in(texts.language())).orElse("")
+                        : texts.text("problem", Complaints.said(texts.language(), problem));
+        if (!said.isEmpty())
             say(
                     new StageOverlay(g, 1),
                     g,
-                    texts.text("problem", Complaints.said(texts.language(), problem)),
+                    said,
                     getWidth(),
                     getHeight() - pointed.getPreferredSize().height - 16);
     }

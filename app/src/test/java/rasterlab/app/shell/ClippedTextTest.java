@@ -115,6 +115,13 @@ class ClippedTextTest {
                             models.visibility().watchSteps(true);
                         }));
         others.add(new Other("light", "colours", models -> models.light().showColours(true)));
+        others.add(
+                new Other(
+                        "visibility",
+                        "rows",
+                        m -> m.visibility().rows().show("depth-buffer", "drift-8192", "z16")));
+        for (String topic : List.of("texture-mapping", "texture-filter"))
+            others.add(new Other("light", topic, models -> models.light().rows().open(topic)));
         return others;
     }
 

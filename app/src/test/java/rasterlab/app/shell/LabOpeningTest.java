@@ -4,27 +4,37 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static rasterlab.app.canvas.Unshown.BROKEN_FACE;
-import static rasterlab.app.canvas.Unshown.INNER_POINT;
-import static rasterlab.app.canvas.Unshown.LAMP;
-import static rasterlab.app.canvas.Unshown.MAGNITUDE;
-import static rasterlab.app.canvas.Unshown.NORMAL_LENGTH;
-import static rasterlab.app.canvas.Unshown.OUTSIDE_CUBE;
-import static rasterlab.app.canvas.Unshown.PICTURE_SIZE;
+import static rasterlab.app.canvas.Unlike.Kind.COLOUR_CUT;
+import static rasterlab.app.canvas.Unlike.Kind.CORNER_MOVED;
+import static rasterlab.app.canvas.Unlike.Kind.FACES_ALL;
+import static rasterlab.app.canvas.Unlike.Kind.FACES_FOUND;
+import static rasterlab.app.canvas.Unlike.Kind.FACES_WITHOUT_AREA;
+import static rasterlab.app.canvas.Unlike.Kind.FACE_NORMAL;
+import static rasterlab.app.canvas.Unlike.Kind.LAMP_BESIDE;
+import static rasterlab.app.canvas.Unlike.Kind.NORMALS_LENGTHENED;
+import static rasterlab.app.canvas.Unlike.Kind.NORMAL_LENGTH;
+import static rasterlab.app.canvas.Unlike.Kind.PAINTED_IN_ORDER;
+import static rasterlab.app.canvas.Unlike.Kind.PICTURE_SIZE;
+import static rasterlab.app.canvas.Unlike.Kind.POINT_ASIDE;
+import static rasterlab.app.canvas.Unlike.Kind.SCALED;
+import static rasterlab.app.canvas.Unlike.Kind.STRETCHED;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.Unlike;
 import rasterlab.app.canvas.Unshown;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.language.Language;
@@ -35,7 +45,9 @@ import rasterlab.engine.Topics;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -44,36 +56,45 @@ import rasterlab.exercises.scene.SceneFile;
 import rasterlab.exercises.topic.TopicGradings;
 
 class LabOpeningTest {
-    /** Topics of which no tab draws anything. */
-    private static final Set<String> WITHOUT_TAB =
-            Set.of("depth-buffer", "texture-mapping", "texture-filter");
-
-    /** What else a tab cannot show, and why. */
-    private static final Map<String, Unshown> UNSHOWN =
+    /** What a tab shows otherwise than it is, by some method, and in what. */
+    private static final Map<String, Set<Unlike.Kind>> UNLIKE =
             Map.ofEntries(
-                    Map.entry("hidden-surfaces one-pixel", PICTURE_SIZE),
-                    Map.entry("hidden-surfaces long-span-drift", PICTURE_SIZE),
-                    Map.entry("visible-faces inner-point-before-a-face", INNER_POINT),
-                    Map.entry("visible-faces inner-point-outside", INNER_POINT),
-                    Map.entry("visible-faces not-convex-but-star-shaped", INNER_POINT),
-                    Map.entry("visible-faces parallel", INNER_POINT),
-                    Map.entry("visible-faces not-convex", BROKEN_FACE),
-                    Map.entry("visible-faces no-area", BROKEN_FACE),
-                    Map.entry("visible-faces huge", MAGNITUDE),
-                    Map.entry("visible-faces tiny", MAGNITUDE),
-                    Map.entry("depth-order huge", MAGNITUDE),
-                    Map.entry("depth-order tiny", MAGNITUDE),
-                    Map.entry("vertex-normals tiny-faces", MAGNITUDE),
-                    Map.entry("vertex-normals zero-area-face", BROKEN_FACE),
-                    Map.entry("shade-face zero-area-face", BROKEN_FACE),
-                    Map.entry("shade interpolated-normal", NORMAL_LENGTH),
-                    Map.entry("shade huge-normal", NORMAL_LENGTH),
-                    Map.entry("shade tiny-normal", NORMAL_LENGTH),
-                    Map.entry("shade zero-area-face", NORMAL_LENGTH),
-                    Map.entry("shade light-in-the-point", LAMP),
-                    Map.entry("shade outside-the-cone", LAMP),
-                    Map.entry("color brighter-than-white", OUTSIDE_CUBE),
-                    Map.entry("color outside-the-cube", OUTSIDE_CUBE));
+                    Map.entry("hidden-surfaces one-pixel", EnumSet.of(PICTURE_SIZE)),
+                    Map.entry(
+                            "hidden-surfaces long-span-drift", EnumSet.of(PICTURE_SIZE, STRETCHED)),
+                    Map.entry(
+                            "visible-faces inner-point-before-a-face",
+                            EnumSet.of(FACES_FOUND, FACES_ALL)),
+                    Map.entry(
+                            "visible-faces inner-point-outside",
+                            EnumSet.of(FACES_FOUND, FACES_ALL)),
+                    Map.entry("visible-faces not-convex-but-star-shaped", EnumSet.of(FACES_FOUND)),
+                    Map.entry("visible-faces parallel", EnumSet.of(FACES_FOUND, FACES_ALL)),
+                    Map.entry("visible-faces not-convex", EnumSet.of(FACES_FOUND, FACES_ALL)),
+                    Map.entry(
+                            "visible-faces no-area",
+                            EnumSet.of(FACES_FOUND, FACES_ALL, FACES_WITHOUT_AREA)),
+                    Map.entry("visible-faces huge", EnumSet.of(FACES_FOUND, SCALED)),
+                    Map.entry("visible-faces tiny", EnumSet.of(FACES_FOUND, SCALED)),
+                    Map.entry("depth-order huge", EnumSet.of(PAINTED_IN_ORDER, SCALED)),
+                    Map.entry("depth-order tiny", EnumSet.of(PAINTED_IN_ORDER, SCALED)),
+                    Map.entry("vertex-normals tiny-faces", EnumSet.of(SCALED, FACE_NORMAL)),
+                    Map.entry(
+                            "vertex-normals zero-area-face",
+                            EnumSet.of(FACES_WITHOUT_AREA, FACE_NORMAL)),
+                    Map.entry("vertex-normals cube-cut-one-way", EnumSet.of(NORMALS_LENGTHENED)),
+                    Map.entry(
+                            "vertex-normals roof-with-a-long-side", EnumSet.of(NORMALS_LENGTHENED)),
+                    Map.entry("vertex-normals both-sides-of-a-sheet", EnumSet.of(FACE_NORMAL)),
+                    Map.entry("shade-face zero-area-face", EnumSet.of(CORNER_MOVED)),
+                    Map.entry("shade interpolated-normal", EnumSet.of(NORMAL_LENGTH)),
+                    Map.entry("shade huge-normal", EnumSet.of(NORMAL_LENGTH)),
+                    Map.entry("shade tiny-normal", EnumSet.of(NORMAL_LENGTH)),
+                    Map.entry("shade zero-area-face", EnumSet.of(NORMAL_LENGTH)),
+                    Map.entry("shade light-in-the-point", EnumSet.of(LAMP_BESIDE)),
+                    Map.entry("shade outside-the-cone", EnumSet.of(POINT_ASIDE)),
+                    Map.entry("color brighter-than-white", EnumSet.of(COLOUR_CUT)),
+                    Map.entry("color outside-the-cube", EnumSet.of(COLOUR_CUT)));
 
     /** Draws the generated cases. */
     private static final long SEED = 7;
@@ -103,15 +124,70 @@ class LabOpeningTest {
         return Topics.all().stream();
     }
 
+    private List<Unlike> unlike(Topic<?, ?, ?> topic, Hazard<?> hazard, Method<?> method) {
+        var input = new TopicInput(topic.name(), hazard.name(), hazard.input());
+        TopicWay way = new TopicWays(models).of(topic.name()).orElseThrow();
+        return way.unlike().apply(input, method.name());
+    }
+
     @Test
-    void hazardsThatNoTabShowsAreKnown() {
-        var unshown = new TreeMap<String, Unshown>();
+    void whatTabsShowOtherwiseThanItIsIsKnown() {
+        var found = new TreeMap<String, Set<Unlike.Kind>>();
         for (Topic<?, ?, ?> topic : Topics.all())
             for (Hazard<?> hazard : topic.hazards())
-                if (!WITHOUT_TAB.contains(topic.name()))
-                    opening.obstacleTo(topic.name(), hazard.name())
-                            .ifPresent(why -> unshown.put(topic.name() + " " + hazard.name(), why));
-        assertEquals(new TreeMap<>(UNSHOWN), unshown);
+                for (Method<?> method : topic.methods())
+                    for (Unlike each : unlike(topic, hazard, method))
+                        found.computeIfAbsent(
+                                        topic.name() + " " + hazard.name(),
+                                        name -> EnumSet.noneOf(Unlike.Kind.class))
+                                .add(each.kind());
+        assertEquals(new TreeMap<>(UNLIKE), found);
+    }
+
+    @ParameterizedTest
+    @MethodSource("topics")
+    void noteSaysWhatTheMethodDoesWithTheHazardItself(Topic<?, ?, ?> topic) {
+        for (Hazard<?> hazard : topic.hazards())
+            for (Method<?> method : topic.methods()) {
+                List<Unlike> unlike = unlike(topic, hazard, method);
+                if (unlike.isEmpty()) continue;
+                Verdict verdict = LabOpening.verdict(topic, hazard.name(), method.name());
+                String name = hazard.name() + " " + method.name();
+                assertEquals(
+                        hazard.recorded().getOrDefault(method.name(), Verdict.Kind.EXACT),
+                        verdict.kind(),
+                        name);
+                var note = new HazardNote(hazard.name(), method.name(), verdict, unlike);
+                assertTrue(note.in(Language.ENGLISH).contains(method.name()), name);
+                String russian = note.in(Language.RUSSIAN);
+                if (verdict.kind() != Verdict.Kind.EXACT)
+                    assertFalse(
+                            russian.contains(verdict.detail()), name + " in English: " + russian);
+            }
+    }
+
+    @Test
+    void noteIsToldToTheTabAndGoesWithTheScene() {
+        shown().showHazard("visible-faces", "tiny", "convex-segment-textbook");
+        HazardNote note = models.visibility().state().note().orElseThrow();
+        assertEquals("tiny", note.hazard());
+        assertEquals(Verdict.Kind.WRONG, note.verdict().kind());
+        opening.showHazard("visible-faces", "cube", "convex-segment-textbook");
+        assertEquals(Optional.empty(), models.visibility().state().note());
+    }
+
+    @Test
+    void rowsOpenInTheirTabsAndScenesCloseThem() {
+        shown().showHazard("depth-buffer", "far-near-million", "z24");
+        assertTrue(models.visibility().rows().open());
+        assertEquals("z24", models.visibility().rows().choice().method());
+        opening.showHazard("visible-faces", "cube", "back-face");
+        assertFalse(models.visibility().rows().open());
+        opening.showHazard("texture-filter", "turned", "summed-area");
+        assertTrue(models.light().rows().open());
+        opening.showHazard("color", "grey", "formula");
+        assertFalse(models.light().rows().open());
+        assertEquals(List.of("visibility", "visibility", "light", "light"), tabs);
     }
 
     /** The labs' choices as they are kept, by name. */
@@ -125,21 +201,17 @@ class LabOpeningTest {
 
     @ParameterizedTest
     @MethodSource("topics")
-    void everyHazardIsShownByEveryMethodOrSaysWhyNot(Topic<?, ?, ?> topic) {
+    void everyHazardIsShownByEveryMethod(Topic<?, ?, ?> topic) {
         shown();
         for (Hazard<?> hazard : topic.hazards()) {
-            Optional<Unshown> obstacle = opening.obstacleTo(topic.name(), hazard.name());
+            assertEquals(
+                    Optional.empty(),
+                    opening.obstacleTo(topic.name(), hazard.name()),
+                    hazard.name());
             for (var method : topic.methods()) {
                 tabs.clear();
-                Runnable show =
-                        () -> opening.showHazard(topic.name(), hazard.name(), method.name());
-                if (obstacle.isPresent()) {
-                    assertThrows(IllegalArgumentException.class, show::run, hazard.name());
-                    assertEquals(List.of(), tabs);
-                } else {
-                    show.run();
-                    assertEquals(1, tabs.size());
-                }
+                opening.showHazard(topic.name(), hazard.name(), method.name());
+                assertEquals(1, tabs.size(), hazard.name() + " " + method.name());
             }
         }
     }
@@ -150,7 +222,6 @@ class LabOpeningTest {
         var seen = new TreeMap<String, String>();
         String method = topic.methods().get(0).name();
         for (Hazard<?> hazard : topic.hazards()) {
-            if (opening.obstacleTo(topic.name(), hazard.name()).isPresent()) continue;
             shown().showHazard(topic.name(), hazard.name(), method);
             String before = seen.put(choices().toString(), hazard.name());
             assertEquals(null, before, hazard.name() + " looks like " + before);
@@ -158,14 +229,10 @@ class LabOpeningTest {
     }
 
     @ParameterizedTest
-    @MethodSource("topics")
-    void reasonIsSaidInBothLanguages(Topic<?, ?, ?> topic) {
-        var reasons = new TreeSet<Unshown>();
-        for (Hazard<?> hazard : topic.hazards())
-            opening.obstacleTo(topic.name(), hazard.name()).ifPresent(reasons::add);
-        for (Unshown why : reasons)
-            for (Language language : Language.values())
-                assertFalse(why.in(Texts.of("canvas", language), topic.name()).isBlank());
+    @EnumSource(Unshown.class)
+    void reasonIsSaidInBothLanguages(Unshown why) {
+        for (Language language : Language.values())
+            assertFalse(why.in(Texts.of("canvas", language), "line").isBlank());
     }
 
     @Test

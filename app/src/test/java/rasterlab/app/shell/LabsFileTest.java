@@ -67,6 +67,13 @@ class LabsFileTest {
                                                 models.polygon().show(mode, each.name());
                                                 assertKept(models);
                                             });
+                        for (var rows : List.of(models.visibility().rows(), models.light().rows()))
+                            rows.hazards()
+                                    .forEach(
+                                            each -> {
+                                                rows.show(each.topic(), each.hazard().name(), "");
+                                                assertKept(models);
+                                            });
                         models.spline()
                                 .curve()
                                 .hazards()
@@ -180,7 +187,9 @@ class LabsFileTest {
         models.line().chooseMode(LineMode.ELLIPSE);
         models.clip().chooseMode(ClipMode.VOLUME);
         models.visibility().turn(0.1, 0.2);
+        models.visibility().rows().show("depth-buffer", "crossing", "z24");
         models.light().drawNormals(true);
+        models.light().rows().show("texture-filter", "turned", "linear");
         models.opengl().set(Setting.SCENE, "globe");
         models.study().choose("triangulate");
         models.exercises().growType(3);

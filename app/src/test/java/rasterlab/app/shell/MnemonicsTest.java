@@ -110,6 +110,11 @@ class MnemonicsTest {
                         models.light().showColours(true);
                         content.show("light");
                         check.accept("colours", shown(content));
+                        models.light().rows().open("texture-filter");
+                        check.accept("textures", shown(content));
+                        models.visibility().rows().open("depth-buffer");
+                        content.show("visibility");
+                        check.accept("depths", shown(content));
                         content.show("spline");
                         models.spline().curve().chooseForm(CurveForm.PIECES);
                         check.accept("pieces", shown(content));

@@ -82,6 +82,14 @@ class RedoTest {
                         models -> models.light().history(),
                         models -> models.light().showColours(true)),
                 lab(
+                        "visibility.rows",
+                        models -> models.visibility().rows().history(),
+                        models -> models.visibility().rows().chooseMethod("z24")),
+                lab(
+                        "light.rows",
+                        models -> models.light().rows().history(),
+                        models -> models.light().rows().chooseMethod("perspective")),
+                lab(
                         "spline.curve",
                         models -> models.spline().curve().history(),
                         models -> models.spline().curve().chooseForm(CurveForm.PIECES)),

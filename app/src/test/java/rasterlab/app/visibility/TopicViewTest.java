@@ -1,14 +1,21 @@
 package rasterlab.app.visibility;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.canvas.Unlike;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.visibility.faces.Body;
 import rasterlab.engine.visibility.faces.VisibleFacesTopic;
 import rasterlab.engine.visibility.hidden.HiddenSurfacesTopic;
 import rasterlab.engine.visibility.hidden.SurfaceView;
@@ -20,74 +27,117 @@ class TopicViewTest {
     private static final int HEIGHT = 360;
 
     static Stream<Hazard<SurfaceView>> surfaces() {
-        return new HiddenSurfacesTopic()
-                .hazards().stream()
-                        .filter(one -> TopicView.of("it", one.input()).obstacle().isEmpty());
+        return new HiddenSurfacesTopic().hazards().stream();
     }
 
     static Stream<Hazard<Sight>> sights() {
-        return new DepthOrderTopic()
-                .hazards().stream()
-                        .filter(one -> TopicView.of("it", one.input()).obstacle().isEmpty());
+        return new DepthOrderTopic().hazards().stream();
     }
 
-    private static long wrongPixels(TopicView view, String method) {
-        VisibilityChoice choice = view.shown(VisibilityChoice.first(), method);
+    private static long wrongPixels(TopicView view) {
+        VisibilityChoice choice = view.shown(VisibilityChoice.first());
         try (var renderer = new Renderer()) {
             return Compared.of(choice.plain(WIDTH, HEIGHT), renderer::render, () -> false)
                     .wrongPixels();
         }
     }
 
+    /** Sums of 24 bits drift only over more pixels than the tab's picture has, as its note says. */
+    private static boolean needsALongerRow(Hazard<?> hazard, String method) {
+        return hazard.name().equals("long-span-drift") && method.equals("z24");
+    }
+
     @ParameterizedTest
     @MethodSource("surfaces")
     void whatIsRecordedAsWrongIsWrongInTheLabToo(Hazard<SurfaceView> hazard) {
-        TopicView view = TopicView.of(hazard.name(), hazard.input()).view().orElseThrow();
         hazard.recorded()
                 .forEach(
                         (method, kind) -> {
-                            if (kind == Verdict.Kind.WRONG)
-                                assertTrue(wrongPixels(view, method) > 0, method);
+                            TopicView view = TopicView.of(hazard.name(), hazard.input(), method);
+                            if (kind == Verdict.Kind.WRONG && !needsALongerRow(hazard, method))
+                                assertTrue(wrongPixels(view) > 0, method);
                         });
     }
 
     @ParameterizedTest
     @MethodSource("sights")
     void orderThatIsRecordedAsWrongIsPaintedWrong(Hazard<Sight> hazard) {
-        TopicView view = TopicView.of(hazard.name(), hazard.input()).view().orElseThrow();
         Map.of("mean-z-textbook", "painter-textbook", "mean-z", "painter")
                 .forEach(
                         (method, painter) -> {
+                            TopicView view =
+                                    TopicView.of(hazard.name(), hazard.input(), method, painter);
                             if (hazard.recorded().get(method) == Verdict.Kind.WRONG)
-                                assertTrue(wrongPixels(view, painter) > 0, painter);
+                                assertTrue(wrongPixels(view) > 0, painter);
                         });
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"huge", "tiny"})
+    void rightOrderOfAnyMagnitudeIsPaintedRight(String name) {
+        Hazard<Sight> hazard = named(new DepthOrderTopic().hazards(), name);
+        for (String method : List.of("newell", "bsp"))
+            assertTrue(
+                    wrongPixels(TopicView.of(name, hazard.input(), method, method)) < 20, method);
+    }
+
+    private static <I> Hazard<I> named(List<Hazard<I>> hazards, String name) {
+        return hazards.stream().filter(one -> one.name().equals(name)).findFirst().orElseThrow();
     }
 
     @ParameterizedTest
     @MethodSource("sights")
     void somethingIsSeen(Hazard<Sight> hazard) {
-        assertTrue(seen(TopicView.of(hazard.name(), hazard.input()).view().orElseThrow()) > 2000);
+        assertTrue(seen(TopicView.of(hazard.name(), hazard.input(), "newell", "newell")) > 2000);
     }
 
     private static long seen(TopicView view) {
-        VisibilityChoice choice = view.shown(VisibilityChoice.first(), Renderer.REFERENCE);
+        return Arrays.stream(pixels(view)).filter(pixel -> pixel != 0xFFFFFFFF).count();
+    }
+
+    private static int[] pixels(TopicView view) {
+        VisibilityChoice choice = view.shown(VisibilityChoice.first());
         try (var renderer = new Renderer()) {
-            return java.util.Arrays.stream(
-                            renderer.render(choice.plain(WIDTH, HEIGHT), () -> false).argb())
-                    .filter(pixel -> pixel != 0xFFFFFFFF)
-                    .count();
+            return renderer.render(choice.plain(WIDTH, HEIGHT), () -> false).argb();
         }
     }
 
     @ParameterizedTest
     @MethodSource("bodies")
-    void bodyIsSeenFromItsEye(TopicView view) {
-        assertTrue(seen(view) > 2000);
+    void bodyIsSeenFromItsEye(Hazard<Body> hazard) {
+        assertTrue(
+                seen(TopicView.of(hazard.name(), hazard.input(), "back-face", Renderer.REFERENCE))
+                        > 2000);
     }
 
-    static Stream<TopicView> bodies() {
-        return new VisibleFacesTopic()
-                .hazards().stream()
-                        .flatMap(one -> TopicView.of(one.name(), one.input()).view().stream());
+    static Stream<Hazard<Body>> bodies() {
+        return new VisibleFacesTopic().hazards().stream();
+    }
+
+    /** What cannot be given to the tab's methods is drawn as the topic's method has found it. */
+    @ParameterizedTest
+    @MethodSource("bodies")
+    void facesThatAMethodGetsWrongLookWrong(Hazard<Body> hazard) {
+        String method = "convex-segment-textbook";
+        TopicView found = TopicView.of(hazard.name(), hazard.input(), method, "convex");
+        TopicView right = TopicView.of(hazard.name(), hazard.input(), "back-face", "convex");
+        if (found.unlike().isEmpty()) return;
+        boolean wrong = hazard.recorded().get(method) == Verdict.Kind.WRONG;
+        assertEquals(wrong, Arrays.mismatch(pixels(found), pixels(right)) >= 0, hazard.name());
+    }
+
+    @Test
+    void refusedBodyIsDrawnWhole() {
+        Hazard<Body> hazard = named(new VisibleFacesTopic().hazards(), "inner-point-outside");
+        TopicView refused = TopicView.of("it", hazard.input(), "convex-segment", "convex");
+        assertEquals(6, refused.scene().mesh().faceCount());
+        assertEquals(List.of(Unlike.Kind.FACES_ALL), kinds(refused));
+        TopicView found = TopicView.of("it", hazard.input(), "back-face", "convex");
+        assertEquals(3, found.scene().mesh().faceCount());
+        assertEquals(List.of(Unlike.Kind.FACES_FOUND), kinds(found));
+    }
+
+    private static List<Unlike.Kind> kinds(TopicView view) {
+        return view.unlike().stream().map(Unlike::kind).toList();
     }
 }

@@ -1,0 +1,36 @@
+package rasterlab.app.canvas;
+
+import java.util.List;
+import java.util.stream.Collectors;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Verdict;
+
+/**
+ * What is said beside a hazard that a tab cannot show as it is.
+ *
+ * @param verdict on the method, for the hazard's own numbers
+ * @param unlike in what the picture is other, at least one
+ */
+public record HazardNote(String hazard, String method, Verdict verdict, List<Unlike> unlike) {
+    public HazardNote {
+        unlike = List.copyOf(unlike);
+    }
+
+    public String in(Language language) {
+        Texts texts = Texts.of("canvas", language);
+        String said =
+                texts.text(
+                        "note",
+                        hazard,
+                        method,
+                        Texts.of("study", language).text("verdict." + verdict.kind().code()));
+        String detail = verdict.detail();
+        boolean failed = verdict.kind() != Verdict.Kind.EXACT;
+        if (failed && !detail.isEmpty()) said += " (" + Complaints.said(language, detail) + ")";
+        return unlike.stream()
+                .map(each -> each.in(texts))
+                .collect(Collectors.joining(". ", said + ". ", "."));
+    }
+}
