@@ -8,6 +8,7 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
+import javax.swing.JPanel;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.data.TableCell;
 import org.assertj.swing.edt.GuiActionRunner;
@@ -93,14 +94,20 @@ class WindowStudyTest extends WindowHarness {
     }
 
     @Test
-    void topicWithoutATabShowsItsInput() {
+    void rowOfDepthsOpensBesideTheScenes() {
         window.comboBox("topic").selectItem("depth-buffer");
         robot.waitForIdle();
-        window.table("hazards").selectCell(TableCell.row(0).column(0));
+        window.table("hazards").selectCell(TableCell.row(2).column(1));
         robot.waitForIdle();
-        assertFalse(window.button("open").isEnabled());
-        assertTrue(window.button("open").target().getToolTipText().contains("Hidden surfaces"));
         assertTrue(window.textBox("input").text().length() > 10);
+        window.button("open").click();
+        robot.waitForIdle();
+        assertEquals("visibility", frame.shownTab());
+        JPanel rows = window.panel("rows").target();
+        assertEquals("z24", window.panel("rows").comboBox("method").selectedItem());
+        window.panel("rows").comboBox("mode").selectItem(0);
+        robot.waitForIdle();
+        assertFalse(GuiActionRunner.execute(rows::isShowing));
     }
 
     @Test

@@ -58,13 +58,7 @@ final class LightInspector {
         this.texts = texts;
         column = new Inspector(texts);
         mode = new ModeRow(model, texts, column);
-        body =
-                new NameChooser(
-                        "body",
-                        Body.NAMES,
-                        name -> texts.textOr("body." + name, shown(name)),
-                        this::chooseBody);
-        column.row("body", body);
+        body = bodies();
         detail =
                 new NumberSlider(
                         "detail",
@@ -164,6 +158,17 @@ final class LightInspector {
 
     private void chooseNormals(String method) {
         model.choose(choice -> choice.with(choice.body().withNormals(method)));
+    }
+
+    private NameChooser bodies() {
+        var bodies =
+                new NameChooser(
+                        "body",
+                        Body.NAMES,
+                        name -> texts.textOr("body." + name, shown(name)),
+                        this::chooseBody);
+        column.row("body", bodies);
+        return bodies;
     }
 
     /** Of a hazard's body only what tells it from the topic's others: the list is narrow. */

@@ -58,14 +58,7 @@ final class VisibilityInspector {
         this.texts = texts;
         translations = Texts.of("visibility", "topic", texts.language());
         column = new Inspector(texts);
-        mode =
-                new NameChooser(
-                        "mode",
-                        VisibilityMode.names(model),
-                        name -> texts.text("mode." + name),
-                        name -> VisibilityMode.choose(model, name));
-        column.row("mode", mode);
-        refreshMode();
+        mode = modes();
         scene = scenes();
         column.wide(new SceneRow(model, texts));
         visibility = methods("method", "", VisibilityChoice::withVisibility);
@@ -115,6 +108,18 @@ final class VisibilityInspector {
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
         column.wide(about);
+    }
+
+    private NameChooser modes() {
+        var modes =
+                new NameChooser(
+                        "mode",
+                        VisibilityMode.names(model),
+                        name -> texts.text("mode." + name),
+                        name -> VisibilityMode.choose(model, name));
+        column.row("mode", modes);
+        modes.show(VisibilityMode.SCENE);
+        return modes;
     }
 
     /** It stands in the lab of scenes, where it always names that. */
