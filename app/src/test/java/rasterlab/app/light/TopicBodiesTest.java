@@ -113,5 +113,6 @@ class TopicBodiesTest {
         Mesh floor = TopicMesh.of(points("light-in-the-point"), "").mesh();
         var normals = new double[] {floor.normalX(0), floor.normalY(0), floor.normalZ(0)};
         assertArrayEquals(new double[] {0, 0, 1}, normals, 1e-12);
+        assertTrue(floor.faceCount() > 100, floor.faceCount() + " faces");
     }
 }
