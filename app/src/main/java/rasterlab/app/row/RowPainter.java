@@ -25,6 +25,9 @@ final class RowPainter {
     /** The highest that a band gets; a lower stage has lower ones. */
     private static final int HIGHEST = 84;
 
+    /** With less for each, there are bands and nothing else. */
+    private static final int LOWEST = 10;
+
     /** View units that a pixel needs for a mark of its own; narrower ones share a bar. */
     private static final double MARKED = 7;
 
@@ -59,7 +62,11 @@ final class RowPainter {
         int parts = scene.bands().size() + 1 + (scene.image().isPresent() ? 2 : 0);
         int words = metrics.getHeight() + 4;
         int high = Math.min(HIGHEST, (height - 2 * MARGIN - MARK) / parts - words - GAP);
-        if (wide < 1 || high < 1) return;
+        if (wide < 1) return;
+        if (high < LOWEST) {
+            bandsAlone(height);
+            return;
+        }
         int y = MARGIN;
         for (RowScene.Band band : scene.bands()) {
             y = say(texts.text("band." + band.key(), choice.method()), y);
@@ -74,6 +81,18 @@ final class RowPainter {
             y = errors(y + MARK, high) + GAP;
         }
         if (scene.image().isPresent()) image(scene.image().get(), y, height - MARGIN);
+    }
+
+    /** All that a very low stage has room for, in the same order. */
+    private void bandsAlone(int height) {
+        int step = height / scene.bands().size();
+        int high = Math.max(1, step - 4);
+        int y = 2;
+        for (RowScene.Band band : scene.bands()) {
+            band(band, y, high);
+            chosen(y, high);
+            y += step;
+        }
     }
 
     /** Returns the view y below the words. */
