@@ -1,27 +1,51 @@
 package rasterlab.app.canvas;
 
 import java.awt.Component;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
+import java.awt.Dimension;
+import java.awt.event.HierarchyBoundsAdapter;
+import java.awt.event.HierarchyEvent;
 import javax.swing.JButton;
 import javax.swing.JLabel;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import rasterlab.app.language.Texts;
 
-/** The topic's hazards above the stage: one click brings the input on which methods fail. */
+/**
+ * The topic's hazards above the stage: one click brings the input on which methods fail. Those that
+ * would take too much of the stage's height are in a menu at the end.
+ */
 public final class Chips extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    public Chips(String title) {
-        super(new FlowRows(6));
+    private static final int GAP = 6;
+
+    /** No count of hazards is written wider. */
+    private static final int WIDEST = 88;
+
+    private final transient Texts texts;
+    private final JButton more = chip("chips.more", "", this::openMenu);
+
+    /**
+     * @param key in texts, of the title before the chips
+     */
+    public Chips(Texts texts, String key) {
+        super(null);
+        this.texts = Texts.of("canvas", texts.language());
+        Dimension size =
+                chip("", this.texts.text("chips.more", WIDEST), () -> {}).getPreferredSize();
+        setLayout(new ChipRows(GAP, more, size, this::leaveOut));
         setOpaque(false);
-        var label = new JLabel(title);
+        var label = new JLabel(texts.text(key));
         label.setName("chips.title");
         add(label);
-        addComponentListener(
-                new ComponentAdapter() {
+        add(more);
+        FlowRows.keepWrapped(this);
+        addHierarchyBoundsListener(
+                new HierarchyBoundsAdapter() {
                     @Override
-                    public void componentResized(ComponentEvent e) {
-                        revalidate();
+                    public void ancestorResized(HierarchyEvent e) {
+                        if (e.getChanged() instanceof LabLayout) revalidate();
                     }
                 });
     }
@@ -32,22 +56,54 @@ public final class Chips extends JPanel {
      * @param hint one sentence: what is special about the input
      */
     public void add(String name, String text, String hint, Runnable action) {
-        var chip = new JButton(text);
-        chip.setName("chip." + name);
+        JButton chip = chip("chip." + name, text, action);
         chip.setToolTipText(hint);
         chip.getAccessibleContext().setAccessibleDescription(hint);
+        add(chip, getComponentCount() - 1);
+    }
+
+    private static JButton chip(String name, String text, Runnable action) {
+        var chip = new JButton(text);
+        chip.setName(name);
         chip.putClientProperty("JButton.buttonType", "roundRect");
         chip.putClientProperty("FlatLaf.styleClass", "medium");
         chip.putClientProperty("FlatLaf.style", "margin: 2,4,2,4; minimumWidth: 0");
         chip.addActionListener(e -> action.run());
-        add(chip);
+        return chip;
+    }
+
+    private void leaveOut(int count) {
+        String text = texts.text("chips.more", count);
+        if (!text.equals(more.getText())) more.setText(text);
+    }
+
+    private void openMenu() {
+        menu().show(more, 0, more.getHeight());
+    }
+
+    /** What there was no room for; a light menu would be hidden by a window of OpenGL. */
+    JPopupMenu menu() {
+        var menu = new JPopupMenu();
+        menu.setName("chips.menu");
+        menu.setLightWeightPopupEnabled(false);
+        for (Component each : getComponents())
+            if (each instanceof JButton chip && !chip.isVisible()) menu.add(item(chip));
+        return menu;
+    }
+
+    private static JMenuItem item(JButton chip) {
+        var item = new JMenuItem(chip.getText());
+        item.setName(chip.getName() + ".item");
+        item.setToolTipText(chip.getToolTipText());
+        item.addActionListener(e -> chip.doClick(0));
+        return item;
     }
 
     /** The title lies in the middle of the first row of chips. */
     @Override
     public void doLayout() {
         super.doLayout();
-        if (getComponentCount() > 1) {
+        if (getComponentCount() > 2) {
             Component title = getComponent(0);
             title.setSize(title.getWidth(), getComponent(1).getHeight());
         }

@@ -87,7 +87,7 @@ public final class ClipPanel extends LabPanel {
         all.setOpaque(false);
         Texts translations = Texts.of("clip", "topic", texts.language());
         for (ClipMode mode : ClipMode.values()) {
-            var row = new Chips(texts.text("hazards"));
+            var row = new Chips(texts, "hazards");
             for (Hazard<?> hazard : model.hazards(mode)) {
                 String key = "hazard." + mode.code() + "." + hazard.name();
                 row.add(

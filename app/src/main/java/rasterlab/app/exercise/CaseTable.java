@@ -3,6 +3,7 @@ package rasterlab.app.exercise;
 import java.awt.Component;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import javax.swing.JLabel;
 import javax.swing.JTable;
 import javax.swing.ListSelectionModel;
@@ -18,8 +19,8 @@ final class CaseTable extends JTable {
 
     private static final List<String> COLUMNS = List.of("sign", "case", "points", "verdict");
 
-    /** From how many letters on the verdict is written out. */
-    private static final int ROOMY = 30;
+    /** Left and right of a text, together. */
+    private static final int MARGIN = 14;
 
     private final transient Texts texts;
     private final transient Rows rows = new Rows();
@@ -41,11 +42,7 @@ final class CaseTable extends JTable {
             head.setHorizontalAlignment(JLabel.LEADING);
         var metrics = getFontMetrics(getFont());
         setRowHeight(metrics.getHeight() + 6);
-        width(0, metrics.stringWidth("✓") + 18);
-        width(2, Math.max(metrics.stringWidth("10/10"), metrics.stringWidth(head(2))) + 20);
-        getColumnModel().getColumn(1).setPreferredWidth(260);
         verdict = getColumnModel().getColumn(3);
-        verdict.setPreferredWidth(120);
         getSelectionModel()
                 .addListSelectionListener(
                         e -> {
@@ -56,10 +53,29 @@ final class CaseTable extends JTable {
     /** Without the verdict in words where there is no room for it: the sign tells it too. */
     @Override
     public void doLayout() {
-        boolean roomy = getWidth() >= getFontMetrics(getFont()).charWidth('m') * ROOMY;
+        boolean roomy = getWidth() >= needed();
         if (roomy && getColumnCount() < COLUMNS.size()) addColumn(verdict);
         if (!roomy && getColumnCount() == COLUMNS.size()) removeColumn(verdict);
+        for (int column = 0; column < getColumnCount(); column++)
+            if (column != 1) width(column, widest(column));
         super.doLayout();
+    }
+
+    /** The width in which nothing is cut off. */
+    int needed() {
+        return IntStream.range(0, COLUMNS.size()).map(this::widest).sum();
+    }
+
+    /** Of a column with its head. */
+    private int widest(int column) {
+        var metrics = getFontMetrics(getFont());
+        int widest = metrics.stringWidth(column == 0 ? "✓" : head(column));
+        for (int row = 0; row < rows.getRowCount(); row++)
+            widest =
+                    Math.max(
+                            widest,
+                            metrics.stringWidth(String.valueOf(rows.getValueAt(row, column))));
+        return widest + MARGIN;
     }
 
     private void width(int column, int width) {

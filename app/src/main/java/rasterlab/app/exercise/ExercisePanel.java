@@ -1,13 +1,10 @@
 package rasterlab.app.exercise;
 
-import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
-import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import javax.swing.JSplitPane;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
@@ -33,6 +30,9 @@ public final class ExercisePanel extends LabPanel {
     private final JTextArea notice = Controls.words("notice");
     private final JTextArea unsaved = Controls.words("unsaved");
     private final ResultPane result;
+    private final Rooms rooms;
+    private boolean running;
+    private Notice said = Notice.NONE;
     private final transient Runnable unsubscribe;
 
     /**
@@ -56,20 +56,23 @@ public final class ExercisePanel extends LabPanel {
         statement = new StatementPane(texts.text("statement"), model.formulas, onFailure);
         editor = new SourceEditor(texts, model::type);
         bar = new EditorBar(model, editor, texts, onFailure);
-        result =
-                new ResultPane(
-                        texts,
-                        lab,
-                        remark -> editor.goTo(remark.line(), remark.column()),
-                        onFailure);
+        result = new ResultPane(texts, lab, this::goTo, onFailure);
         notice.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.setForeground(VerdictLook.colour("wrong"));
         if (LargeType.now()) add(chooser("8 10 0 10"), BorderLayout.NORTH);
-        add(split());
+        result.setBorder(BorderFactory.createEmptyBorder(6, 10, 8, 10));
+        rooms = new Rooms(texts, task(), work(), result);
+        add(rooms);
         keys();
         unsubscribe = model.listen(state -> refresh());
         refresh();
+        if (model.state().outcome().isPresent()) rooms.show(Rooms.Room.RESULT);
+    }
+
+    private void goTo(Outcome.Remark remark) {
+        rooms.show(Rooms.Room.PROGRAM);
+        editor.goTo(remark.line(), remark.column());
     }
 
     private String title(String id) {
@@ -85,31 +88,6 @@ public final class ExercisePanel extends LabPanel {
         editor.bind(KeyStroke.getKeyStroke("ctrl shift Z"), editor::redo);
         KeyBinding.within(this, KeyStroke.getKeyStroke("ctrl ENTER"), model::check);
         KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::cancel);
-    }
-
-    private JComponent split() {
-        var right = new JSplitPane(JSplitPane.VERTICAL_SPLIT, work(), result);
-        divide(right, 0.56, "split.result");
-        result.setBorder(BorderFactory.createEmptyBorder(6, 6, 8, 10));
-        var both = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, task(), right);
-        divide(both, 0.38, "split.statement");
-        return both;
-    }
-
-    private void divide(JSplitPane pane, double share, String name) {
-        pane.setName(name);
-        pane.getAccessibleContext().setAccessibleName(texts.text(name));
-        pane.setBorder(null);
-        pane.setResizeWeight(share);
-        pane.getLeftComponent().setMinimumSize(UIScale.scale(new java.awt.Dimension(200, 140)));
-        pane.getRightComponent().setMinimumSize(UIScale.scale(new java.awt.Dimension(300, 140)));
-        pane.getLeftComponent().setPreferredSize(scaled(share));
-        pane.getRightComponent().setPreferredSize(scaled(1 - share));
-    }
-
-    /** Sizes in the ratio of the shares, so that the first layout divides by them too. */
-    private static java.awt.Dimension scaled(double share) {
-        return UIScale.scale(new java.awt.Dimension((int) (1250 * share), (int) (700 * share)));
     }
 
     private JPanel task() {
@@ -173,6 +151,16 @@ public final class ExercisePanel extends LabPanel {
         say(notice, state.notice());
         say(unsaved, state.unsaved());
         result.show(state, model.untried());
+        turn(state);
+    }
+
+    /** To the result of what begins, and to the words above which it was asked for. */
+    private void turn(ExerciseState state) {
+        if (state.work().running() && !running) rooms.show(Rooms.Room.RESULT);
+        if (!state.notice().isEmpty() && !state.notice().equals(said))
+            rooms.show(Rooms.Room.PROGRAM);
+        running = state.work().running();
+        said = state.notice();
     }
 
     private void say(JTextArea place, Notice said) {

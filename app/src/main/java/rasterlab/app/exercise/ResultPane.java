@@ -35,6 +35,7 @@ final class ResultPane extends JPanel {
     private final JProgressBar progress = new JProgressBar();
     private final CardLayout cards = new CardLayout();
     private final JPanel answer = new JPanel(cards);
+    private final JPanel cases;
     private final CaseTable table;
     private final RemarkList remarks;
     private final JTextArea reason = Controls.words("reason");
@@ -51,7 +52,7 @@ final class ResultPane extends JPanel {
             OpenInLab lab,
             Consumer<Outcome.Remark> toLine,
             Consumer<Throwable> onFailure) {
-        super(new MigLayout("insets 0, gap 10 6, hidemode 3", "[][][grow]", "[][grow,fill]"));
+        super(new MigLayout("insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][grow,fill]"));
         this.texts = texts;
         this.lab = lab;
         table = new CaseTable(texts, this::showChosen);
@@ -69,27 +70,28 @@ final class ResultPane extends JPanel {
         verdict.setFont(verdict.getFont().deriveFont(Font.BOLD));
         points.setName("result.points");
         where.setForeground(UIManager.getColor("Label.disabledForeground"));
-        add(verdict);
-        add(points);
+        var head = new JPanel(new FlowRows(10));
+        head.add(verdict);
+        head.add(points);
         progress.setName("progress");
         progress.setStringPainted(true);
         progress.getAccessibleContext().setAccessibleName(texts.text("progress"));
-        add(progress, "split 2, growx, wmin 40, hmin 20");
-        add(where, "wmin 0, wrap");
-        answer.add(cases(), "cases");
+        head.add(progress);
+        head.add(where);
+        FlowRows.keepWrapped(head);
+        add(head, "wmin 0");
+        cases = cases();
+        answer.add(cases, "cases");
         var list = new JScrollPane(remarks);
         list.setName("remarks.scroll");
         answer.add(list, "remarks");
-        add(answer, "span, grow, wmin 0, hmin 0");
+        add(answer, "grow, wmin 0, hmin 0");
     }
 
     private JPanel cases() {
         var scroll = new JScrollPane(table);
         scroll.setName("cases.scroll");
-        var detail =
-                new JPanel(
-                        new MigLayout(
-                                "insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][][grow,fill]"));
+        var words = new JPanel(new MigLayout("insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][]"));
         var controls = new JPanel(new FlowRows(6));
         JLabel label = Controls.label("view", texts, view);
         label.setPreferredSize(
@@ -98,17 +100,12 @@ final class ResultPane extends JPanel {
         controls.add(view);
         controls.add(open);
         FlowRows.keepWrapped(controls);
-        detail.add(reason, "wmin 0");
-        detail.add(controls, "wmin 0");
-        detail.add(picture, "wmin 0, hmin 0");
-        var both =
-                new JPanel(
-                        new MigLayout(
-                                "insets 0, gap 12 0",
-                                "[grow,fill,56%][grow,fill,44%]",
-                                "[grow,fill]"));
-        both.add(scroll, "wmin 0, hmin 0");
-        both.add(detail, "wmin 0, hmin 0");
+        words.add(reason, "wmin 0");
+        words.add(controls, "wmin 0");
+        var both = new JPanel(new ResultLayout(table, scroll, words, picture));
+        both.add(scroll);
+        both.add(words);
+        both.add(picture);
         return both;
     }
 
@@ -124,6 +121,7 @@ final class ResultPane extends JPanel {
                         .isPresent();
         table.show(outcome.isPresent() || running ? merged(judged, untried) : untried);
         remarks.show(outcome.map(Outcome::remarks).orElse(List.of()));
+        cases.revalidate();
         cards.show(answer, sourceRefused ? "remarks" : "cases");
         sayHead(state, outcome);
         if (!outcome.equals(shown)) {

@@ -4,9 +4,12 @@ import java.awt.Color;
 import java.util.Map;
 import javax.swing.UIManager;
 import javax.swing.text.Element;
+import javax.swing.text.StyleConstants;
 import javax.swing.text.View;
 import javax.swing.text.ViewFactory;
+import javax.swing.text.html.HTML;
 import javax.swing.text.html.HTMLEditorKit;
+import javax.swing.text.html.ParagraphView;
 import javax.swing.text.html.StyleSheet;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.exercises.formula.Typeset;
@@ -34,7 +37,11 @@ final class StatementKit extends HTMLEditorKit {
             @Override
             public View create(Element element) {
                 Typeset.Drawn formula = formulas.get(TypesetView.id(element));
-                return formula == null ? super.create(element) : new TypesetView(element, formula);
+                if (formula != null) return new TypesetView(element, formula);
+                // A line of a program that is too long is wrapped, else all paragraphs are as wide.
+                Object kind = element.getAttributes().getAttribute(StyleConstants.NameAttribute);
+                if (kind == HTML.Tag.IMPLIED) return new ParagraphView(element);
+                return super.create(element);
             }
         };
     }

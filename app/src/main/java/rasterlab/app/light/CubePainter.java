@@ -30,12 +30,20 @@ final class CubePainter {
     /** View units from a corner to the middle of its name. */
     private static final double LABEL = 30;
 
+    /** From the cube's middle to a corner, in edges. */
+    private static final double CORNER = Math.sqrt(3) / 2;
+
+    /** View units from a name to the stage's edge. */
+    private static final int EDGE = 6;
+
     private final Graphics2D g;
     private final ColourChoice colour;
     private final Texts texts;
     private final double middleX;
     private final double middleY;
     private final double unit;
+    private final int width;
+    private final int height;
 
     CubePainter(Graphics2D g, ColourChoice colour, Texts texts, int width, int height) {
         this.g = g;
@@ -43,7 +51,11 @@ final class CubePainter {
         this.texts = texts;
         middleX = width / 2.0;
         middleY = height / 2.0;
-        unit = SIZE * Math.min(width, height);
+        this.width = width;
+        this.height = height;
+        double name = LABEL + g.getFontMetrics().getHeight() / 2.0 + EDGE;
+        int small = Math.min(width, height);
+        unit = Math.max(1, Math.min(SIZE * small, (small / 2.0 - name) / CORNER));
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
@@ -54,8 +66,8 @@ final class CubePainter {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         edges();
         inside();
-        corners();
         swatch();
+        corners();
     }
 
     /** Depth towards the eye of a point of the cube, of which each coordinate is from 0 to 1. */
@@ -183,25 +195,33 @@ final class CubePainter {
     private void label(String name, double x, double y) {
         var metrics = g.getFontMetrics();
         StageColours colours = StageColours.now();
+        int wide = metrics.stringWidth(name);
         Plates.plate(
                 g,
                 name,
-                (int) (x - metrics.stringWidth(name) / 2.0),
-                (int) (y + metrics.getAscent() / 2.0),
+                (int) Math.max(EDGE, Math.min(width - EDGE - wide, x - wide / 2.0)),
+                (int)
+                        Math.max(
+                                EDGE + metrics.getAscent(),
+                                Math.min(
+                                        height - EDGE - metrics.getDescent(),
+                                        y + metrics.getAscent() / 2.0)),
                 colours.ground(),
                 colours.ink());
     }
 
     /** The colour itself, large enough to be judged. */
     private void swatch() {
-        int side = (int) Math.max(60, unit * 0.28);
+        String code = String.format(Locale.ROOT, "#%06X", colour.rgb());
+        int wide = (int) Math.max(g.getFontMetrics().stringWidth(code) + 20, unit * 0.28);
+        int high = (int) Math.max(g.getFontMetrics().getHeight() + 12, unit * 0.28);
         var fill = new Color(colour.rgb());
         g.setColor(fill);
-        g.fillRoundRect(16, 16, side, side, 12, 12);
+        g.fillRoundRect(8, 8, wide, high, 12, 12);
         g.setColor(StageColours.now().axis());
         g.setStroke(new BasicStroke(1.2f));
-        g.drawRoundRect(16, 16, side, side, 12, 12);
+        g.drawRoundRect(8, 8, wide, high, 12, 12);
         g.setColor(MethodColours.inkOn(fill));
-        g.drawString(String.format(Locale.ROOT, "#%06X", colour.rgb()), 26, 16 + side - 12);
+        g.drawString(code, 18, 8 + high - 10);
     }
 }

@@ -15,12 +15,14 @@ final class EndLabel {
     private EndLabel() {}
 
     /**
-     * Below the end, above it, to its left or right: the first of them that no lamp touches; below
-     * it where all are touched.
+     * Below the end, above it, to its left or right: the first of them that neither a lamp nor the
+     * plate touches; below it where all are touched.
      *
      * @param lamps their middles
+     * @param plate what else must stay in sight
      */
-    static Rectangle place(Point2D end, int width, int height, List<Point2D> lamps) {
+    static Rectangle place(
+            Point2D end, int width, int height, List<Point2D> lamps, Rectangle plate) {
         int x = (int) end.getX();
         int y = (int) end.getY();
         List<Rectangle> places =
@@ -30,6 +32,7 @@ final class EndLabel {
                         new Rectangle(x - AWAY - width, y - height / 2, width, height),
                         new Rectangle(x + AWAY, y - height / 2, width, height));
         return places.stream()
+                .filter(place -> !place.intersects(plate))
                 .filter(place -> lamps.stream().noneMatch(lamp -> touches(lamp, place)))
                 .findFirst()
                 .orElse(places.get(0));

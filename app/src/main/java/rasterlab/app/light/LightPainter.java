@@ -63,14 +63,19 @@ final class LightPainter {
         over.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         over.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         arrows(over, index == 0 ? drawn.faceArrows() : drawn.cornerArrows());
-        line(over, box);
+        String name = texts.text("shading." + picture.shading().code());
+        over.setFont(over.getFont().deriveFont(Font.BOLD));
+        FontMetrics bold = over.getFontMetrics();
+        var plate = new Rectangle(8, 7, bold.stringWidth(name) + 8, bold.getHeight() + 1);
+        over.setFont(over.getFont().deriveFont(Font.PLAIN));
+        line(over, box, plate);
         for (int i = 0; i < choice.lamps().size(); i++) lamp(over, i, box);
         point(over, box);
         over.setFont(over.getFont().deriveFont(Font.BOLD));
         Color colour = COLOURS.get(index);
         Plates.plate(
                 over,
-                texts.text("shading." + picture.shading().code()),
+                name,
                 12,
                 over.getFontMetrics().getAscent() + 8,
                 colour,
@@ -93,7 +98,7 @@ final class LightPainter {
         return LightGrips.at(new LightGrip(kind, index), drawn, choice, box);
     }
 
-    private void line(Graphics2D over, Rectangle box) {
+    private void line(Graphics2D over, Rectangle box, Rectangle plate) {
         Point2D from = at(LightGrip.Kind.FROM, 0, box);
         Point2D to = at(LightGrip.Kind.TO, 0, box);
         var line = new Line2D.Double(from, to);
@@ -107,11 +112,12 @@ final class LightPainter {
                 IntStream.range(0, choice.lamps().size())
                         .mapToObj(lamp -> at(LightGrip.Kind.LAMP, lamp, box))
                         .toList();
-        end(over, from, "A", lamps);
-        end(over, to, "B", lamps);
+        end(over, from, "A", lamps, plate);
+        end(over, to, "B", lamps, plate);
     }
 
-    private static void end(Graphics2D over, Point2D at, String name, List<Point2D> lamps) {
+    private static void end(
+            Graphics2D over, Point2D at, String name, List<Point2D> lamps, Rectangle plate) {
         var square = new Rectangle((int) at.getX() - 5, (int) at.getY() - 5, 10, 10);
         over.setColor(Color.WHITE);
         over.fill(square);
@@ -119,7 +125,8 @@ final class LightPainter {
         over.draw(square);
         FontMetrics metrics = over.getFontMetrics();
         Rectangle place =
-                EndLabel.place(at, metrics.stringWidth(name) + 8, metrics.getHeight() + 1, lamps);
+                EndLabel.place(
+                        at, metrics.stringWidth(name) + 8, metrics.getHeight() + 1, lamps, plate);
         Plates.plate(
                 over,
                 name,

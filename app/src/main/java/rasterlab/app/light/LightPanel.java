@@ -124,7 +124,7 @@ public final class LightPanel extends LabPanel {
     }
 
     private Chips chips() {
-        var chips = new Chips(texts.text("hazards"));
+        var chips = new Chips(texts, "hazards");
         for (LightHazard hazard : LightHazard.values())
             chips.add(
                     hazard.code(),
@@ -136,7 +136,7 @@ public final class LightPanel extends LabPanel {
 
     /** Colours on which models or methods fail. */
     private Chips colourChips() {
-        var chips = new Chips(texts.text("colours.situations"));
+        var chips = new Chips(texts, "colours.situations");
         chip(chips, "grey", 0.5, 0.5, 0.5);
         chip(chips, "black", 0, 0, 0);
         chip(chips, "nearly-grey", 0.5, 0.5, 0.501);

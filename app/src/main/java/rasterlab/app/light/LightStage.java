@@ -101,7 +101,7 @@ final class LightStage extends SelfDrawn implements Settling {
     }
 
     private StagePlan plan() {
-        return new StagePlan(getWidth(), getHeight());
+        return new StagePlan(getWidth(), getHeight(), getFontMetrics(getFont()).getHeight());
     }
 
     @Override

@@ -8,6 +8,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.List;
 import java.util.Locale;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.Shown;
@@ -18,6 +19,9 @@ import rasterlab.app.language.Texts;
 final class ProfilePainter {
     private static final int BESIDE = 8;
     private static final int RIGHT = 14;
+
+    /** A name's line, and what is between it and the next one. */
+    private static final int NAMED = 28 + 12;
 
     /** What the eye reports runs over by so much at most. */
     private static final double LEAST = -0.15;
@@ -79,7 +83,9 @@ final class ProfilePainter {
     private void axes(Rectangle2D box) {
         FontMetrics metrics = g.getFontMetrics();
         g.setStroke(new BasicStroke(1f));
-        for (double level = 0; level <= 1; level += LEVELS) {
+        double apart = LEVELS;
+        while (y(0, box) - y(apart, box) < metrics.getHeight() && apart < 1) apart *= 2;
+        for (double level = 0; level <= 1; level += apart) {
             double y = y(level, box);
             g.setColor(level == 0 ? colours.axis() : colours.grid());
             g.draw(new Line2D.Double(box.getX(), y, box.getMaxX(), y));
@@ -95,6 +101,7 @@ final class ProfilePainter {
         g.drawString("A", (int) box.getX(), base);
         g.drawString("B", (int) box.getMaxX() - metrics.stringWidth("B"), base);
         String along = texts.text("profile.along");
+        if (metrics.stringWidth(along) + 3 * metrics.stringWidth("A") > box.getWidth()) return;
         g.drawString(along, (int) (box.getCenterX() - metrics.stringWidth(along) / 2.0), base);
     }
 
@@ -115,13 +122,17 @@ final class ProfilePainter {
 
     private void legend(Rectangle2D box, boolean mach) {
         FontMetrics metrics = g.getFontMetrics();
-        int x = (int) box.getX();
+        List<String> names =
+                drawn.pictures().stream()
+                        .map(picture -> texts.text("shading." + picture.shading().code()))
+                        .toList();
+        int all = names.stream().mapToInt(name -> NAMED + metrics.stringWidth(name)).sum();
+        int x = (int) Math.max(BESIDE, Math.min(box.getX(), box.getMaxX() - all));
         int base = metrics.getAscent() + 5;
-        for (int i = 0; i < drawn.pictures().size(); i++) {
-            String name = texts.text("shading." + drawn.pictures().get(i).shading().code());
-            x = entry(x, base, name, LightPainter.COLOURS.get(i), false);
-        }
-        if (mach) entry(x, base, texts.text("profile.eye"), colours.ink(), true);
+        for (int i = 0; i < names.size(); i++)
+            x = entry(x, base, names.get(i), LightPainter.COLOURS.get(i), false);
+        boolean room = x + NAMED + metrics.stringWidth(texts.text("profile.eye")) <= box.getMaxX();
+        if (mach && room) entry(x, base, texts.text("profile.eye"), colours.ink(), true);
     }
 
     private int entry(int x, int base, String text, Color colour, boolean dashed) {
@@ -133,6 +144,6 @@ final class ProfilePainter {
         g.draw(new Line2D.Double(x, base - 5, x + 22, base - 5));
         g.setColor(colours.ink());
         g.drawString(text, x + 28, base);
-        return x + 28 + g.getFontMetrics().stringWidth(text) + 18;
+        return x + NAMED + g.getFontMetrics().stringWidth(text);
     }
 }

@@ -7,15 +7,20 @@ import java.awt.Rectangle;
  *
  * @param width of the stage
  * @param height of the stage
+ * @param line height of a line of type, of which the profile needs several
  */
-record StagePlan(int width, int height) {
+record StagePlan(int width, int height, int line) {
     private static final int GAP = 6;
     private static final double PICTURES = 0.58;
+
+    /** Lines of type as high as the least profile: its names, its numbers, and what is around. */
+    private static final int LINES = 6;
 
     /** The picture of one of the shadings. */
     Rectangle picture(int index) {
         int wide = Math.max(1, (width - 2 * GAP) / 3);
-        int high = Math.max(1, (int) (PICTURES * height));
+        int most = Math.min((int) (PICTURES * height), height - GAP - LINES * line);
+        int high = Math.max(1, most);
         return new Rectangle(index * (wide + GAP), 0, wide, high);
     }
 

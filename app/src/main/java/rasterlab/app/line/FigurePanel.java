@@ -98,7 +98,7 @@ final class FigurePanel extends LabPanel {
         all.setOpaque(false);
         Texts translations = Texts.of("line", "topic", texts.language());
         for (LineMode mode : List.of(LineMode.CIRCLE, LineMode.ELLIPSE)) {
-            var row = new Chips(texts.text("hazards"));
+            var row = new Chips(texts, "hazards");
             for (Hazard<?> hazard : model.hazards(mode)) {
                 String key = "hazard." + mode.code() + "." + hazard.name();
                 row.add(

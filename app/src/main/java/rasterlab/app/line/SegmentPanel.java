@@ -79,7 +79,7 @@ final class SegmentPanel extends LabPanel {
     }
 
     private Chips chips() {
-        var chips = new Chips(texts.text("hazards"));
+        var chips = new Chips(texts, "hazards");
         Texts translations = Texts.of("line", "topic", texts.language());
         for (Hazard<Segment> hazard : model.hazards())
             chips.add(

@@ -98,7 +98,7 @@ public final class OpenGlPanel extends LabPanel {
     }
 
     private Chips chips() {
-        var chips = new Chips(texts.text("hazards"));
+        var chips = new Chips(texts, "hazards");
         for (GlView view : GlView.values())
             chips.add(
                     view.code(),

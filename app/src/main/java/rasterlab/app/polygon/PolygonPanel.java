@@ -91,7 +91,7 @@ public final class PolygonPanel extends LabPanel {
         all.setOpaque(false);
         Texts translations = Texts.of("polygon", "topic", texts.language());
         for (PolygonMode mode : PolygonMode.values()) {
-            var row = new Chips(texts.text("hazards"));
+            var row = new Chips(texts, "hazards");
             for (Hazard<?> hazard : model.hazards(mode)) {
                 String key = "hazard." + mode.code() + "." + hazard.name();
                 row.add(

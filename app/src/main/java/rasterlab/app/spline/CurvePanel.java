@@ -104,7 +104,7 @@ final class CurvePanel extends JPanel implements AutoCloseable {
     }
 
     private Chips chips() {
-        var chips = new Chips(texts.text("hazards"));
+        var chips = new Chips(texts, "hazards");
         for (Hazard<CurveTask> hazard : model.hazards())
             chips.add(
                     hazard.name(),

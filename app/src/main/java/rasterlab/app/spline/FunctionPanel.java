@@ -121,7 +121,7 @@ final class FunctionPanel extends JPanel implements AutoCloseable {
     }
 
     private Chips chips() {
-        var chips = new Chips(texts.text("hazards"));
+        var chips = new Chips(texts, "hazards");
         for (Hazard<SplineProblem> hazard : model.hazards())
             chips.add(
                     hazard.name(),

@@ -113,7 +113,7 @@ public final class VisibilityPanel extends LabPanel {
     }
 
     private Chips chips() {
-        var chips = new Chips(texts.text("hazards"));
+        var chips = new Chips(texts, "hazards");
         for (HazardView view : HazardView.values())
             chips.add(
                     view.code(),

@@ -13,7 +13,7 @@ class EndLabelTest {
     private static final Point2D END = new Point2D.Double(160, 130);
 
     private static Rectangle place(List<Point2D> lamps) {
-        return EndLabel.place(END, 16, 18, lamps);
+        return EndLabel.place(END, 16, 18, lamps, new Rectangle());
     }
 
     @Test

@@ -124,7 +124,7 @@ class LightLabModelTest {
     void draggedLampStaysUnderTheMouseAndKeepsItsDepth() throws InterruptedException {
         drawn();
         var grips = new LightGrips(model);
-        var plan = new StagePlan(3 * WIDTH + 12, (int) (HEIGHT / 0.58));
+        var plan = new StagePlan(3 * WIDTH + 12, (int) (HEIGHT / 0.58), 0);
         Rectangle second = plan.picture(1);
         double depth = LightGrips.pixel(drawn(), model.state().choice().lamp())[2];
         grips.drag(

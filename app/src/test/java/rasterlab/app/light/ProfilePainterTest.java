@@ -23,4 +23,16 @@ class ProfilePainterTest {
         double below = 300 - box.getMaxY();
         assertTrue(below >= metrics.getAscent() + 3 + metrics.getDescent(), "below: " + box);
     }
+
+    @ParameterizedTest(name = "no curve fits below the pictures in lines of {0}")
+    @ValueSource(ints = {15, 17, 23, 25, 30})
+    void smallStageKeepsRoomForPicturesAndCurves(int line) {
+        int height = 280;
+        var plan = new StagePlan(370, height, line);
+        // Above the curves names, below them the ends: a line of type each, and what is around it.
+        int curves = plan.profile().height - 2 * line - 18;
+        assertTrue(curves >= 2 * line, "curves are high by " + curves);
+        assertTrue(plan.picture(0).height >= 0.3 * height, "picture: " + plan.picture(0));
+        assertTrue(plan.profile().y + plan.profile().height <= height, "out of sight");
+    }
 }

@@ -109,7 +109,7 @@ public abstract class LabCard extends LabPanel {
      */
     protected static <I> Chips hazards(
             Texts texts, Texts translations, List<Hazard<I>> hazards, Consumer<Hazard<I>> chosen) {
-        var chips = new Chips(texts.text("hazards"));
+        var chips = new Chips(texts, "hazards");
         for (Hazard<I> each : hazards)
             chips.add(
                     each.name(),

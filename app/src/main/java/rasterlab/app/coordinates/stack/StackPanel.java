@@ -51,7 +51,7 @@ public final class StackPanel extends LabCard {
     }
 
     private Chips programs() {
-        var chips = new Chips(texts.text("programs"));
+        var chips = new Chips(texts, "programs");
         for (StackProgram each : StackProgram.values())
             chips.add(
                     each.code(),

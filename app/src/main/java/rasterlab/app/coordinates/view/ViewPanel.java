@@ -49,7 +49,7 @@ public final class ViewPanel extends LabCard {
     }
 
     private static Chips situations(ViewLabModel model, Texts texts) {
-        var chips = new Chips(texts.text("situations"));
+        var chips = new Chips(texts, "situations");
         for (ViewSituation each : ViewSituation.values())
             chips.add(
                     each.code(),

@@ -1,0 +1,93 @@
+package rasterlab.app.exercise;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.Dimension;
+import java.awt.LayoutManager;
+import javax.swing.UIManager;
+
+/**
+ * The cases with the chosen one's reason and pictures beside them, or below them where the cases'
+ * columns take the width.
+ */
+final class ResultLayout implements LayoutManager {
+    private static final int GAP = 12;
+
+    /** The least width of reason and pictures beside the cases, in sizes of the type. */
+    private static final int BESIDE = 18;
+
+    /** From so much height on the cases can stand above the pictures, in sizes of the type. */
+    private static final int ABOVE = 16;
+
+    /** Rows of the cases that are seen at least, with their head. */
+    private static final int ROWS = 4;
+
+    private final CaseTable table;
+    private final Component cases;
+    private final Container words;
+    private final Component picture;
+
+    /**
+     * @param cases what scrolls the table
+     * @param words the chosen case's reason, and the buttons
+     */
+    ResultLayout(CaseTable table, Component cases, Container words, Component picture) {
+        this.table = table;
+        this.cases = cases;
+        this.words = words;
+        this.picture = picture;
+    }
+
+    @Override
+    public void layoutContainer(Container parent) {
+        int type = UIManager.getFont("Label.font").getSize();
+        int width = parent.getWidth();
+        int height = parent.getHeight();
+        int gap = UIScale.scale(GAP);
+        int bar = UIScale.scale(UIManager.getInt("ScrollBar.width")) + 2;
+        int needed = table.needed() + bar;
+        int most = width - gap - BESIDE * type;
+        if (needed > most && height >= ABOVE * type) {
+            int left = (width - gap) * 2 / 5;
+            int top = Math.min((height - gap) / 2, height - gap - heightOfWords(left));
+            top = Math.max(top, ROWS * table.getRowHeight());
+            cases.setBounds(0, 0, width, top);
+            words.setBounds(0, top + gap, left, height - top - gap);
+            picture.setBounds(left + gap, top + gap, width - left - gap, height - top - gap);
+            return;
+        }
+        int left = Math.max(width / 2, Math.min(needed, most));
+        int right = width - left - gap;
+        cases.setBounds(0, 0, left, height);
+        int lines = Math.min(height, heightOfWords(right));
+        words.setBounds(left + gap, 0, right, lines);
+        picture.setBounds(left + gap, lines + gap / 2, right, height - lines - gap / 2);
+    }
+
+    /** Wrapped to that width. */
+    private int heightOfWords(int width) {
+        for (int round = 0; round < 2; round++) {
+            words.setSize(width, Short.MAX_VALUE);
+            words.invalidate();
+            words.doLayout();
+        }
+        return words.getPreferredSize().height;
+    }
+
+    @Override
+    public Dimension preferredLayoutSize(Container parent) {
+        return new Dimension(table.needed(), 0);
+    }
+
+    @Override
+    public Dimension minimumLayoutSize(Container parent) {
+        return new Dimension();
+    }
+
+    @Override
+    public void addLayoutComponent(String name, Component component) {}
+
+    @Override
+    public void removeLayoutComponent(Component component) {}
+}

@@ -1,0 +1,153 @@
+package rasterlab.app.exercise;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.FontMetrics;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import javax.swing.UIManager;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.canvas.Unshown;
+import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.exercises.catalogue.Catalogue;
+
+/** Exercises after a check of the starter, which draws nearly every case wrong. */
+class ExerciseRoomsTest {
+    private static final int LEAST_PICTURE = 120;
+    private static final int VERDICT = 3;
+
+    private static final List<Throwable> FAILURES = new CopyOnWriteArrayList<>();
+    private static ExerciseLabModel model;
+
+    /** Opens nothing. */
+    private static final OpenInLab NOWHERE =
+            new OpenInLab() {
+                @Override
+                public Optional<Unshown> obstacleTo(String topic, String hazard) {
+                    return Optional.empty();
+                }
+
+                @Override
+                public Optional<Unshown> obstacleToInputs(String topic) {
+                    return Optional.empty();
+                }
+
+                @Override
+                public void showHazard(String topic, String hazard, String method) {}
+
+                @Override
+                public void showInput(String topic, String json, String method) {}
+            };
+
+    @BeforeAll
+    static void check() throws Exception {
+        var ended = new CountDownLatch(1);
+        EventQueue.invokeAndWait(
+                () -> {
+                    model =
+                            new ExerciseLabModel(
+                                    () -> Catalogue.builtIn().all(),
+                                    EventQueue::invokeLater,
+                                    FAILURES::add);
+                    model.listen(
+                            state -> {
+                                if (state.outcome().isPresent() && !state.work().running())
+                                    ended.countDown();
+                            });
+                    model.check();
+                });
+        assertTrue(ended.await(60, TimeUnit.SECONDS), "the check does not end");
+    }
+
+    @AfterAll
+    static void close() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    model.close();
+                    LabTheme.LIGHT.install();
+                });
+        assertEquals(List.of(), FAILURES);
+    }
+
+    @ParameterizedTest(name = "a case cannot be read or seen: {0}, {1}, type of {2} in {3}×{4}")
+    @CsvSource({
+        "RUSSIAN, LIGHT, 14, 900, 538",
+        "ENGLISH, LIGHT, 14, 900, 538",
+        "RUSSIAN, LIGHT, 21, 900, 538",
+        "ENGLISH, DARK, 21, 900, 538",
+        "RUSSIAN, PROJECTOR, 19, 900, 538",
+        "RUSSIAN, LIGHT, 14, 1280, 738",
+        "ENGLISH, LIGHT, 14, 1280, 738",
+        "RUSSIAN, PROJECTOR, 19, 1280, 738",
+        "RUSSIAN, LIGHT, 21, 1280, 738",
+        "RUSSIAN, LIGHT, 21, 2560, 1378"
+    })
+    void everyCaseIsReadWholeAndItsPictureSeen(
+            Language language, LabTheme theme, double type, int width, int height)
+            throws Exception {
+        var made = new AtomicReference<ExercisePanel>();
+        EventQueue.invokeAndWait(
+                () -> {
+                    theme.install();
+                    double usual = UIManager.getFont("defaultFont").getSize2D();
+                    theme.install((int) Math.round(100 * type / usual));
+                    made.set(new ExercisePanel(model, NOWHERE, language, FAILURES::add));
+                });
+        ExercisePanel panel = made.get();
+        OffscreenPainter.paint(panel, width, height);
+        OffscreenPainter.paint(panel, width, height);
+        var faults = new ArrayList<String>();
+        EventQueue.invokeAndWait(() -> look(panel, faults));
+        EventQueue.invokeAndWait(panel::close);
+        assertEquals(List.of(), faults);
+    }
+
+    private static void look(ExercisePanel panel, List<String> faults) {
+        var table = (JTable) named(panel, "cases");
+        if (table.getColumnCount() <= VERDICT) faults.add("no verdicts in words");
+        FontMetrics metrics = table.getFontMetrics(table.getFont());
+        for (int row = 0; row < table.getRowCount(); row++)
+            for (int column = 0; column < table.getColumnCount(); column++) {
+                String text = String.valueOf(table.getValueAt(row, column));
+                if (metrics.stringWidth(text) + 6 > table.getCellRect(row, column, true).width)
+                    faults.add(text + " is cut off");
+            }
+        Component picture = named(panel, "case.picture");
+        if (Math.min(picture.getWidth(), picture.getHeight()) < LEAST_PICTURE)
+            faults.add("the picture is " + picture.getWidth() + "×" + picture.getHeight());
+        Component result = named(panel, "cases.scroll").getParent().getParent().getParent();
+        for (Component each : ((Container) result).getComponents())
+            if (each.getX() + each.getWidth() > result.getWidth())
+                faults.add(each + " is wider than the result");
+        var page = (JScrollPane) named(panel, "statement.scroll");
+        if (page.getViewport().getView().getWidth() > page.getViewport().getWidth())
+            faults.add("the statement is wider than its place");
+    }
+
+    /** Also where another part of the tab is in sight. */
+    private static Component named(Container within, String name) {
+        for (Component each : within.getComponents()) {
+            if (name.equals(each.getName())) return each;
+            Component found = each instanceof Container inner ? named(inner, name) : null;
+            if (found != null) return found;
+        }
+        return null;
+    }
+}
