@@ -50,7 +50,7 @@ public final class RowPanel extends LabCard {
 
     private Chips chips(Texts texts, Language language) {
         Texts translations = Texts.of("row", "topic", language);
-        var chips = new Chips(texts.text("hazards"));
+        var chips = new Chips(texts, "hazards");
         model.hazards()
                 .forEach(
                         each -> {
