@@ -19,6 +19,7 @@ import javax.swing.UIManager;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Texts;
 
 /** Each method's error over the number of turns, both in powers of ten. */
@@ -29,11 +30,14 @@ final class DriftChart extends SelfDrawn {
     private static final int LOWEST = -17;
 
     private static final int HIGHEST = 1;
+    private static final int DECADES_OF_ERROR = HIGHEST - LOWEST;
     private static final int DECADES = (int) Math.round(Math.log10(TurnScene.CHARTED));
-    private static final int LEFT = 58;
-    private static final int TOP = 40;
-    private static final int BOTTOM = 52;
+    private static final int BESIDE = 10;
     private static final int LEAD = 18;
+
+    /** The least width of the curves, in widths of a letter. */
+    private static final int LETTERS = 6;
+
     private static final double DOT = 3;
 
     private final transient Texts texts;
@@ -64,6 +68,42 @@ final class DriftChart extends SelfDrawn {
         return new Dimension(360, 360);
     }
 
+    /** In which the names do not lie over the curves, nor over each other. */
+    @Override
+    public Dimension getMinimumSize() {
+        FontMetrics metrics = metrics();
+        int width = left() + LETTERS * metrics.charWidth('m') + right();
+        return new Dimension(width, metrics.getHeight() * (drifts.size() + 4));
+    }
+
+    private static Font font() {
+        return UIManager.getFont("Label.font");
+    }
+
+    private FontMetrics metrics() {
+        return getFontMetrics(font());
+    }
+
+    private int left() {
+        return metrics().stringWidth(power(LOWEST)) + 2 * BESIDE;
+    }
+
+    private int top() {
+        return metrics().getHeight() * title().size() + 20;
+    }
+
+    private int bottom() {
+        return 2 * metrics().getHeight() + 18;
+    }
+
+    private List<String> title() {
+        FontMetrics bold = getFontMetrics(font().deriveFont(Font.BOLD));
+        return Wrapping.lines(
+                texts.text(busy ? "busy" : "chart.error"),
+                Math.max(1, getWidth() - 2 * BESIDE),
+                bold::stringWidth);
+    }
+
     @Override
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
@@ -77,7 +117,7 @@ final class DriftChart extends SelfDrawn {
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        g.setFont(UIManager.getFont("Label.font"));
+        g.setFont(font());
         StageColours colours = StageColours.now();
         g.setColor(colours.ground());
         g.fillRect(0, 0, getWidth(), getHeight());
@@ -88,7 +128,7 @@ final class DriftChart extends SelfDrawn {
 
     /** Room for the longest of the methods' names. */
     private int right() {
-        FontMetrics metrics = getFontMetrics(UIManager.getFont("Label.font").deriveFont(Font.BOLD));
+        FontMetrics metrics = getFontMetrics(font().deriveFont(Font.BOLD));
         return LEAD
                 + 12
                 + drifts.stream()
@@ -98,38 +138,50 @@ final class DriftChart extends SelfDrawn {
     }
 
     private double x(double decade) {
-        return LEFT + (getWidth() - LEFT - right()) * decade / DECADES;
+        return left() + (getWidth() - left() - right()) * decade / DECADES;
     }
 
     private double y(double decade) {
-        return TOP + (getHeight() - TOP - BOTTOM) * (HIGHEST - decade) / (HIGHEST - LOWEST);
+        double share = (HIGHEST - decade) / (HIGHEST - LOWEST);
+        return top() + (getHeight() - top() - bottom()) * share;
     }
 
     private void paintGrid(Graphics2D g, StageColours colours) {
-        for (int decade = LOWEST + 1; decade <= HIGHEST; decade += 2) {
+        FontMetrics metrics = g.getFontMetrics();
+        int every = 2;
+        while (y(0) - y(every) < metrics.getAscent() && every < DECADES_OF_ERROR) every += 2;
+        for (int decade = HIGHEST - 1; decade > LOWEST; decade -= every) {
             g.setColor(colours.grid());
             g.draw(new Line2D.Double(x(0), y(decade), x(DECADES), y(decade)));
             g.setColor(colours.ink());
             String said = power(decade);
-            float left = (float) (x(0) - 10 - g.getFontMetrics().stringWidth(said));
+            float left = (float) (x(0) - BESIDE - metrics.stringWidth(said));
             g.drawString(said, left, (float) y(decade) + 4);
         }
+        every = 1;
+        while (x(every) - x(0) < metrics.stringWidth(power(DECADES)) + 6 && every < DECADES)
+            every++;
         for (int decade = 0; decade <= DECADES; decade++) {
             g.setColor(colours.grid());
             g.draw(new Line2D.Double(x(decade), y(LOWEST), x(decade), y(HIGHEST)));
             g.setColor(colours.ink());
-            if (x(1) - x(0) >= 30 || decade % 2 == 0)
-                centred(g, power(decade), x(decade), y(LOWEST) + 18);
+            if (decade % every == 0)
+                centred(g, power(decade), x(decade), y(LOWEST) + 4.0 + metrics.getAscent());
         }
         g.setColor(colours.ink());
-        centred(g, texts.text("chart.turns"), (x(0) + x(DECADES)) / 2, getHeight() - 12.0);
+        centred(g, texts.text("chart.turns"), (x(0) + x(DECADES)) / 2, getHeight() - 10.0);
         g.setFont(g.getFont().deriveFont(Font.BOLD));
-        g.drawString(texts.text(busy ? "busy" : "chart.error"), 14, 24);
+        int base = 8 + metrics.getAscent();
+        for (String line : title()) {
+            g.drawString(line, BESIDE, base);
+            base += metrics.getHeight();
+        }
         g.setFont(g.getFont().deriveFont(Font.PLAIN));
     }
 
     private static void centred(Graphics2D g, String said, double x, double y) {
-        g.drawString(said, (float) (x - g.getFontMetrics().stringWidth(said) / 2.0), (float) y);
+        double left = x - g.getFontMetrics().stringWidth(said) / 2.0;
+        g.drawString(said, (float) Math.max(BESIDE, left), (float) y);
     }
 
     private void paintCurve(Graphics2D g, TurnScene.Drift drift, StageColours colours) {
@@ -163,11 +215,10 @@ final class DriftChart extends SelfDrawn {
     private void paintNames(Graphics2D g, StageColours colours) {
         var sorted = new ArrayList<>(drifts);
         sorted.sort(Comparator.comparingDouble(this::end).reversed());
-        double apart = g.getFontMetrics().getHeight();
-        double lowest = Double.POSITIVE_INFINITY;
-        for (TurnScene.Drift each : sorted) {
-            double y = Math.min(end(each), lowest);
-            lowest = y - apart;
+        double[] places = places(sorted, g.getFontMetrics().getHeight());
+        for (int i = 0; i < sorted.size(); i++) {
+            TurnScene.Drift each = sorted.get(i);
+            double y = places[i];
             g.setColor(colour(each, colours));
             g.setStroke(new BasicStroke(1.4f));
             g.draw(new Line2D.Double(x(DECADES), end(each), x(DECADES) + LEAD, y));
@@ -176,6 +227,27 @@ final class DriftChart extends SelfDrawn {
             g.setFont(g.getFont().deriveFont(own ? Font.BOLD : Font.PLAIN));
             g.drawString(each.method(), (float) x(DECADES) + LEAD + 5, (float) y + 4);
         }
+    }
+
+    /**
+     * View y of names at the ends of their curves, or as near as the others let them.
+     *
+     * @param sorted from below
+     * @param apart view units from name to name
+     */
+    private double[] places(List<TurnScene.Drift> sorted, double apart) {
+        var places = new double[sorted.size()];
+        double lowest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < places.length; i++) {
+            places[i] = Math.min(end(sorted.get(i)), lowest);
+            lowest = places[i] - apart;
+        }
+        double highest = top();
+        for (int i = places.length - 1; i >= 0; i--) {
+            places[i] = Math.max(places[i], highest);
+            highest = places[i] + apart;
+        }
+        return places;
     }
 
     private static String power(int decade) {

@@ -1,10 +1,15 @@
 package rasterlab.app.coordinates.turn;
 
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.function.Consumer;
+import javax.swing.ButtonGroup;
 import javax.swing.JPanel;
+import javax.swing.JToggleButton;
+import javax.swing.UIManager;
+import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlanePoint;
@@ -24,10 +29,16 @@ final class TurnStage extends JPanel implements AutoCloseable {
     /** The chart's width where there is little of it. */
     private static final int CHART = 440;
 
+    /** The least side of the way beside the chart, in sizes of the type. */
+    private static final int WAY = 10;
+
     private final transient TurnLabModel model;
     private final transient Texts texts;
     private final PlaneView way;
     private final DriftChart chart;
+    private final JPanel turns = new JPanel(new FlowRows(6));
+    private final JToggleButton showsWay;
+    private final JToggleButton showsChart;
 
     TurnStage(TurnLabModel model, Texts texts, Consumer<Throwable> onFailure) {
         super(null);
@@ -43,18 +54,43 @@ final class TurnStage extends JPanel implements AutoCloseable {
                         model::settle,
                         onFailure);
         chart = new DriftChart(texts);
+        showsWay = new JToggleButton(texts.text("turns.way"), true);
+        showsChart = new JToggleButton(texts.text("turns.chart"));
         add(way);
         add(chart);
+        add(turns);
+        var one = new ButtonGroup();
+        for (JToggleButton each : List.of(showsWay, showsChart)) {
+            one.add(each);
+            turns.add(each);
+            each.addActionListener(e -> revalidate());
+        }
+        showsWay.setName("turn.way");
+        showsChart.setName("turn.chart");
         refresh();
     }
 
-    /** Beside each other, or one above the other in a high stage. */
+    /** Beside each other, one above the other in a high stage, or in turn in a small one. */
     @Override
     public void doLayout() {
         int width = getWidth();
         int height = getHeight();
-        if (width >= height) {
-            int most = Math.max(width / 2, Math.min(width * 3 / 5, CHART));
+        int least = WAY * UIManager.getFont("Label.font").getSize();
+        Dimension needed = chart.getMinimumSize();
+        boolean beside = width - GAP - needed.width >= least && height >= needed.height;
+        boolean above = height - GAP >= 2 * Math.max(least, needed.height) && width >= needed.width;
+        boolean inTurn = !beside && !above;
+        turns.setVisible(inTurn);
+        way.setVisible(!inTurn || showsWay.isSelected());
+        chart.setVisible(!inTurn || showsChart.isSelected());
+        if (inTurn) {
+            Dimension buttons = turns.getPreferredSize();
+            turns.setBounds(0, 0, width, buttons.height);
+            int top = buttons.height + GAP;
+            for (Component each : List.of(way, chart)) each.setBounds(0, top, width, height - top);
+        } else if (beside && (width >= height || !above)) {
+            int usual = Math.max(width / 2, Math.min(width * 3 / 5, CHART));
+            int most = Math.min(Math.max(usual, needed.width), width - GAP - least);
             way.setBounds(0, 0, width - most - GAP, height);
             chart.setBounds(width - most, 0, most, height);
         } else {
@@ -75,8 +111,8 @@ final class TurnStage extends JPanel implements AutoCloseable {
                 getWidth(),
                 getHeight(),
                 g -> {
-                    SvgPicture.within(way.getBounds(), g, way::draw);
-                    SvgPicture.within(chart.getBounds(), g, chart::draw);
+                    if (way.isVisible()) SvgPicture.within(way.getBounds(), g, way::draw);
+                    if (chart.isVisible()) SvgPicture.within(chart.getBounds(), g, chart::draw);
                 });
     }
 
