@@ -53,7 +53,7 @@ final class FigurePainter {
             case GHOST, HELP -> colours.axis();
             case AXIS_X -> MethodColours.ORANGE;
             case AXIS_Y -> MethodColours.GREEN;
-            case AXIS_Z, PLANE -> MethodColours.SKY_BLUE;
+            case AXIS_Z, PLANE, EDGE -> MethodColours.SKY_BLUE;
             case EYE -> MethodColours.PURPLE;
             case WRONG, PRINTED -> MethodColours.VERMILLION;
             case LEFT_EYE -> RED;
@@ -68,6 +68,7 @@ final class FigurePainter {
             case HELP -> dashed(1f, 5f, 5f);
             case WRONG, PRINTED -> dashed(2.2f, 8f, 4f);
             case PLANE -> new BasicStroke(1.2f);
+            case EDGE -> new BasicStroke(4f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
             default -> new BasicStroke(2.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
         };
     }

@@ -15,6 +15,7 @@ public record Ink(Role role, String method) {
         AXIS_Y,
         AXIS_Z,
         PLANE,
+        EDGE,
         EYE,
         WRONG,
         PRINTED,
@@ -33,6 +34,10 @@ public record Ink(Role role, String method) {
     public static final Ink HELP = new Ink(Role.HELP, "");
 
     public static final Ink PLANE = new Ink(Role.PLANE, "");
+
+    /** A plane that is seen from its side. */
+    public static final Ink EDGE = new Ink(Role.EDGE, "");
+
     public static final Ink EYE = new Ink(Role.EYE, "");
 
     /** What must not be drawn so. */

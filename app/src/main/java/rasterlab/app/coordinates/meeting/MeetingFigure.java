@@ -60,8 +60,9 @@ final class MeetingFigure {
             least = Math.min(least, at(scene.exact()).x() - BEYOND);
             most = Math.max(most, at(scene.exact()).x() + BEYOND);
         }
-        marks.add(new Mark.Line(new Spot(least, 0), new Spot(most, 0), Ink.PLANE));
+        marks.add(new Mark.Line(new Spot(least, 0), new Spot(most, 0), Ink.EDGE));
         marks.add(new Mark.Arrow(new Spot(least, 0), new Spot(least, NORMAL), Ink.axis(2), "n"));
+        marks.add(new Mark.Words(new Spot(most, 0), Ink.EDGE, "n·p = c"));
     }
 
     /** The right place as a cross, the chosen method's as a dot of its colour. */
