@@ -17,11 +17,30 @@ import rasterlab.app.canvas.StageColours;
 final class AloneMark implements Icon {
     private static final int SIZE = 16;
 
+    /** View units of a pixel from which on a lozenge can be told from a square. */
+    private static final double ROOMY = 5;
+
+    /** View units of a crowded pixel's mark: wider than the exact curve. */
+    private static final double SMALLEST_DOT = 3;
+
+    /** Whole also where the pixel has a mark of its own, over which it is to be painted. */
     static void paint(Graphics2D g, StageColours colours, Rectangle2D pixel) {
+        if (pixel.getWidth() < ROOMY) {
+            double size = Math.max(SMALLEST_DOT, pixel.getWidth());
+            g.setColor(colours.ink());
+            g.fill(
+                    new Rectangle2D.Double(
+                            pixel.getCenterX() - size / 2,
+                            pixel.getCenterY() - size / 2,
+                            size,
+                            size));
+            return;
+        }
         Shape lozenge = lozenge(pixel);
-        float width = (float) Math.max(1.4, pixel.getWidth() * 0.09);
-        outline(g, lozenge, width + 2.4f, colours.ground());
-        outline(g, lozenge, width, colours.ink());
+        double width = Math.max(1.4, pixel.getWidth() * 0.09);
+        double halo = Math.min(2.4, pixel.getWidth() * 0.15);
+        outline(g, lozenge, (float) (width + halo), colours.ground());
+        outline(g, lozenge, (float) width, colours.ink());
     }
 
     private static Shape lozenge(Rectangle2D pixel) {

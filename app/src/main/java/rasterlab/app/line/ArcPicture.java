@@ -26,9 +26,6 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSet alone
     /** From so many view units a pixel on, pixels have edges and marks. */
     private static final double ROOMY = 5;
 
-    /** View units of a crowded pixel that one method has alone: wider than the exact curve. */
-    private static final double SMALLEST_DOT = 3;
-
     private static final int BETWEEN_CHECKS = 5000;
 
     @Override
@@ -52,10 +49,10 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSet alone
             g.draw(pixel);
         }
         paintCurve(g, map, colours);
-        alone(g, map, colours, size);
         marks(g, map, drawing.difference().extra(), PixelMark.EXTRA, size);
         if (step == drawing.steps())
             marks(g, map, drawing.difference().missing(), PixelMark.MISSING, size);
+        alone(g, map, colours, size);
         if (step > 0 && step < drawing.steps()) {
             g.setColor(colours.focus());
             g.setStroke(new BasicStroke(2.5f));
@@ -85,14 +82,8 @@ record ArcPicture(ArcFigure arc, FigureDrawing drawing, int step, PixelSet alone
 
     private void alone(Graphics2D g, PlaneMap map, StageColours colours, double size) {
         for (int i = 0; i < alone.size(); i++) {
-            Rectangle2D pixel = pixel(map, alone.x(i), alone.y(i), Math.max(size, SMALLEST_DOT));
-            if (!g.getClipBounds().intersects(pixel)) continue;
-            if (size >= ROOMY) {
-                AloneMark.paint(g, colours, pixel);
-                continue;
-            }
-            g.setColor(colours.ink());
-            g.fill(pixel);
+            Rectangle2D pixel = pixel(map, alone.x(i), alone.y(i), size);
+            if (g.getClipBounds().intersects(pixel)) AloneMark.paint(g, colours, pixel);
         }
     }
 

@@ -5,13 +5,16 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelMark;
+import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.raster.PixelWindow;
 
 /** Draws what the methods drew onto a zoomed pixel grid. */
@@ -49,6 +52,7 @@ final class LinePainter {
                                                 : Math.min(step, other.pixels())));
         drawing.marks().missing(step, (x, y) -> mark(PixelMark.MISSING, x, y));
         drawing.marks().extra(step, (x, y) -> mark(PixelMark.EXTRA, x, y));
+        if (finished) drawings.apart().ifPresent(this::paintApart);
         paintExactLine(drawings.choice().segment());
         if (!drawings.choice().segment().isWhole())
             paintWindow(drawings.choice().segment().window());
@@ -131,6 +135,15 @@ final class LinePainter {
         requireUse();
         double size = Math.max(7, grid.cell());
         mark.paint(g, grid.viewX(pixelX) - size / 2, grid.viewY(pixelY) - size / 2, size);
+    }
+
+    /** What only one of the two methods lights, or lights more. */
+    private void paintApart(PixelDifference apart) {
+        for (PixelSet alone : List.of(apart.extra(), apart.missing()))
+            for (int i = 0; i < alone.size(); i++) {
+                requireUse();
+                AloneMark.paint(g, colours, square(alone.x(i), alone.y(i), 0));
+            }
     }
 
     private void paintExactLine(Segment segment) {

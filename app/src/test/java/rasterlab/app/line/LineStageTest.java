@@ -27,6 +27,8 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelDifference;
+import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.raster.PixelWindow;
 
 @Timeout(30)
@@ -114,6 +116,40 @@ class LineStageTest {
 
     static Stream<StageColours> grounds() {
         return Stream.of(StageColours.LIGHT, StageColours.DARK);
+    }
+
+    /** Dots in the middle of each side of a lozenge in a square of 20, from its own middle. */
+    private static final int[][] LOZENGE = {{4, 5}, {-5, 5}, {5, -5}, {-5, -6}};
+
+    @Test
+    void lozengeIsSeenOnEachPixelThatOneMethodHasAlone() throws InterruptedException {
+        model.show(new Segment(0, 0, 4, 9));
+        model.compareWith("naive-textbook");
+        model.settle();
+        LineDrawings drawn = model.state().drawings();
+        PixelDifference apart = drawn.apart().orElseThrow();
+        assertTrue(apart.extra().size() > 2, "nothing to see");
+        BufferedImage image = frame(drawn, 1).painted(() -> false);
+        for (PixelSet alone : List.of(apart.extra(), apart.missing()))
+            for (int i = 0; i < alone.size(); i++) {
+                int x = 100 + 20 * alone.x(i);
+                int y = 60 + 20 * alone.y(i);
+                // Names stand beside the ends.
+                if (alone.y(i) < 2 || alone.y(i) > 7) continue;
+                int sides = 0;
+                for (int[] side : LOZENGE)
+                    if (isInk(image.getRGB(x + side[0], y + side[1]))) sides++;
+                // The exact line passes over one or two of them.
+                assertTrue(sides >= 2, "pixel (%d, %d)".formatted(alone.x(i), alone.y(i)));
+            }
+    }
+
+    private static boolean isInk(int rgb) {
+        var colour = new Color(rgb);
+        Color ink = StageColours.LIGHT.ink();
+        return Math.abs(colour.getRed() - ink.getRed()) < 60
+                && Math.abs(colour.getGreen() - ink.getGreen()) < 60
+                && Math.abs(colour.getBlue() - ink.getBlue()) < 60;
     }
 
     @Test
