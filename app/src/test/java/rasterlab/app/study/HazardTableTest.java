@@ -3,8 +3,11 @@ package rasterlab.app.study;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import javax.swing.JTable;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
@@ -34,5 +37,38 @@ class HazardTableTest {
             assertEquals(methods * hazards, verdicts);
         }
         assertEquals(List.of(), failures);
+    }
+
+    @Test
+    @DisplayName("the head of the names stands beside its column")
+    void headBeginsWhereTheNamesBegin() {
+        List<Throwable> failures = new ArrayList<>();
+        try (var model =
+                new StudyLabModel(List.of(new LineTopic()), Runnable::run, failures::add)) {
+            var table = new HazardTable(model, Texts.of("study", Language.ENGLISH), () -> {});
+            var scroll = table.scroll();
+            table.refresh();
+            var names = (JTable) scroll.getRowHeader().getView();
+            var head = names.getTableHeader().getDefaultRenderer();
+            var cell = names.getDefaultRenderer(Object.class);
+            assertEquals(
+                    firstInk(cell.getTableCellRendererComponent(names, "H", false, false, 0, 0)),
+                    firstInk(head.getTableCellRendererComponent(names, "H", false, false, -1, 0)));
+        }
+        assertEquals(List.of(), failures);
+    }
+
+    /** The leftmost column in which something is drawn. */
+    private static int firstInk(Component drawn) {
+        drawn.setSize(90, 40);
+        var image = new BufferedImage(90, 40, BufferedImage.TYPE_INT_RGB);
+        var g = image.createGraphics();
+        g.setColor(drawn.getBackground());
+        g.fillRect(0, 0, 90, 40);
+        drawn.paint(g);
+        g.dispose();
+        for (int x = 0; x < 90; x++)
+            for (int y = 0; y < 36; y++) if (image.getRGB(x, y) != image.getRGB(x, 0)) return x;
+        throw new AssertionError("nothing is drawn");
     }
 }
