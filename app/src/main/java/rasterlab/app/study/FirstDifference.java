@@ -1,11 +1,14 @@
 package rasterlab.app.study;
 
 import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 
 /** What comparisons of pixels say in English, in the window's language. */
 final class FirstDifference {
-    private static final String PLACE = "(\\(-?\\d+, -?\\d+\\))";
+    private static final Pattern PLACE = Pattern.compile("\\((-?\\d+), (-?\\d+)\\)");
 
     /** A sentence of the engine, and the key of ours with the places as $1 and $2. */
     private record Sentence(String english, String key) {}
@@ -22,7 +25,25 @@ final class FirstDifference {
     static String said(Texts texts, String detail) {
         String said = detail;
         for (Sentence each : SENTENCES)
-            said = said.replaceAll(each.english().replace("{}", PLACE), texts.text(each.key()));
+            said =
+                    Pattern.compile(each.english().replace("{}", "(" + PLACE + ")"))
+                            .matcher(said)
+                            .replaceAll(found -> inWords(texts, each, found));
         return said;
+    }
+
+    /** Of each place three groups are found: itself and its two numbers. */
+    private static String inWords(Texts texts, Sentence sentence, MatchResult found) {
+        String words = texts.text(sentence.key());
+        for (int i = 0; 3 * i < found.groupCount(); i++)
+            words =
+                    words.replace(
+                            "$" + (i + 1),
+                            "("
+                                    + found.group(3 * i + 2)
+                                    + Shown.apart(texts.locale())
+                                    + found.group(3 * i + 3)
+                                    + ")");
+        return words;
     }
 }

@@ -12,9 +12,9 @@ class FirstDifferenceTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "pixel (1, -2) is missing | пиксель (1, -2) пропущен",
-                "pixel (1, 2) is extra | пиксель (1, 2) лишний",
-                "pixel (1, 2) is missing, (3, 4) is drawn | пиксель (1, 2) пропущен, нарисован (3, 4)",
+                "pixel (1, -2) is missing | пиксель (1; -2) пропущен",
+                "pixel (1, 2) is extra | пиксель (1; 2) лишний",
+                "pixel (1, 2) is missing, (3, 4) is drawn | пиксель (1; 2) пропущен, нарисован (3; 4)",
                 "no result within 5 s | no result within 5 s",
             })
     void isSaidInTheLanguageOfTheWindow(String english, String russian) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.ResourceBundle;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -18,6 +19,7 @@ import java.util.stream.Stream;
 public record Message(List<Sentence> sentences) {
     public static final Message NONE = new Message(List.of());
     private static final Set<String> LANGUAGES = Set.of("en", "ru");
+    private static final Pattern PIXEL = Pattern.compile("^\\((-?\\d+), (-?\\d+)\\)$");
     private static final JsonMapper MAPPER = new JsonMapper();
 
     /**
@@ -30,7 +32,13 @@ public record Message(List<Sentence> sentences) {
         }
 
         private String in(ResourceBundle texts) {
-            return new MessageFormat(texts.getString(key), Locale.ROOT).format(arguments.toArray());
+            Object[] said = arguments.stream().map(one -> pixel(one, texts)).toArray();
+            return new MessageFormat(texts.getString(key), Locale.ROOT).format(said);
+        }
+
+        /** With what stands between numbers in that language; a decimal comma does not. */
+        private static String pixel(String argument, ResourceBundle texts) {
+            return PIXEL.matcher(argument).replaceFirst("($1" + texts.getString("apart") + "$2)");
         }
     }
 

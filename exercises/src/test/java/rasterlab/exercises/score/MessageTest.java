@@ -27,7 +27,7 @@ class MessageTest {
     @Test
     void joinsItsSentencesInTheLanguageAskedFor() {
         assertEquals("pixel (1, 2) is missing; naive draws the same", TWO.in("en"));
-        assertEquals("нет пикселя (1, 2); так же рисует naive", TWO.in("ru"));
+        assertEquals("нет пикселя (1; 2); так же рисует naive", TWO.in("ru"));
         assertEquals(TWO.in("en"), TWO.in("de"), "no such language");
     }
 

@@ -175,13 +175,13 @@ class PagesTest {
             val result = checkNotNull(handIn(cookie, "class Dot {}").headers[HttpHeaders.Location])
             eventsToTheEnd(token(joined), idOf(result))
             val russian = page("$result?lang=ru", cookie)
-            assertTrue("нет пикселя (1, 2)" in russian && "неверные пиксели на скрытых данных" in russian, russian)
+            assertTrue("нет пикселя (1; 2)" in russian && "неверные пиксели на скрытых данных" in russian, russian)
             val fragment = page("$result/fragment?lang=ru", cookie)
-            assertTrue("нет пикселя (1, 2)" in fragment, fragment)
+            assertTrue("нет пикселя (1; 2)" in fragment, fragment)
             assertTrue("pixel (1, 2) is missing" in page("$result?lang=en", cookie))
             val api = "/api/v1/submissions/${idOf(result)}"
             assertTrue("pixel (1, 2) is missing" in client.get(api) { bearer(token(joined)) }.bodyAsText())
-            assertTrue("нет пикселя (1, 2)" in client.get("$api?lang=ru") { bearer(token(joined)) }.bodyAsText())
+            assertTrue("нет пикселя (1; 2)" in client.get("$api?lang=ru") { bearer(token(joined)) }.bodyAsText())
         }
 
     @Test
