@@ -37,7 +37,10 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
     private static final long serialVersionUID = 1L;
 
     /** A chart that is smaller than this is painted so large and made smaller. */
-    private static final Dimension LEAST = new Dimension(640, 440);
+    private static final Dimension LEAST = new Dimension(560, 400);
+
+    /** From this width on the axis of costs has room for a word on the sizes beside the points. */
+    private static final int ROOMY = 900;
 
     private record Asked(Study study, int width, int height, StageColours colours) {}
 
@@ -126,10 +129,16 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
     }
 
     private Asked question(Study study) {
+        double larger =
+                Math.max(
+                        1,
+                        Math.max(
+                                (double) LEAST.width / getWidth(),
+                                (double) LEAST.height / getHeight()));
         return new Asked(
                 study,
-                Math.max(LEAST.width, getWidth()),
-                Math.max(LEAST.height, getHeight()),
+                (int) Math.round(getWidth() * larger),
+                (int) Math.round(getHeight() * larger),
                 StageColours.now());
     }
 
@@ -140,6 +149,8 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
                         question.study(), new StudyWords(texts.language()), ChartLook.on(colours));
         var places = new PointPlaces(StudyChart.points(question.study()));
         chart.addAnnotation(places);
+        if (question.width() < ROOMY)
+            chart.setXAxisTitle(new StudyWords(texts.language()).briefCostAxis(question.study()));
         var image =
                 new BufferedImage(question.width(), question.height(), BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();

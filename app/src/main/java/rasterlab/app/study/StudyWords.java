@@ -58,6 +58,11 @@ public final class StudyWords {
         return texts.text("chart.cost", item(study));
     }
 
+    /** Without the word on the sizes beside the points. */
+    String briefCostAxis(Study study) {
+        return texts.text("chart.cost.brief", item(study));
+    }
+
     String errorAxis(Study study) {
         return texts.text("chart.error", errorUnit(study));
     }
