@@ -1,6 +1,7 @@
 package rasterlab.app.polygon;
 
 import java.awt.Color;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Ellipse2D;
@@ -11,6 +12,7 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.polygon.ExactMembership;
 import rasterlab.engine.polygon.Membership;
@@ -33,6 +35,9 @@ record InsidePicture(
         int step,
         Texts texts)
         implements PlanePicture {
+    /** Share of the width that the buttons for the zoom leave. */
+    private static final double BESIDE_BUTTONS = 0.6;
+
     private static final double MARK = 18;
 
     /** View units below the line of words at the lower edge. */
@@ -63,14 +68,15 @@ record InsidePicture(
                         field.differing(),
                         field.judged());
         Rectangle view = g.getClipBounds();
-        Color ground = colours.ground();
-        Plates.plate(
-                g,
-                said,
-                view.x + EDGE,
-                view.y + view.height - EDGE,
-                new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 225),
-                colours.ink());
+        FontMetrics metrics = g.getFontMetrics();
+        int room = (int) (BESIDE_BUTTONS * view.width);
+        List<String> lines = Wrapping.lines(said, room, metrics::stringWidth);
+        int base = view.y + view.height - EDGE - (lines.size() - 1) * metrics.getHeight();
+        for (String line : lines) {
+            Color plate = Plates.nearlyOpaque(colours.ground());
+            Plates.plate(g, line, view.x + EDGE, base, plate, colours.ink());
+            base += metrics.getHeight();
+        }
     }
 
     private ClassificationField field(Graphics2D g, PlaneMap map, BooleanSupplier cancelled) {

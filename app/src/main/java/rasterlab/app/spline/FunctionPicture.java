@@ -3,11 +3,14 @@ package rasterlab.app.spline;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -118,6 +121,7 @@ record FunctionPicture(
     private void nameOvershoots(
             Graphics2D g, PlaneMap map, StageColours colours, FunctionDrawing drawing) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
+        var plates = new PointedPlates(g, colours);
         for (Overshoot each : drawing.overshoots()) {
             boolean above = each.y() > each.beyond();
             double x = map.viewX(each.x());
@@ -134,15 +138,41 @@ record FunctionPicture(
             double share = each.by() / Math.max(1e-300, drawing.worstOvershoot());
             if (share < 0.3) continue;
             String by = (above ? "+" : "−") + Shown.number(each.by(), 3, locale);
-            int wide = g.getFontMetrics().stringWidth(by);
-            int base =
-                    (int)
-                            Math.round(
-                                    y
-                                            + away * 3
-                                            + (above ? -5 : 5 + g.getFontMetrics().getAscent()));
-            Plates.plate(
-                    g, by, (int) Math.round(x) - wide / 2, base, colours.ground(), colours.ink());
+            int left = (int) Math.round(x) - g.getFontMetrics().stringWidth(by) / 2;
+            plates.draw(by, left, y + away * 3, above);
+        }
+    }
+
+    /** Words beside pointers, none of them over another or beyond the picture's edge. */
+    private static final class PointedPlates {
+        private static final int APART = 5;
+
+        private final Graphics2D g;
+        private final StageColours colours;
+        private final FontMetrics metrics;
+        private final List<Rectangle> drawn = new ArrayList<>();
+
+        PointedPlates(Graphics2D g, StageColours colours) {
+            this.g = g;
+            this.colours = colours;
+            metrics = g.getFontMetrics();
+        }
+
+        void draw(String words, int left, double pointer, boolean above) {
+            Rectangle sight = g.getClipBounds();
+            int highest = sight.y + APART + metrics.getAscent();
+            int lowest = sight.y + sight.height - APART - metrics.getDescent();
+            double wished = pointer + (above ? -APART : APART + metrics.getAscent());
+            int base = (int) Math.round(Math.max(highest, Math.min(lowest, wished)));
+            var place =
+                    new Rectangle(
+                            left - APART,
+                            base - metrics.getAscent(),
+                            metrics.stringWidth(words) + 2 * APART,
+                            metrics.getHeight());
+            if (drawn.stream().anyMatch(place::intersects)) return;
+            drawn.add(place);
+            Plates.plate(g, words, left, base, colours.ground(), colours.ink());
         }
     }
 
