@@ -9,6 +9,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
@@ -17,6 +18,8 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
+import javax.swing.JViewport;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.Test;
@@ -107,6 +110,27 @@ class WindowTest extends WindowHarness {
         int dark = window.robot().finder().findByName(frame, "tabs").getBackground().getRGB();
         assertTrue((dark & 255) < (light & 255), "background did not darken");
         assertEquals("visibility", frame.shownTab());
+    }
+
+    @ParameterizedTest(name = "the shown tab''s title is cut off in the projector''s type: {0}")
+    @CsvSource({"opengl", "study", "visibility", "exercises", "coordinates"})
+    void titleOfTheShownTabIsWhole(String tab) {
+        show(tab);
+        GuiActionRunner.execute(
+                () -> frame.wear(frame.look().with(Language.RUSSIAN).with(LabTheme.PROJECTOR)));
+        await(
+                "the title is in sight",
+                () -> GuiActionRunner.execute(() -> titleIsWhole(frame.getContentPane())));
+    }
+
+    private static boolean titleIsWhole(Container content) {
+        for (Component child : content.getComponents())
+            if (child instanceof JTabbedPane pane && "tabs".equals(pane.getName())) {
+                Rectangle title = pane.getBoundsAt(pane.getSelectedIndex());
+                for (Component part : pane.getComponents())
+                    if (part instanceof JViewport titles) return titles.getBounds().contains(title);
+            }
+        throw new AssertionError("no titles in " + content);
     }
 
     @ParameterizedTest(name = "Russian does not fit: {0}×{1}, {2}")

@@ -3,16 +3,22 @@ package rasterlab.app.shell;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.EventQueue;
+import java.awt.Rectangle;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
+import javax.swing.JButton;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.JViewport;
+import javax.swing.SwingUtilities;
 import rasterlab.app.language.Texts;
 
 /**
@@ -23,6 +29,9 @@ public final class LabContent extends JPanel {
 
     private final JTabbedPane pane = new JTabbedPane();
     private final transient List<LabTab> tabs;
+
+    /** Whether the user scrolled the titles since the tab was chosen. */
+    private boolean lookedAround;
 
     /**
      * @param shown name of the tab to show; an unknown one is the first
@@ -36,8 +45,11 @@ public final class LabContent extends JPanel {
         pane.getAccessibleContext().setAccessibleName(texts.text("tabs"));
         pane.putClientProperty("JTabbedPane.tabHeight", 40);
         pane.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
-        for (Component part : pane.getComponents())
-            if (part instanceof JViewport strip) strip.setFocusable(false);
+        for (Component part : pane.getComponents()) {
+            if (part instanceof JViewport titles) keepInSight(titles);
+            if (part instanceof JButton arrow) arrow.addActionListener(e -> lookedAround = true);
+        }
+        pane.addMouseWheelListener(e -> lookedAround = true);
         for (LabTab tab : tabs) {
             int digit = (pane.getTabCount() + 1) % 10;
             pane.addTab(
@@ -56,10 +68,26 @@ public final class LabContent extends JPanel {
         add(pane);
         pane.addChangeListener(
                 e -> {
+                    lookedAround = false;
                     fill();
                     focusPicture();
                 });
         pane.addMouseListener(new ChoiceOfTheShownTab());
+    }
+
+    /** The arrows that come and go beside the titles would cut off the chosen one. */
+    private void keepInSight(JViewport titles) {
+        titles.setFocusable(false);
+        titles.addComponentListener(
+                new ComponentAdapter() {
+                    @Override
+                    public void componentResized(ComponentEvent e) {
+                        if (lookedAround) return;
+                        Rectangle title = pane.getBoundsAt(pane.getSelectedIndex());
+                        var all = (JComponent) titles.getView();
+                        all.scrollRectToVisible(SwingUtilities.convertRectangle(pane, title, all));
+                    }
+                });
     }
 
     /** Makes the panel of the tab that is shown, unless it is there. */
