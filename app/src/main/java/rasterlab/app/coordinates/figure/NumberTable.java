@@ -2,11 +2,21 @@ package rasterlab.app.coordinates.figure;
 
 import java.util.List;
 import javax.swing.JEditorPane;
+import javax.swing.UIManager;
 import javax.swing.text.DefaultCaret;
+import javax.swing.text.View;
 
-/** Rows of numbers under their headings, which can be selected and copied. */
+/**
+ * Rows of numbers under their headings, which can be selected and copied; in smaller type where the
+ * column is too narrow for them.
+ */
 public final class NumberTable extends JEditorPane {
     private static final long serialVersionUID = 1L;
+
+    private static final float SMALLEST = 0.6f;
+
+    /** In points, by which the type gets smaller or larger. */
+    private static final float STEP = 0.5f;
 
     private String shown = "";
 
@@ -49,5 +59,29 @@ public final class NumberTable extends JEditorPane {
         shown = text;
         setText(text);
         setCaretPosition(0);
+    }
+
+    @Override
+    public void doLayout() {
+        super.doLayout();
+        fit();
+    }
+
+    private void fit() {
+        float usual = UIManager.getFont("Label.font").getSize2D();
+        float size = getFont().getSize2D();
+        while (needed() > getWidth() && size - STEP >= SMALLEST * usual) {
+            size -= STEP;
+            setFont(getFont().deriveFont(size));
+        }
+        while (size < usual && needed() * (size + 2 * STEP) / size <= getWidth()) {
+            size = Math.min(usual, size + STEP);
+            setFont(getFont().deriveFont(size));
+        }
+    }
+
+    /** Width of the rows, in view units. */
+    float needed() {
+        return getUI().getRootView(this).getMinimumSpan(View.X_AXIS);
     }
 }
