@@ -7,6 +7,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
+import javax.swing.text.DefaultCaret;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
@@ -113,6 +114,9 @@ final class StudyInspector {
         paragraph.setName(name);
         paragraph.getAccessibleContext().setAccessibleName(texts.text(name));
         paragraph.setEditable(false);
+        // A new text is not to scroll the inspector.
+        if (paragraph.getCaret() instanceof DefaultCaret caret)
+            caret.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
         paragraph.setOpaque(false);
         paragraph.setLineWrap(true);
         paragraph.setWrapStyleWord(true);
