@@ -215,11 +215,10 @@ final class DriftChart extends SelfDrawn {
     private void paintNames(Graphics2D g, StageColours colours) {
         var sorted = new ArrayList<>(drifts);
         sorted.sort(Comparator.comparingDouble(this::end).reversed());
-        double apart = g.getFontMetrics().getHeight();
-        double lowest = Double.POSITIVE_INFINITY;
-        for (TurnScene.Drift each : sorted) {
-            double y = Math.min(end(each), lowest);
-            lowest = y - apart;
+        double[] places = places(sorted, g.getFontMetrics().getHeight());
+        for (int i = 0; i < sorted.size(); i++) {
+            TurnScene.Drift each = sorted.get(i);
+            double y = places[i];
             g.setColor(colour(each, colours));
             g.setStroke(new BasicStroke(1.4f));
             g.draw(new Line2D.Double(x(DECADES), end(each), x(DECADES) + LEAD, y));
@@ -228,6 +227,27 @@ final class DriftChart extends SelfDrawn {
             g.setFont(g.getFont().deriveFont(own ? Font.BOLD : Font.PLAIN));
             g.drawString(each.method(), (float) x(DECADES) + LEAD + 5, (float) y + 4);
         }
+    }
+
+    /**
+     * View y of names at the ends of their curves, or as near as the others let them.
+     *
+     * @param sorted from below
+     * @param apart view units from name to name
+     */
+    private double[] places(List<TurnScene.Drift> sorted, double apart) {
+        var places = new double[sorted.size()];
+        double lowest = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < places.length; i++) {
+            places[i] = Math.min(end(sorted.get(i)), lowest);
+            lowest = places[i] - apart;
+        }
+        double highest = top();
+        for (int i = places.length - 1; i >= 0; i--) {
+            places[i] = Math.max(places[i], highest);
+            highest = places[i] + apart;
+        }
+        return places;
     }
 
     private static String power(int decade) {
