@@ -69,7 +69,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         this.catalogue = catalogue;
         this.patience = patience;
         this.events = events;
-        background = new Background(events, onFailure);
+        background = new Background("exercise", events, onFailure);
     }
 
     /**
