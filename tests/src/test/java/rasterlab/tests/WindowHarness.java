@@ -92,9 +92,18 @@ abstract class WindowHarness {
         return folder.resolve("window.properties");
     }
 
+    /** Shows the tab, which is made in several steps, some of them in the background. */
     void show(String tab) {
         GuiActionRunner.execute(() -> frame.showTab(tab));
+        await("the tab " + tab, () -> isSeen(tab));
         robot.waitForIdle();
+    }
+
+    /** Whether a component of that name is seen; a tab's panel has the tab's name. */
+    boolean isSeen(String name) {
+        return !robot.finder()
+                .findAll(frame, part -> name.equals(part.getName()) && part.isShowing())
+                .isEmpty();
     }
 
     void focus(String name) {

@@ -183,6 +183,25 @@ class WindowOpenGlTest extends WindowHarness {
         assertTrue(choice().is(Setting.SCENE, "globe"));
     }
 
+    /** Each of them takes OpenGL's window away, or lets it come, before the last one has come. */
+    @Test
+    void tabsAndLanguagesInQuickSuccessionLeaveAWindowThatDraws() {
+        for (int round = 0; round < 5; round++) {
+            Language language = Language.values()[round % 2];
+            GuiActionRunner.execute(
+                    () -> {
+                        frame.showTab("opengl");
+                        frame.speak(language);
+                        frame.showTab("line");
+                    });
+            GuiActionRunner.execute(() -> frame.showTab("opengl"));
+        }
+        show("opengl");
+        await("the window", () -> isSeen("opengl.canvas"));
+        GuiActionRunner.execute(() -> models.opengl().set(Setting.SCENE, "globe"));
+        screenShowsWhatOpenGlHasDrawn();
+    }
+
     @Test
     void pictureFollowsTheWindowsSize() {
         for (var size : List.of(new Dimension(900, 600), new Dimension(1500, 1000))) {

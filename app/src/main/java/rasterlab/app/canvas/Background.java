@@ -25,13 +25,7 @@ public final class Background implements AutoCloseable {
 
     private final Executor events;
     private final Consumer<Throwable> onFailure;
-    private final ExecutorService worker =
-            Executors.newSingleThreadExecutor(
-                    work -> {
-                        var thread = new Thread(work, "exercise");
-                        thread.setDaemon(true);
-                        return thread;
-                    });
+    private final ExecutorService worker;
 
     /** Counts the pieces of work, so that a late word of one given up is not heard. */
     private int number;
@@ -41,9 +35,16 @@ public final class Background implements AutoCloseable {
     /**
      * @param onFailure told what is neither an answer nor a failure of input or output
      */
-    public Background(Executor events, Consumer<Throwable> onFailure) {
+    public Background(String threadName, Executor events, Consumer<Throwable> onFailure) {
         this.events = events;
         this.onFailure = onFailure;
+        worker =
+                Executors.newSingleThreadExecutor(
+                        work -> {
+                            var thread = new Thread(work, threadName);
+                            thread.setDaemon(true);
+                            return thread;
+                        });
     }
 
     /**

@@ -14,6 +14,9 @@ public abstract class LabPanel extends JPanel implements AutoCloseable {
     /** Gives the keyboard to the lab's picture, whose keys change what it shows. */
     public abstract void focusPicture();
 
+    /** Stops what it plays, for it is not seen any more. */
+    public void stop() {}
+
     /** Stops what the panel plays and listens to; the model lives on. On the event thread. */
     @Override
     public abstract void close();

@@ -1,15 +1,12 @@
 package rasterlab.app.clip;
 
-import java.util.EnumMap;
-import java.util.Map;
 import java.util.function.Consumer;
-import javax.swing.JPanel;
-import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.ModeRows;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -25,7 +22,7 @@ public final class ClipPanel extends LabPanel {
     private final transient ClipInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
-    private final Map<ClipMode, Chips> chips = new EnumMap<>(ClipMode.class);
+    private final ModeRows<ClipMode> chips = new ModeRows<>(this::chips);
     private final transient Runnable unsubscribe;
 
     /**
@@ -46,7 +43,7 @@ public final class ClipPanel extends LabPanel {
         actions.add(
                 "copyCommand",
                 () -> Copying.text(ClipCommand.of(model.state().choice().scene()), onFailure));
-        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        add(new LabLayout(chips, stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
@@ -74,31 +71,24 @@ public final class ClipPanel extends LabPanel {
     }
 
     private void refresh() {
-        ClipMode mode = model.state().choice().mode();
-        chips.forEach((each, shown) -> shown.setVisible(each == mode));
+        chips.show(model.state().choice().mode());
         stage.refresh();
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
     }
 
-    private JPanel chips() {
-        var all = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, fillx", "[grow,fill]"));
-        all.setOpaque(false);
+    private Chips chips(ClipMode mode) {
+        var row = new Chips(texts, "hazards");
         Texts translations = Texts.of("clip", "topic", texts.language());
-        for (ClipMode mode : ClipMode.values()) {
-            var row = new Chips(texts, "hazards");
-            for (Hazard<?> hazard : model.hazards(mode)) {
-                String key = "hazard." + mode.code() + "." + hazard.name();
-                row.add(
-                        hazard.name(),
-                        texts.textOr(key, hazard.name()),
-                        translations.textOr(key, hazard.description()),
-                        () -> model.show(mode, hazard.name()));
-            }
-            chips.put(mode, row);
-            all.add(row, "wmin 0, growx, wrap");
+        for (Hazard<?> hazard : model.hazards(mode)) {
+            String key = "hazard." + mode.code() + "." + hazard.name();
+            row.add(
+                    hazard.name(),
+                    texts.textOr(key, hazard.name()),
+                    translations.textOr(key, hazard.description()),
+                    () -> model.show(mode, hazard.name()));
         }
-        return all;
+        return row;
     }
 }

@@ -33,7 +33,7 @@ import rasterlab.exercises.formula.Formulas;
  */
 public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseable {
     final Formulas formulas = new Formulas();
-    private final Supplier<List<Exercise>> catalogue;
+    private final ExerciseList exercises;
     private final CourseServer.Patience patience;
     private final Executor events;
     private final Background background;
@@ -48,11 +48,10 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     private ExerciseChoice chosen = ExerciseChoice.FIRST;
     private Optional<Path> folder = Optional.empty();
     private Optional<Drafts> drafts = Optional.empty();
-    private List<Exercise> exercises = List.of();
     private ExerciseState state;
 
     /**
-     * @param catalogue read when the tab is first shown
+     * @param catalogue read once, when the exercises are first asked for
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what a check threw, on any thread
      */
@@ -66,10 +65,10 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
             CourseServer.Patience patience,
             Executor events,
             Consumer<Throwable> onFailure) {
-        this.catalogue = catalogue;
+        exercises = new ExerciseList(catalogue);
         this.patience = patience;
         this.events = events;
-        background = new Background(events, onFailure);
+        background = new Background("exercise", events, onFailure);
     }
 
     /**
@@ -88,7 +87,6 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     }
 
     private void open() {
-        exercises = catalogue.get();
         drafts =
                 folder.map(
                         kept ->
@@ -96,10 +94,10 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                                         kept.resolve("drafts"),
                                         saving -> events.execute(() -> accept(saving))));
         Exercise first =
-                exercises.stream()
+                exercises().stream()
                         .filter(one -> one.id().equals(chosen.exercise()))
                         .findFirst()
-                        .orElse(exercises.get(0));
+                        .orElse(exercises().get(0));
         chosen = chosen.with(first.id());
         state =
                 new ExerciseState(
@@ -123,9 +121,9 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         }
     }
 
+    /** All there are; on any thread. */
     List<Exercise> exercises() {
-        state();
-        return exercises;
+        return exercises.get();
     }
 
     /** The open cases of the chosen exercise, none of them tried. */
@@ -146,7 +144,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
      */
     public void choose(String id) {
         Exercise next = Named.find("exercise", id, exercises(), Exercise::id);
-        if (next.equals(state.exercise())) return;
+        if (next.equals(state().exercise())) return;
         cancel();
         chosen = chosen.with(id);
         publish(
@@ -201,7 +199,8 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     @Override
     public void bringBack(ExerciseChoice choice) {
         chosen = choice;
-        if (state != null && exercises.stream().anyMatch(one -> one.id().equals(choice.exercise())))
+        if (state != null
+                && exercises().stream().anyMatch(one -> one.id().equals(choice.exercise())))
             choose(choice.exercise());
     }
 

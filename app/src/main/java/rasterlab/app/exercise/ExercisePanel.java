@@ -75,6 +75,12 @@ public final class ExercisePanel extends LabPanel {
         editor.goTo(remark.line(), remark.column());
     }
 
+    /** Does what a first panel would take long for, and needs no panel; on any other thread. */
+    public static void prepare(ExerciseLabModel model) {
+        StatementPane.prepare(model.exercises().get(0), model.formulas);
+        SourceEditor.prepare();
+    }
+
     private String title(String id) {
         return model.exercises().stream()
                 .filter(one -> one.id().equals(id))

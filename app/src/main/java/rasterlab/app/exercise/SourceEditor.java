@@ -17,7 +17,10 @@ import javax.swing.UIManager;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import javax.swing.text.BadLocationException;
+import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
+import org.fife.ui.rsyntaxtextarea.RSyntaxTextAreaDefaultInputMap;
+import org.fife.ui.rsyntaxtextarea.RSyntaxTextAreaEditorKit;
 import org.fife.ui.rsyntaxtextarea.SyntaxConstants;
 import org.fife.ui.rsyntaxtextarea.Theme;
 import org.fife.ui.rtextarea.RTextScrollPane;
@@ -78,6 +81,14 @@ final class SourceEditor extends JPanel {
                             }
                         });
         add(scroll);
+    }
+
+    /** Loads what editors are made of, without making one; on any thread. */
+    static void prepare() {
+        new RSyntaxDocument(SyntaxConstants.SYNTAX_STYLE_JAVA);
+        new RSyntaxTextAreaEditorKit();
+        new RSyntaxTextAreaDefaultInputMap();
+        theme();
     }
 
     private static Theme theme() {

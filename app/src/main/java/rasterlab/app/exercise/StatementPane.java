@@ -74,13 +74,21 @@ final class StatementPane extends JEditorPane implements Settling {
                 });
     }
 
+    /** Loads what statements are set with, by setting one that is not shown; on any thread. */
+    static void prepare(Exercise exercise, Formulas formulas) {
+        statement(exercise, "en", formulas);
+    }
+
+    private static Statement statement(Exercise exercise, String language, Formulas formulas) {
+        return new Statement(
+                exercise.statement(language),
+                language,
+                new Pictures(exercise.pictures(), formulas));
+    }
+
     /** The formulas that are not set yet. */
     private List<Formula> put(Exercise exercise, String language) {
-        var statement =
-                new Statement(
-                        exercise.statement(language),
-                        language,
-                        new Pictures(exercise.pictures(), formulas));
+        Statement statement = statement(exercise, language, formulas);
         kit.setFormulas(statement.formulas().drawn());
         getDocument().putProperty("imageCache", statement.pictures());
         setText(statement.html());

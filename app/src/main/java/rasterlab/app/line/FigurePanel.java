@@ -1,18 +1,14 @@
 package rasterlab.app.line;
 
-import java.util.EnumMap;
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JComponent;
-import javax.swing.JPanel;
-import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.ModeRows;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.language.Language;
@@ -29,7 +25,7 @@ final class FigurePanel extends LabPanel {
     private final transient FigureInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
-    private final Map<LineMode, JComponent> chips = new EnumMap<>(LineMode.class);
+    private final ModeRows<LineMode> above = new ModeRows<>(this::above);
     private final transient Runnable unsubscribe;
 
     /**
@@ -53,7 +49,7 @@ final class FigurePanel extends LabPanel {
         actions.add(
                 "copyCommand",
                 () -> command().ifPresent(command -> Copying.text(command, onFailure)));
-        add(new LabLayout(chips(), stage, inspector.column(), actions, player));
+        add(new LabLayout(above, stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
@@ -70,8 +66,8 @@ final class FigurePanel extends LabPanel {
         stage.focusPoint();
     }
 
-    /** Stops playing. */
-    void stop() {
+    @Override
+    public void stop() {
         player.stop();
     }
 
@@ -84,8 +80,7 @@ final class FigurePanel extends LabPanel {
     }
 
     private void refresh() {
-        LineMode mode = model.state().scene().mode();
-        chips.forEach((each, shown) -> shown.setVisible(each == mode));
+        above.show(model.state().scene().mode());
         stage.refresh();
         inspector.refresh();
         player.refresh();
@@ -93,29 +88,24 @@ final class FigurePanel extends LabPanel {
         actions.enable("copyCommand", command().isPresent());
     }
 
-    private JPanel chips() {
-        var all = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, fillx", "[grow,fill]"));
-        all.setOpaque(false);
+    private JComponent above(LineMode mode) {
+        if (mode == LineMode.CIRCLE || mode == LineMode.ELLIPSE) return chips(mode);
+        var sentence = new WrappedText("introduction");
+        sentence.show(texts.text("figure.intro." + mode.code()));
+        return sentence;
+    }
+
+    private Chips chips(LineMode mode) {
+        var row = new Chips(texts, "hazards");
         Texts translations = Texts.of("line", "topic", texts.language());
-        for (LineMode mode : List.of(LineMode.CIRCLE, LineMode.ELLIPSE)) {
-            var row = new Chips(texts, "hazards");
-            for (Hazard<?> hazard : model.hazards(mode)) {
-                String key = "hazard." + mode.code() + "." + hazard.name();
-                row.add(
-                        hazard.name(),
-                        texts.textOr(key, hazard.name()),
-                        translations.textOr(key, hazard.description()),
-                        () -> model.show(mode, hazard.name()));
-            }
-            chips.put(mode, row);
-            all.add(row, "wmin 0, growx, wrap");
+        for (Hazard<?> hazard : model.hazards(mode)) {
+            String key = "hazard." + mode.code() + "." + hazard.name();
+            row.add(
+                    hazard.name(),
+                    texts.textOr(key, hazard.name()),
+                    translations.textOr(key, hazard.description()),
+                    () -> model.show(mode, hazard.name()));
         }
-        for (LineMode mode : List.of(LineMode.PEN, LineMode.BRIGHTNESS)) {
-            var sentence = new WrappedText("introduction");
-            sentence.show(texts.text("figure.intro." + mode.code()));
-            chips.put(mode, sentence);
-            all.add(sentence, "wmin 0, growx, wrap");
-        }
-        return all;
+        return row;
     }
 }

@@ -1,7 +1,7 @@
 package rasterlab.app.line;
 
-import java.awt.CardLayout;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.LabCards;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.language.Language;
 
@@ -9,53 +9,51 @@ import rasterlab.app.language.Language;
 public final class LinePanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
-    private static final String SEGMENT = "segment";
-    private static final String FIGURE = "figure";
-
     private final transient LineLabModel model;
-    private final CardLayout cards = new CardLayout();
-    private final SegmentPanel segment;
-    private final FigurePanel figure;
+    private final transient LabCards<Card> cards;
     private final transient Runnable unsubscribe;
+
+    private enum Card {
+        SEGMENT,
+        FIGURE;
+
+        static Card of(LineMode mode) {
+            return mode == LineMode.SEGMENT ? SEGMENT : FIGURE;
+        }
+    }
 
     /**
      * @param onFailure told what a control could not do or painting threw, on any thread
      */
     public LinePanel(LineLabModel model, Language language, Consumer<Throwable> onFailure) {
         this.model = model;
-        setLayout(cards);
         setName("line");
-        segment = new SegmentPanel(model, language, onFailure);
-        figure = new FigurePanel(model, language, onFailure);
-        add(segment, SEGMENT);
-        add(figure, FIGURE);
+        cards =
+                new LabCards<>(
+                        this,
+                        card ->
+                                card == Card.SEGMENT
+                                        ? new SegmentPanel(model, language, onFailure)
+                                        : new FigurePanel(model, language, onFailure));
         unsubscribe =
                 model.listenToMode(
                         mode -> {
-                            show(mode);
+                            cards.show(Card.of(mode));
                             focusPicture();
                         });
-        show(model.mode());
+        cards.show(Card.of(model.mode()));
     }
 
     /** Gives the keyboard to the point that had it last. */
     @Override
     public void focusPicture() {
-        if (model.mode() == LineMode.SEGMENT) segment.focusPicture();
-        else figure.focusPicture();
+        cards.focusPicture(Card.of(model.mode()));
     }
 
     /** Stops listening and playing; the models live on. */
     @Override
     public void close() {
         unsubscribe.run();
-        segment.close();
-        figure.close();
-    }
-
-    private void show(LineMode mode) {
-        segment.stop();
-        figure.stop();
-        cards.show(this, mode == LineMode.SEGMENT ? SEGMENT : FIGURE);
+        cards.close();
     }
 }

@@ -66,8 +66,8 @@ final class SegmentPanel extends LabPanel {
         stage.close();
     }
 
-    /** Stops playing. */
-    void stop() {
+    @Override
+    public void stop() {
         player.stop();
     }
 

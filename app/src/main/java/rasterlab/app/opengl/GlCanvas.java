@@ -21,7 +21,9 @@ import rasterlab.engine.raster.Raster;
  * OpenGL's window in the lab: draws the model's frame and brings the picture back to the model.
  *
  * <p>Its context lives as long as the window has a place on the screen; taken out and put in again,
- * or after an error, it makes a new one with new objects. Used on the event thread.
+ * or after an error, it makes a new one with new objects. Used on the event thread, where making a
+ * context, asking it what it can and drawing are events of their own; made on any thread. A thread
+ * of its own would gain nothing: on X, who draws into a window of AWT holds AWT's one lock.
  */
 final class GlCanvas extends AWTGLCanvas {
     private static final long serialVersionUID = 1L;
@@ -70,8 +72,15 @@ final class GlCanvas extends AWTGLCanvas {
         EventQueue.invokeLater(this::draw);
     }
 
+    /** Shows the last picture, drawn elsewhere, until there is one of its own. */
     @Override
     public void paint(Graphics g) {
+        if (capabilities.isEmpty())
+            model.state()
+                    .pictures()
+                    .openGl()
+                    .ifPresent(
+                            last -> g.drawImage(last.image(), 0, 0, getWidth(), getHeight(), null));
         draw();
     }
 
@@ -84,10 +93,10 @@ final class GlCanvas extends AWTGLCanvas {
         asked = false;
         if (!isShowing() || getWidth() < 1 || getHeight() < 1 || model.frame().isEmpty()) return;
         try {
-            render();
-            failedBefore = false;
+            if (step()) return;
             finished.ifPresent(
                     done -> model.drawn(done.frame(), done.picture(), report.orElseThrow()));
+            failedBefore = false;
         } catch (RuntimeException | LinkageError | AssertionError e) {
             forget();
             if (failedBefore || e instanceof NoOpenGl) failed.run();
@@ -96,8 +105,21 @@ final class GlCanvas extends AWTGLCanvas {
         }
     }
 
+    /** The next step to a picture; whether there are more, which are then events of their own. */
+    private boolean step() {
+        if (!hasContext()) runInContext(() -> {});
+        else if (capabilities.isEmpty()) runInContext(this::initGL);
+        else {
+            render();
+            return false;
+        }
+        ask();
+        return true;
+    }
+
     @Override
     public void initGL() {
+        initCalled = true;
         capabilities = Optional.of(GL.createCapabilities());
         objects = new GlObjects();
         report = Optional.of(GlReport.ofCurrent());

@@ -28,8 +28,9 @@ import rasterlab.engine.texture.Texture;
  * The OpenGL lab without its window: the state that is chosen, and its two pictures.
  *
  * <p>OpenGL's picture comes from the window that {@link #attach} announces, or, as long as there is
- * none, from a context without a window. Answers and commands all run on the thread of the executor
- * it is given; pictures are made on a thread of the model's own.
+ * none, from a context without a window; so does the very first one, which loads the libraries and
+ * the driver on the way. Answers and commands all run on the thread of the executor it is given;
+ * pictures are made on a thread of the model's own.
  */
 public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     private final Executor events;
@@ -139,8 +140,8 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     }
 
     /**
-     * A window of OpenGL will draw each new choice and bring its picture to {@link #drawn}, until
-     * {@link #detach}.
+     * A window of OpenGL will draw each new choice, once the model has made a first picture without
+     * it, and bring its picture to {@link #drawn}, until {@link #detach}.
      */
     public void attach() {
         windows++;
@@ -267,17 +268,19 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     }
 
     private void ask() {
-        if (windows > 0) return;
+        if (windows > 0 && state.pictures().software().isPresent()) return;
         frame().ifPresent(frame -> pictures.ask(new Question(frame, Optional.empty())));
     }
 
     private void accept(Question question, Answer answer) {
         Optional<GlReport> report = answer.report().or(state::report);
+        // A window may have OpenGL where there is none without one.
+        Optional<String> missing = answer.missing().filter(reason -> windows == 0);
         publish(
                 state.choice(),
                 answer.pictures(),
-                answer.missing().isPresent() ? Optional.empty() : report,
-                answer.missing());
+                missing.isPresent() ? Optional.empty() : report,
+                missing);
     }
 
     private void accept(ImageLoading loading) {

@@ -17,7 +17,6 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
-import org.lwjgl.opengl.awt.AWTGLCanvas;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.Settling;
@@ -45,7 +44,7 @@ final class OpenGlStage extends JPanel implements Settling {
     private final PicturePane difference;
     private final CallLog log;
     private final FittingText reading = new FittingText("reading");
-    private transient Optional<GlCanvas> canvas = Optional.empty();
+    private transient volatile Optional<GlWindow> window = Optional.empty();
     private transient Optional<Point> pointed = Optional.empty();
     private boolean unusable;
 
@@ -170,6 +169,7 @@ final class OpenGlStage extends JPanel implements Settling {
         model.resize(
                 DevicePixels.count(openGl.getWidth(), scale),
                 DevicePixels.count(openGl.getHeight(), scale));
+        window.ifPresent(GlWindow::open);
     }
 
     @Override
@@ -181,54 +181,43 @@ final class OpenGlStage extends JPanel implements Settling {
     @Override
     public void addNotify() {
         super.addNotify();
-        if (GraphicsEnvironment.isHeadless() || unusable || canvas.isPresent()) return;
-        try {
-            var made = new GlCanvas(model, this::giveUp);
-            new Turning(model, software::requestFocusInWindow, this::point).listenTo(made);
-            canvas = Optional.of(made);
-            model.attach();
-            openGl.add(made);
-        } catch (RuntimeException | LinkageError | AssertionError e) {
-            // Libraries of the system are missing: the picture is made without a window, or it is
-            // said why not.
-            unusable = true;
-        }
+        if (GraphicsEnvironment.isHeadless() || unusable || window.isPresent()) return;
+        window = Optional.of(new GlWindow(model, openGl, this::canvas, this::giveUp));
+    }
+
+    private GlCanvas canvas() {
+        var canvas = new GlCanvas(model, this::giveUp);
+        new Turning(model, software::requestFocusInWindow, this::point).listenTo(canvas);
+        return canvas;
     }
 
     @Override
     public void removeNotify() {
-        dropCanvas();
+        dropWindow();
         super.removeNotify();
     }
 
     private void giveUp() {
         unusable = true;
-        dropCanvas();
+        dropWindow();
     }
 
-    private void dropCanvas() {
-        canvas.ifPresent(
-                gone -> {
-                    openGl.remove(gone);
-                    canvas = Optional.empty();
-                    model.detach();
-                });
-    }
-
-    /** OpenGL's window, where there is one. */
-    Optional<AWTGLCanvas> canvas() {
-        return canvas.map(AWTGLCanvas.class::cast);
+    private void dropWindow() {
+        window.ifPresent(GlWindow::close);
+        window = Optional.empty();
     }
 
     @Override
     public void settle() throws InterruptedException {
         model.settle();
+        Optional<GlWindow> coming = window;
+        if (coming.isPresent()) coming.get().settle();
     }
 
     /** Shows the model's present state. */
     void refresh() {
         OpenGlLabState state = model.state();
-        canvas.ifPresent(each -> each.drawIfStale());
+        window.ifPresent(GlWindow::drawIfStale);
         log.show(state.calls(), state.touched());
         for (Component pane : new Component[] {openGl, software, difference}) pane.repaint();
         read();

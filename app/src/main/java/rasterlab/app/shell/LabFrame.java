@@ -2,6 +2,7 @@ package rasterlab.app.shell;
 
 import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.EventQueue;
@@ -29,6 +30,7 @@ public final class LabFrame extends JFrame {
     private static final Dimension LEAST = new Dimension(900, 600);
     private static final Dimension FIRST = new Dimension(1280, 800);
 
+    private final JPanel place = new JPanel(new BorderLayout());
     private final transient LabModels models;
     private final transient Consumer<Throwable> onFailure;
     private final transient StateKeeper keeper;
@@ -72,8 +74,9 @@ public final class LabFrame extends JFrame {
                     }
                 });
         addWindowFocusListener(new FirstFocus());
+        setContentPane(place);
         fill(settings.tab());
-        place();
+        placeOnScreen();
         keeper = new StateKeeper(file, labsFile, this::settings, models);
     }
 
@@ -95,15 +98,27 @@ public final class LabFrame extends JFrame {
         content.show(name);
     }
 
-    /** Speaks and looks otherwise from now on. */
+    /**
+     * Speaks and looks otherwise from now on: makes the tabs again; tab and focus stay. A focus
+     * that was still on its way goes to the picture.
+     */
     public void wear(LabLook look) {
         LabLook before = settings.look();
         if (look.equals(before)) return;
         settings = settings.with(look);
+        String focus = focused();
+        String seen = content.seen();
+        String coming = content.shown();
+        // What is thrown away need not learn the new look first.
+        place.removeAll();
+        tabs.close();
         look.theme().install(look.textPercent());
         if (look.theme() != before.theme() || look.textPercent() != before.textPercent())
             FlatLaf.updateUI();
-        refill();
+        fill(seen);
+        content.show(coming);
+        giveFocus(focus);
+        EventQueue.invokeLater(() -> giveFocus(focus));
         keeper.look();
     }
 
@@ -111,18 +126,10 @@ public final class LabFrame extends JFrame {
         wear(settings.look().with(language));
     }
 
-    /**
-     * Makes the tabs again in the present language and theme; tab and focus stay. A focus that was
-     * still on its way goes to the picture.
-     */
-    private void refill() {
+    /** Name of the component that has the keyboard; null where there is none. */
+    private static String focused() {
         Component focused = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-        String focus = focused == null ? null : focused.getName();
-        LabTabs old = tabs;
-        fill(content.shown());
-        old.close();
-        giveFocus(focus);
-        EventQueue.invokeLater(() -> giveFocus(focus));
+        return focused == null ? null : focused.getName();
     }
 
     /**
@@ -139,12 +146,13 @@ public final class LabFrame extends JFrame {
         DialogTexts.install(language());
         tabs = LabTabs.create(models, language(), onFailure);
         content = new LabContent(tabs, tab, look(), this::wear);
-        setContentPane(content);
-        revalidate();
-        repaint();
+        // The frame would lay out a new content pane at once; this is an event of its own.
+        place.add(content);
+        place.revalidate();
+        place.repaint();
     }
 
-    private void place() {
+    private void placeOnScreen() {
         Rectangle screen =
                 GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         Dimension first = UIScale.scale(FIRST);
@@ -188,7 +196,7 @@ public final class LabFrame extends JFrame {
         tabs.close();
         models.close();
         // Else a later theme gives the closed window's controls their keys again, which keeps it.
-        setContentPane(new JPanel());
+        place.removeAll();
     }
 
     /**

@@ -17,6 +17,7 @@ import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonTopics;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.study.StudyLabModel;
+import rasterlab.app.visibility.VisibilityChoice;
 import rasterlab.app.visibility.VisibilityLabModel;
 import rasterlab.engine.Topics;
 import rasterlab.engine.line.LineTopic;
@@ -64,6 +65,12 @@ public record LabModels(
                 new OpenGlLabModel(events, onFailure),
                 new StudyLabModel(Topics.all(), events, onFailure),
                 new ExerciseLabModel(() -> Catalogue.builtIn().all(), events, onFailure));
+    }
+
+    /** Loads what the models are made of, so that they are made sooner; on any thread. */
+    static void prepare() {
+        VisibilityChoice.first();
+        Topics.all();
     }
 
     /** What opens as it was left, by the name under which it is kept. */

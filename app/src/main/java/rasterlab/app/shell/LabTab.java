@@ -1,5 +1,6 @@
 package rasterlab.app.shell;
 
+import java.util.Optional;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.LabPanel;
 
@@ -7,17 +8,21 @@ import rasterlab.app.canvas.LabPanel;
 public final class LabTab implements AutoCloseable {
     private final String name;
     private final String title;
+    private final Optional<Runnable> preparation;
     private final Supplier<LabPanel> made;
     private LabPanel panel;
 
     /**
      * @param name the same in every language, such as {@code line}; also the panel's component name
      * @param title in the window's language
+     * @param preparation does before what the panel would take long for, on any thread; may be left
+     *     out, or be run again
      * @param made makes the lab's panel
      */
-    LabTab(String name, String title, Supplier<LabPanel> made) {
+    LabTab(String name, String title, Optional<Runnable> preparation, Supplier<LabPanel> made) {
         this.name = name;
         this.title = title;
+        this.preparation = preparation;
         this.made = made;
     }
 
@@ -27,6 +32,11 @@ public final class LabTab implements AutoCloseable {
 
     public String title() {
         return title;
+    }
+
+    /** What shortens the first call of {@link #panel}, for another thread. */
+    Optional<Runnable> preparation() {
+        return preparation;
     }
 
     /** The lab; the same one every time. */

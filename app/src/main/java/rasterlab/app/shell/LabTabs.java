@@ -2,6 +2,7 @@ package rasterlab.app.shell;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -42,7 +43,10 @@ public final class LabTabs implements AutoCloseable {
         Texts texts = Texts.of("shell", language);
         var tabs = new ArrayList<LabTab>();
         BiConsumer<String, Supplier<LabPanel>> add =
-                (name, made) -> tabs.add(new LabTab(name, texts.text("tab." + name), made));
+                (name, made) ->
+                        tabs.add(
+                                new LabTab(
+                                        name, texts.text("tab." + name), Optional.empty(), made));
         var opening = new LabOpening(models);
         add.accept(
                 "coordinates",
@@ -56,9 +60,12 @@ public final class LabTabs implements AutoCloseable {
         add.accept("spline", () -> new SplinePanel(models.spline(), language, onFailure));
         add.accept("opengl", () -> new OpenGlPanel(models.opengl(), language, onFailure));
         add.accept("study", () -> new StudyPanel(models.study(), opening, language, onFailure));
-        add.accept(
-                "exercises",
-                () -> new ExercisePanel(models.exercises(), opening, language, onFailure));
+        tabs.add(
+                new LabTab(
+                        "exercises",
+                        texts.text("tab.exercises"),
+                        Optional.of(() -> ExercisePanel.prepare(models.exercises())),
+                        () -> new ExercisePanel(models.exercises(), opening, language, onFailure)));
         return new LabTabs(language, tabs, opening);
     }
 

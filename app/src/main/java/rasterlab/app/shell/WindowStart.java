@@ -11,26 +11,30 @@ import rasterlab.app.language.Texts;
 public final class WindowStart {
     private WindowStart() {}
 
+    /** Files are read, and scenes made, beside the event thread, which makes the look meanwhile. */
     public static void open() {
-        EventQueue.invokeLater(WindowStart::openOnEventThread);
-    }
-
-    private static void openOnEventThread() {
         var problems = new Problems();
         Path place = SettingsFile.usual(System.getenv(), System.getProperties());
         var file = new SettingsFile(place, problems);
-        LabsFile labsFile = LabsFile.beside(place, problems);
         LabSettings settings = file.load(LabSettings.first(Language.of(Locale.getDefault())));
+        EventQueue.invokeLater(
+                () -> settings.look().theme().install(settings.look().textPercent()));
+        EventQueue.invokeLater(() -> open(settings, file, place, problems));
         // Saved at once too: whoever cannot write it learns so now, not when the window is gone.
         file.save(settings);
         hold(place, problems);
-        settings.look().theme().install(settings.look().textPercent());
+        LabModels.prepare();
+    }
+
+    private static void open(
+            LabSettings settings, SettingsFile file, Path place, Problems problems) {
         var shown = new LabFrame[1];
         var reports =
                 new FailureReports(
                         failure -> new ErrorDialog(texts(shown[0])).show(shown[0], failure));
         Thread.setDefaultUncaughtExceptionHandler(reports);
         LabModels models = LabModels.first(reports);
+        LabsFile labsFile = LabsFile.beside(place, problems);
         labsFile.load(models);
         shown[0] = new LabFrame(models, settings, file, labsFile, reports);
         shown[0].setVisible(true);

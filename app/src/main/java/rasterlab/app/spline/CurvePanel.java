@@ -1,13 +1,12 @@
 package rasterlab.app.spline;
 
-import java.awt.BorderLayout;
 import java.awt.geom.Rectangle2D;
 import java.util.function.Consumer;
-import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlaneView;
@@ -18,7 +17,7 @@ import rasterlab.engine.spline.CurveTask;
 import rasterlab.engine.study.Hazard;
 
 /** The lab of curves as the tab shows it, in one language. */
-final class CurvePanel extends JPanel implements AutoCloseable {
+final class CurvePanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient CurveLabModel model;
@@ -39,7 +38,6 @@ final class CurvePanel extends JPanel implements AutoCloseable {
             Language language,
             Consumer<SplineMode> onMode,
             Consumer<Throwable> onFailure) {
-        super(new BorderLayout());
         this.model = model;
         setName("curve");
         texts = Texts.of("spline", language);
@@ -72,11 +70,14 @@ final class CurvePanel extends JPanel implements AutoCloseable {
         refresh();
     }
 
-    void focusPicture() {
+    /** Gives the keyboard to the point that had it last. */
+    @Override
+    public void focusPicture() {
         stage.focusPoint();
     }
 
-    void stop() {
+    @Override
+    public void stop() {
         player.stop();
     }
 

@@ -1,15 +1,14 @@
 package rasterlab.app.spline;
 
-import java.awt.BorderLayout;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlaneView;
@@ -21,7 +20,7 @@ import rasterlab.engine.spline.SplineProblem;
 import rasterlab.engine.study.Hazard;
 
 /** The lab of functions through knots as the tab shows it, in one language. */
-final class FunctionPanel extends JPanel implements AutoCloseable {
+final class FunctionPanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
     private static final String LEFT = "slope.left";
@@ -45,7 +44,6 @@ final class FunctionPanel extends JPanel implements AutoCloseable {
             Language language,
             Consumer<SplineMode> onMode,
             Consumer<Throwable> onFailure) {
-        super(new BorderLayout());
         this.model = model;
         setName("function");
         texts = Texts.of("spline", language);
@@ -77,11 +75,14 @@ final class FunctionPanel extends JPanel implements AutoCloseable {
         refresh();
     }
 
-    void focusPicture() {
+    /** Gives the keyboard to the point that had it last. */
+    @Override
+    public void focusPicture() {
         stage.focusPoint();
     }
 
-    void stop() {
+    @Override
+    public void stop() {
         player.stop();
     }
 

@@ -49,7 +49,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     public StudyLabModel(
             List<Topic<?, ?, ?>> topics, Executor events, Consumer<Throwable> onFailure) {
         this.topics = List.copyOf(topics);
-        background = new Background(events, onFailure);
+        background = new Background("study", events, onFailure);
         state = first(topics.get(0), false, StudyView.HAZARDS);
     }
 

@@ -49,7 +49,7 @@ public record VisibilityChoice(
     }
 
     /** The vase by the painter, as its author shades it. */
-    static VisibilityChoice first() {
+    public static VisibilityChoice first() {
         SceneChoice vase = SceneChoice.named("vase");
         return new VisibilityChoice(
                 vase,

@@ -18,7 +18,7 @@ class BackgroundTest {
     private final List<String> heard = new ArrayList<>();
 
     private Background background() {
-        return new Background(events::add, failures::add);
+        return new Background("work", events::add, failures::add);
     }
 
     private void begin(Background background, Background.Task task) {

@@ -37,6 +37,27 @@ class ExerciseLabModelTest {
     }
 
     @Test
+    void catalogueIsReadOnceBeforeTheTabIsThere() throws InterruptedException {
+        var readers = new ArrayList<Thread>();
+        var model =
+                new ExerciseLabModel(
+                        () -> {
+                            readers.add(Thread.currentThread());
+                            return Catalogue.builtIn().all();
+                        },
+                        Runnable::run,
+                        failure -> {});
+        try (model) {
+            var ahead = new Thread(model::exercises);
+            ahead.start();
+            ahead.join();
+            model.exercises();
+            model.state();
+            assertEquals(List.of(ahead), readers);
+        }
+    }
+
+    @Test
     void typedTextOutlivesTheWindow() {
         try (var trial = new Trial(folder)) {
             trial.model.type(FIRST_PIXEL);

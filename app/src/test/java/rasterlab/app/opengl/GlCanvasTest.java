@@ -2,6 +2,7 @@ package rasterlab.app.opengl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -11,6 +12,7 @@ import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.JFrame;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -55,8 +57,10 @@ class GlCanvasTest {
         assertEquals(List.of(), failures);
     }
 
+    /** Context, what it can and picture are an event each. */
     private void draw() throws Exception {
-        EventQueue.invokeAndWait(() -> canvas.paint(null));
+        EventQueue.invokeAndWait(canvas::ask);
+        for (int step = 0; step < 3; step++) EventQueue.invokeAndWait(() -> {});
     }
 
     @Test
@@ -80,6 +84,55 @@ class GlCanvasTest {
         assertTrue(canvas.hasContext());
         assertTrue(canvas.objects().count() >= 2, "uploaded again");
         assertFalse(unusable);
+    }
+
+    @Test
+    void windowThatGoesBetweenContextAndPictureGivesTheContextBack() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    frame.remove(canvas);
+                    frame.add(canvas, BorderLayout.CENTER);
+                    frame.validate();
+                    canvas.update(canvas.getGraphics());
+                    assertTrue(canvas.hasContext(), "the first step");
+                    frame.remove(canvas);
+                });
+        draw();
+        assertFalse(canvas.hasContext());
+        assertEquals(0, canvas.objects().count());
+        contextIsMadeAgainWhenTheWindowComesBack();
+    }
+
+    @Test
+    void pictureThatFailsOnceIsDrawnInANewContext() throws Exception {
+        GlObjects old = canvas.objects();
+        failNext(1);
+        draw();
+        assertFalse(unusable);
+        assertTrue(canvas.objects().count() >= 2, "uploaded again");
+        assertNotSame(old, canvas.objects());
+    }
+
+    @Test
+    void pictureThatFailsTwiceEndsTheWindow() throws Exception {
+        failNext(2);
+        assertTrue(unusable);
+        assertFalse(canvas.hasContext());
+    }
+
+    /** Draws while so many of the next pictures fail on their way to the model. */
+    private void failNext(int pictures) throws Exception {
+        model.settle();
+        EventQueue.invokeAndWait(() -> {});
+        var left = new AtomicInteger(pictures);
+        EventQueue.invokeAndWait(
+                () ->
+                        model.listen(
+                                state -> {
+                                    if (left.getAndDecrement() > 0)
+                                        throw new IllegalStateException("the context is lost");
+                                }));
+        while (!unusable && left.get() > 0) draw();
     }
 
     @Test

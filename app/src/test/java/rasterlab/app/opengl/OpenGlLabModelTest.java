@@ -2,6 +2,7 @@ package rasterlab.app.opengl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -117,7 +118,10 @@ class OpenGlLabModelTest {
         model.attach();
         model.resize(64, 48);
         model.settle();
-        assertTrue(model.state().pictures().software().isEmpty(), "nobody has drawn yet");
+        Raster first = model.state().pictures().software().orElseThrow();
+        model.set(Setting.SCENE, "globe");
+        model.settle();
+        assertSame(first, model.state().pictures().software().get(), "the window's to draw");
         GlFrame frame = model.frame().orElseThrow();
         var black = new Raster(64, 48);
         black.clear(0xFF000000);

@@ -11,7 +11,7 @@ import java.util.Set;
 enum Blame {
     WAITS("waits for another thread, a process or the clock"),
     READS("reads or writes files or sockets"),
-    WORKS("makes pictures, measures or grades");
+    WORKS("makes pictures, measures, grades or reads the exercises");
 
     /** How Java waits; who waits is the frame below. */
     private static final String[] WAYS_TO_WAIT = {
@@ -85,7 +85,8 @@ enum Blame {
         "rasterlab.engine.raster.PictureDifference",
         "rasterlab.engine.study.HazardTrial",
         "rasterlab.engine.study.MethodTrial",
-        "rasterlab.engine.study.StudyRunner"
+        "rasterlab.engine.study.StudyRunner",
+        "rasterlab.exercises.catalogue.Catalogue"
     };
 
     private final String said;

@@ -82,6 +82,11 @@ class BlameTest {
                         new String[] {"java.util.HashMap", "rasterlab.exercises.runner.GradingRun"},
                         Optional.of(Blame.WORKS)),
                 argumentSet(
+                        "the exercises are read unseen",
+                        State.RUNNABLE,
+                        new String[] {"rasterlab.exercises.catalogue.Catalogue", OURS},
+                        Optional.of(Blame.WORKS)),
+                argumentSet(
                         "a list of methods is blamed",
                         State.RUNNABLE,
                         new String[] {"rasterlab.engine.visibility.hidden.HiddenSurfacesTopic"},

@@ -89,7 +89,7 @@ public abstract class LabCard extends LabPanel {
     /** Ends the threads that paint. */
     protected abstract void closeStage();
 
-    /** Stops playing, for the lab is not seen any more. */
+    @Override
     public final void stop() {
         player.ifPresent(StepPlayer::stop);
     }

@@ -236,6 +236,8 @@ public final class WindowBench {
                     frame.showTab(work.tab());
                     return null;
                 });
+        while (onEventThread(() -> Drag.named(frame.getContentPane(), work.tab())) == null)
+            Thread.onSpinWait();
         var parts = onEventThread(() -> settling(frame.getContentPane()));
         for (Settling part : parts) part.settle();
         onEventThread(() -> null);

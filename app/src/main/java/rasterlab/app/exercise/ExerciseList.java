@@ -1,0 +1,21 @@
+package rasterlab.app.exercise;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import rasterlab.exercises.Exercise;
+
+/** The exercises, read by the thread that asks first. */
+final class ExerciseList {
+    private final Supplier<List<Exercise>> catalogue;
+    private Optional<List<Exercise>> read = Optional.empty();
+
+    ExerciseList(Supplier<List<Exercise>> catalogue) {
+        this.catalogue = catalogue;
+    }
+
+    synchronized List<Exercise> get() {
+        if (read.isEmpty()) read = Optional.of(catalogue.get());
+        return read.get();
+    }
+}
