@@ -123,6 +123,7 @@ class WindowTest extends WindowHarness {
                 () -> GuiActionRunner.execute(() -> titleIsWhole(frame.getContentPane())));
     }
 
+    /** Not while a new look is put on, when there are no titles. */
     private static boolean titleIsWhole(Container content) {
         for (Component child : content.getComponents())
             if (child instanceof JTabbedPane pane && "tabs".equals(pane.getName())) {
@@ -130,7 +131,7 @@ class WindowTest extends WindowHarness {
                 for (Component part : pane.getComponents())
                     if (part instanceof JViewport titles) return titles.getBounds().contains(title);
             }
-        throw new AssertionError("no titles in " + content);
+        return false;
     }
 
     @ParameterizedTest(name = "Russian does not fit: {0}×{1}, {2}")
