@@ -37,6 +37,9 @@ final class GlCanvas extends AWTGLCanvas {
     private boolean asked;
     private boolean failedBefore;
 
+    /** Whether nothing is drawn any more, since there is no OpenGL or it failed twice. */
+    private boolean ended;
+
     private record Finished(GlFrame frame, Raster picture) {}
 
     /**
@@ -91,6 +94,7 @@ final class GlCanvas extends AWTGLCanvas {
 
     private void draw() {
         asked = false;
+        if (ended) return;
         if (!isShowing() || getWidth() < 1 || getHeight() < 1 || model.frame().isEmpty()) return;
         try {
             if (step()) return;
@@ -99,7 +103,8 @@ final class GlCanvas extends AWTGLCanvas {
             failedBefore = false;
         } catch (RuntimeException | LinkageError | AssertionError e) {
             forget();
-            if (failedBefore || e instanceof NoOpenGl) failed.run();
+            ended = failedBefore || e instanceof NoOpenGl;
+            if (ended) failed.run();
             else ask();
             failedBefore = true;
         }

@@ -56,7 +56,7 @@ record ImageLoading(Optional<ImageTexture> image, Optional<ImageProblem> problem
         for (int y = 0; y < height; y++)
             PixelLevels.row(image, y, texels, (height - 1 - y) * width);
         var texture = Texture.of(width, height, 4, texels);
-        var loaded = new ImageTexture(file.toAbsolutePath(), texture);
+        var loaded = new ImageTexture(file.toRealPath(), texture);
         return new ImageLoading(Optional.of(loaded), Optional.empty());
     }
 

@@ -2,7 +2,9 @@ package rasterlab.app.row;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -18,7 +20,7 @@ import rasterlab.engine.study.Verdict;
  */
 abstract class RowKind<C, I, O> {
     private final Topic<C, I, O> topic;
-    private Optional<Right<I, O>> last = Optional.empty();
+    private final Map<String, Right<I, O>> rights = new ConcurrentHashMap<>();
 
     /** The right answer, which takes much longer than any method's. */
     private record Right<I, O>(Hazard<I> hazard, O exact) {}
@@ -82,10 +84,17 @@ abstract class RowKind<C, I, O> {
     }
 
     private Right<I, O> right(String name) {
-        Hazard<I> hazard = hazard(name);
-        if (last.filter(known -> known.hazard().name().equals(name)).isEmpty())
-            last = Optional.of(new Right<>(hazard, topic.exact(hazard.input(), Integer.MAX_VALUE)));
-        return last.orElseThrow();
+        return rights.computeIfAbsent(
+                name,
+                key -> {
+                    Hazard<I> hazard = hazard(key);
+                    return new Right<>(hazard, topic.exact(hazard.input(), Integer.MAX_VALUE));
+                });
+    }
+
+    /** Finds the right answer, so that {@link #scene} is quick; on any thread. */
+    final void prepare(String hazard) {
+        right(hazard);
     }
 
     private RowScene scene(Right<I, O> right, O actual) {

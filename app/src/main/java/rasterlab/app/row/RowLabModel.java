@@ -69,6 +69,16 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
         tell();
     }
 
+    /** Finds the right answers of all hazards; on any thread. */
+    void prepare() {
+        hazards().forEach(each -> prepare(each.topic(), each.hazard().name()));
+    }
+
+    /** Finds a hazard's right answer, so that it is shown without delay; on any thread. */
+    public void prepare(String topic, String hazard) {
+        kind(topic).prepare(hazard);
+    }
+
     /**
      * Shows a hazard from its first pixel that is wrong.
      *

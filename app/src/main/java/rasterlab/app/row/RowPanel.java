@@ -46,6 +46,14 @@ public final class RowPanel extends LabCard {
                         model.steps(),
                         () -> model.choice().pixel() + " / " + (model.scene().pixels() - 1));
         play(chips(texts, language), stage, inspector.column(), steps);
+        prepare();
+    }
+
+    /** The other hazards shall not be waited for when they are chosen. */
+    private void prepare() {
+        var thread = new Thread(model::prepare, "rows");
+        thread.setDaemon(true);
+        thread.start();
     }
 
     private Chips chips(Texts texts, Language language) {

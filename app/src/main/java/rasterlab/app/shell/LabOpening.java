@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import rasterlab.app.canvas.HazardNote;
@@ -29,11 +30,26 @@ final class LabOpening implements OpenInLab {
     /** What makes an input of a topic from JSON, for the topics of exercises. */
     private final Map<String, Function<String, Object>> readers = Map.of("line", LineInput::read);
 
+    private final Executor background;
+    private final Executor events;
+    private final Consumer<Throwable> onFailure;
     private Consumer<String> showTab = tab -> {};
 
-    LabOpening(LabModels models) {
+    /** Counts what was asked for, so that only the newest is shown. */
+    private int asked;
+
+    /**
+     * @param background tries methods
+     * @param events runs what it is given on the one thread that uses the models
+     * @param onFailure told what trying threw, on any thread
+     */
+    LabOpening(
+            LabModels models, Executor background, Executor events, Consumer<Throwable> onFailure) {
         for (Topic<?, ?, ?> topic : Topics.all()) topics.put(topic.name(), topic);
         ways = new TopicWays(models);
+        this.background = background;
+        this.events = events;
+        this.onFailure = onFailure;
     }
 
     /**
@@ -49,16 +65,40 @@ final class LabOpening implements OpenInLab {
         return ways.of(topic).isPresent() ? Optional.empty() : Optional.of(Unshown.NO_TAB);
     }
 
+    /** What takes long comes once it is found. */
     @Override
     public void showHazard(String topic, String hazard, String method) {
         TopicInput input = input(topic, hazard);
-        TopicWay way = show(topic, input, method);
-        List<Unlike> unlike = way.unlike().apply(input, method);
-        if (!unlike.isEmpty() && !method.isEmpty())
-            way.note()
-                    .accept(
-                            new HazardNote(
-                                    hazard, method, verdict(named(topic), hazard, method), unlike));
+        TopicWay way = way(topic, method);
+        int mine = ++asked;
+        if (way.atOnce()) show(way, input, method);
+        else background.execute(() -> prepareAndShow(way, input, method, mine));
+    }
+
+    private void prepareAndShow(TopicWay way, TopicInput input, String method, int mine) {
+        try {
+            way.prepare().ifPresent(prepare -> prepare.accept(input));
+            Runnable note = note(way, input, method);
+            events.execute(
+                    () -> {
+                        if (mine != asked) return;
+                        show(way, input, method);
+                        note.run();
+                    });
+        } catch (RuntimeException e) {
+            onFailure.accept(e);
+        }
+    }
+
+    /** Tries the method, if there is something to say of it; the answer says it. */
+    private Runnable note(TopicWay way, TopicInput input, String method) {
+        if (method.isEmpty() || way.notes().isEmpty()) return () -> {};
+        TopicWay.Notes notes = way.notes().get();
+        List<Unlike> unlike = notes.unlike().apply(input, method);
+        if (unlike.isEmpty()) return () -> {};
+        Verdict verdict = verdict(named(input.topic()), input.hazard(), method);
+        var note = new HazardNote(input.hazard(), method, verdict, unlike);
+        return () -> notes.note().accept(note);
     }
 
     /** What the method does with the hazard's own numbers. */
@@ -81,7 +121,8 @@ final class LabOpening implements OpenInLab {
                                 List.copyOf(readers.entrySet()),
                                 Map.Entry::getKey)
                         .getValue();
-        show(topic, new TopicInput(topic, "", reader.apply(json)), method);
+        asked++;
+        show(way(topic, method), new TopicInput(topic, "", reader.apply(json)), method);
     }
 
     private TopicInput input(String topic, String hazard) {
@@ -94,16 +135,17 @@ final class LabOpening implements OpenInLab {
         return Named.find("topic", topic, List.copyOf(topics.values()), Topic::name);
     }
 
-    private TopicWay show(String topic, TopicInput input, String method) {
+    private TopicWay way(String topic, String method) {
         if (!method.isEmpty()) named(topic).method(method);
-        TopicWay way =
-                ways.of(topic)
-                        .orElseThrow(
-                                () ->
-                                        new IllegalArgumentException(
-                                                "no tab shows inputs of topic " + topic));
+        return ways.of(topic)
+                .orElseThrow(
+                        () ->
+                                new IllegalArgumentException(
+                                        "no tab shows inputs of topic " + topic));
+    }
+
+    private void show(TopicWay way, TopicInput input, String method) {
         way.show().accept(input, method);
         showTab.accept(way.tab());
-        return way;
     }
 }

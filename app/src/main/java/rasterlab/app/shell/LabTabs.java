@@ -1,5 +1,6 @@
 package rasterlab.app.shell;
 
+import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -47,7 +48,8 @@ public final class LabTabs implements AutoCloseable {
                         tabs.add(
                                 new LabTab(
                                         name, texts.text("tab." + name), Optional.empty(), made));
-        var opening = new LabOpening(models);
+        var opening =
+                new LabOpening(models, LabTabs::tryHazard, EventQueue::invokeLater, onFailure);
         add.accept(
                 "coordinates",
                 () -> new CoordinatesPanel(models.coordinates(), language, onFailure));
@@ -67,6 +69,12 @@ public final class LabTabs implements AutoCloseable {
                         Optional.of(() -> ExercisePanel.prepare(models.exercises())),
                         () -> new ExercisePanel(models.exercises(), opening, language, onFailure)));
         return new LabTabs(language, tabs, opening);
+    }
+
+    private static void tryHazard(Runnable work) {
+        var thread = new Thread(work, "hazard");
+        thread.setDaemon(true);
+        thread.start();
     }
 
     public Language language() {

@@ -1,6 +1,7 @@
 package rasterlab.app.shell;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
@@ -12,16 +13,31 @@ import rasterlab.app.canvas.Unlike;
  *
  * @param tab its name
  * @param show shows an input by a method of the topic, "" for the tab's own
- * @param unlike in what the tab then shows it otherwise than it is
- * @param note says so beside the picture
+ * @param prepare finds what showing an input would wait for, on any thread; empty for a tab that
+ *     shows inputs at once
+ * @param notes what is said of inputs that the tab cannot show as they are; empty for a tab that
+ *     can
  */
 record TopicWay(
         String tab,
         BiConsumer<TopicInput, String> show,
-        BiFunction<TopicInput, String, List<Unlike>> unlike,
-        Consumer<HazardNote> note) {
+        Optional<Consumer<TopicInput>> prepare,
+        Optional<Notes> notes) {
+    /**
+     * What is said beside a picture.
+     *
+     * @param unlike in what the tab shows an input otherwise than it is; on any thread
+     * @param note says so beside the picture that is shown
+     */
+    record Notes(BiFunction<TopicInput, String, List<Unlike>> unlike, Consumer<HazardNote> note) {}
+
     /** A tab that shows every input of the topic as it is. */
     static TopicWay whole(String tab, BiConsumer<TopicInput, String> show) {
-        return new TopicWay(tab, show, (input, method) -> List.of(), note -> {});
+        return new TopicWay(tab, show, Optional.empty(), Optional.empty());
+    }
+
+    /** Whether nothing has to be found before an input is shown. */
+    boolean atOnce() {
+        return prepare.isEmpty() && notes.isEmpty();
     }
 }

@@ -193,16 +193,22 @@ final class TopicWays {
                             lab.rows().close();
                             lab.choose(view.apply(input, method)::shown);
                         },
-                        (input, method) -> view.apply(input, method).unlike(),
-                        lab::tell));
+                        Optional.empty(),
+                        Optional.of(
+                                new TopicWay.Notes(
+                                        (input, method) -> view.apply(input, method).unlike(),
+                                        lab::tell))));
     }
 
     private void rows(String tab, RowLabModel lab) {
         for (String topic : lab.topics())
             ways.put(
                     topic,
-                    TopicWay.whole(
-                            tab, (input, method) -> lab.show(topic, input.hazard(), method)));
+                    new TopicWay(
+                            tab,
+                            (input, method) -> lab.show(topic, input.hazard(), method),
+                            Optional.of(input -> lab.prepare(topic, input.hazard())),
+                            Optional.empty()));
     }
 
     private void light(LightLabModel lab) {
@@ -215,8 +221,11 @@ final class TopicWays {
                                 lab.rows().close();
                                 lab.show(topic, input.hazard(), input.input(), method);
                             },
-                            (input, method) -> lab.unlike(input.input(), method),
-                            lab::tell));
+                            Optional.empty(),
+                            Optional.of(
+                                    new TopicWay.Notes(
+                                            (input, method) -> lab.unlike(input.input(), method),
+                                            lab::tell))));
     }
 
     private void put(

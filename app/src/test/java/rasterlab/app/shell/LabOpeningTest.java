@@ -19,7 +19,9 @@ import static rasterlab.app.canvas.Unlike.Kind.POINT_ASIDE;
 import static rasterlab.app.canvas.Unlike.Kind.SCALED;
 import static rasterlab.app.canvas.Unlike.Kind.STRETCHED;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
@@ -107,7 +109,15 @@ class LabOpeningTest {
                         throw new AssertionError(failure);
                     });
 
-    private final LabOpening opening = new LabOpening(models);
+    private final Deque<Runnable> background = new ArrayDeque<>();
+    private final LabOpening opening =
+            new LabOpening(
+                    models,
+                    work -> background.add(work),
+                    Runnable::run,
+                    failure -> {
+                        throw new AssertionError(failure);
+                    });
     private final List<String> tabs = new ArrayList<>();
 
     @AfterEach
@@ -120,6 +130,15 @@ class LabOpeningTest {
         return opening;
     }
 
+    private void open(String topic, String hazard, String method) {
+        shown().showHazard(topic, hazard, method);
+        runBackground();
+    }
+
+    private void runBackground() {
+        while (!background.isEmpty()) background.remove().run();
+    }
+
     static Stream<Topic<?, ?, ?>> topics() {
         return Topics.all().stream();
     }
@@ -127,7 +146,9 @@ class LabOpeningTest {
     private List<Unlike> unlike(Topic<?, ?, ?> topic, Hazard<?> hazard, Method<?> method) {
         var input = new TopicInput(topic.name(), hazard.name(), hazard.input());
         TopicWay way = new TopicWays(models).of(topic.name()).orElseThrow();
-        return way.unlike().apply(input, method.name());
+        return way.notes()
+                .map(notes -> notes.unlike().apply(input, method.name()))
+                .orElse(List.of());
     }
 
     @Test
@@ -168,24 +189,34 @@ class LabOpeningTest {
 
     @Test
     void noteIsToldToTheTabAndGoesWithTheScene() {
-        shown().showHazard("visible-faces", "tiny", "convex-segment-textbook");
+        open("visible-faces", "tiny", "convex-segment-textbook");
         HazardNote note = models.visibility().state().note().orElseThrow();
         assertEquals("tiny", note.hazard());
         assertEquals(Verdict.Kind.WRONG, note.verdict().kind());
-        opening.showHazard("visible-faces", "cube", "convex-segment-textbook");
+        open("visible-faces", "cube", "convex-segment-textbook");
         assertEquals(Optional.empty(), models.visibility().state().note());
     }
 
     @Test
+    void methodIsTriedInTheBackgroundAndOnlyTheNewestHazardIsShown() {
+        shown().showHazard("visible-faces", "tiny", "convex-segment-textbook");
+        assertEquals(1, background.size());
+        assertEquals(List.of(), tabs);
+        opening.showHazard("line", "leftward", "bresenham");
+        runBackground();
+        assertEquals(List.of("line"), tabs);
+    }
+
+    @Test
     void rowsOpenInTheirTabsAndScenesCloseThem() {
-        shown().showHazard("depth-buffer", "far-near-million", "z24");
+        open("depth-buffer", "far-near-million", "z24");
         assertTrue(models.visibility().rows().open());
         assertEquals("z24", models.visibility().rows().choice().method());
-        opening.showHazard("visible-faces", "cube", "back-face");
+        open("visible-faces", "cube", "back-face");
         assertFalse(models.visibility().rows().open());
-        opening.showHazard("texture-filter", "turned", "summed-area");
+        open("texture-filter", "turned", "summed-area");
         assertTrue(models.light().rows().open());
-        opening.showHazard("color", "grey", "formula");
+        open("color", "grey", "formula");
         assertFalse(models.light().rows().open());
         assertEquals(List.of("visibility", "visibility", "light", "light"), tabs);
     }
@@ -210,7 +241,7 @@ class LabOpeningTest {
                     hazard.name());
             for (var method : topic.methods()) {
                 tabs.clear();
-                opening.showHazard(topic.name(), hazard.name(), method.name());
+                open(topic.name(), hazard.name(), method.name());
                 assertEquals(1, tabs.size(), hazard.name() + " " + method.name());
             }
         }
@@ -222,7 +253,7 @@ class LabOpeningTest {
         var seen = new TreeMap<String, String>();
         String method = topic.methods().get(0).name();
         for (Hazard<?> hazard : topic.hazards()) {
-            shown().showHazard(topic.name(), hazard.name(), method);
+            open(topic.name(), hazard.name(), method);
             String before = seen.put(choices().toString(), hazard.name());
             assertEquals(null, before, hazard.name() + " looks like " + before);
         }
@@ -238,7 +269,7 @@ class LabOpeningTest {
     @Test
     void hazardOfLinesIsShownWithItsMethod() {
         models.line().chooseMode(LineMode.PEN);
-        shown().showHazard("line", "leftward", "naive-textbook");
+        open("line", "leftward", "naive-textbook");
         assertEquals(LineMode.SEGMENT, models.line().mode());
         assertEquals("naive-textbook", models.line().state().choice().method());
         Segment segment = models.line().state().choice().segment();
@@ -248,9 +279,9 @@ class LabOpeningTest {
 
     @Test
     void hazardIsShownInItsMode() {
-        shown().showHazard("clip-polygon", "comb", "weiler-atherton");
+        open("clip-polygon", "comb", "weiler-atherton");
         assertEquals(ClipMode.POLYGON, models.clip().state().choice().scene().mode());
-        opening.showHazard("spline-function", spline(), "monotone");
+        open("spline-function", spline(), "monotone");
         assertEquals(SplineMode.FUNCTION, models.spline().mode());
         assertEquals(List.of("clip", "spline"), tabs);
     }
