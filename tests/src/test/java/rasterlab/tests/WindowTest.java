@@ -118,20 +118,30 @@ class WindowTest extends WindowHarness {
         show(tab);
         GuiActionRunner.execute(
                 () -> frame.wear(frame.look().with(Language.RUSSIAN).with(LabTheme.PROJECTOR)));
-        await(
-                "the title is in sight",
-                () -> GuiActionRunner.execute(() -> titleIsWhole(frame.getContentPane())));
+        await("the title is in sight", this::titleIsWhole);
     }
 
     /** Not while a new look is put on, when there are no titles. */
-    private static boolean titleIsWhole(Container content) {
-        for (Component child : content.getComponents())
-            if (child instanceof JTabbedPane pane && "tabs".equals(pane.getName())) {
-                Rectangle title = pane.getBoundsAt(pane.getSelectedIndex());
-                for (Component part : pane.getComponents())
-                    if (part instanceof JViewport titles) return titles.getBounds().contains(title);
-            }
-        return false;
+    private boolean titleIsWhole() {
+        return GuiActionRunner.execute(
+                () ->
+                        robot
+                                .finder()
+                                .findAll(
+                                        frame,
+                                        part ->
+                                                part instanceof JTabbedPane
+                                                        && "tabs".equals(part.getName()))
+                                .stream()
+                                .map(JTabbedPane.class::cast)
+                                .anyMatch(WindowTest::titleIsWhole));
+    }
+
+    private static boolean titleIsWhole(JTabbedPane pane) {
+        Rectangle title = pane.getBoundsAt(pane.getSelectedIndex());
+        for (Component part : pane.getComponents())
+            if (part instanceof JViewport titles) return titles.getBounds().contains(title);
+        throw new AssertionError("no titles in " + pane);
     }
 
     @ParameterizedTest(name = "Russian does not fit: {0}×{1}, {2}")
