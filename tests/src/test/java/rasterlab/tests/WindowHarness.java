@@ -38,7 +38,7 @@ import rasterlab.app.shell.SettingsFile;
 import rasterlab.engine.line.Segment;
 
 /** The lab's window, open on a real display while a test runs; its failures fail the test. */
-@Timeout(60)
+@Timeout(180)
 abstract class WindowHarness {
     @TempDir Path folder;
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
