@@ -1,6 +1,8 @@
 package rasterlab.app.canvas;
 
 import java.awt.Component;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -43,11 +45,18 @@ public final class NameChooser extends JComboBox<String> {
     /** Shows a choice that is in the list for as long as it is shown, unless it is always there. */
     public void showListed(String chosen, List<String> always) {
         refreshing = true;
+        if (getPrototypeDisplayValue() == null) setPrototypeDisplayValue(longest(always));
         for (int i = getItemCount() - 1; i >= 0; i--)
             if (!always.contains(getItemAt(i)) && !getItemAt(i).equals(chosen)) removeItemAt(i);
         if (!always.contains(chosen) && getItemCount() == always.size()) addItem(chosen);
         setSelectedItem(chosen);
+        setToolTipText(always.contains(chosen) ? null : chosen);
         refreshing = false;
+    }
+
+    /** A longer name that comes for a while is shortened, and does not widen the list. */
+    private static String longest(List<String> names) {
+        return Collections.max(names, Comparator.comparingInt(String::length));
     }
 
     /** Shows a choice without telling anybody. */

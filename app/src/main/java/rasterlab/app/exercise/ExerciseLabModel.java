@@ -20,6 +20,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.Background;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.ShellPath;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.naming.Named;
 import rasterlab.exercises.Exercise;
@@ -177,7 +178,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         String id = state().exercise().id();
         if (!state.unsaved().isEmpty()) return Optional.empty();
         return drafts.flatMap(kept -> kept.path(id))
-                .map(path -> "./lab check %s '%s'".formatted(id, path));
+                .map(path -> "./lab check " + id + " " + ShellPath.quoted(path));
     }
 
     /** Makes the editor's type larger, or smaller; stops where it cannot be read. */

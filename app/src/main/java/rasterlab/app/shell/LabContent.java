@@ -72,11 +72,13 @@ public final class LabContent extends JPanel {
         return brand;
     }
 
-    /** A click on the tab that is shown already changes nothing, but chooses its picture too. */
+    /** A click on the tab that is shown already keeps it, whichever is coming, and its picture. */
     private final class ChoiceOfTheShownTab extends MouseAdapter {
         @Override
         public void mousePressed(MouseEvent e) {
-            if (pane.indexAtLocation(e.getX(), e.getY()) >= 0) focusPicture();
+            int clicked = pane.indexAtLocation(e.getX(), e.getY());
+            if (clicked == pane.getSelectedIndex()) pane.setSelectedIndex(clicked);
+            if (clicked >= 0) focusPicture();
         }
     }
 }

@@ -233,13 +233,11 @@ final class StudyInspector {
     }
 
     private void explain(StudyLabState state) {
-        about.show(
-                TopicTexts.of(state.topic().name(), texts.language())
-                        .map(TopicTexts::texts)
-                        .orElse(texts),
-                state.topic().method(state.method()),
-                "",
-                "");
+        Method<?> method = state.topic().method(state.method());
+        TopicTexts.of(state.topic().name(), texts.language())
+                .ifPresentOrElse(
+                        topic -> about.show(topic.texts(), topic.key(method), method, "", ""),
+                        () -> about.show(texts, method, "", ""));
     }
 
     private String number(double value) {

@@ -5,23 +5,45 @@ import java.util.Optional;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Method;
 
-/** What a lab says in the window's language about a topic's methods and hazards. */
-record TopicTexts(Texts texts, String hazardKey) {
-    /** A lab with texts of its own, and what stands before a hazard's name in their keys. */
-    private record Source(String feature, String hazardKey) {}
+/**
+ * What a lab says in the window's language about a topic's methods and hazards.
+ *
+ * @param part what stands before names in the keys of a lab with several topics; "" for one
+ */
+record TopicTexts(Texts texts, String part) {
+    /** A lab with texts of its own, and what its keys have before names. */
+    private record Source(String lab, String part) {}
 
     private static final Map<String, Source> SOURCES =
-            Map.of(
-                    "line", new Source("line", "hazard."),
-                    "clip-segment", new Source("clip", "hazard.segments."),
-                    "clip-polygon", new Source("clip", "hazard.polygon."),
-                    "clip-volume", new Source("clip", "hazard.volume."),
-                    "curve", new Source("spline", "hazard."),
-                    "spline-function", new Source("spline", "hazard."),
-                    "depth-buffer", new Source("row", "hazard."),
-                    "texture-mapping", new Source("row", "hazard."),
-                    "texture-filter", new Source("row", "hazard."));
+            Map.ofEntries(
+                    entry("line", "line", ""),
+                    entry("circle", "line", "circle."),
+                    entry("ellipse", "line", "ellipse."),
+                    entry("point-in-triangle", "polygon", "triangle."),
+                    entry("point-in-polygon", "polygon", "polygon."),
+                    entry("triangulate", "polygon", "triangulation."),
+                    entry("polygon-fill", "polygon", "fill."),
+                    entry("fill", "polygon", "seed."),
+                    entry("clip-segment", "clip", "segments."),
+                    entry("clip-polygon", "clip", "polygon."),
+                    entry("clip-volume", "clip", "volume."),
+                    entry("curve", "spline", ""),
+                    entry("spline-function", "spline", ""),
+                    entry("rotate", "coordinates.turn", ""),
+                    entry("matrix", "coordinates.list", ""),
+                    entry("transform", "coordinates.view", ""),
+                    entry("line-plane", "coordinates.meeting", ""),
+                    entry("hidden-surfaces", "visibility", ""),
+                    entry("color", "light", ""),
+                    entry("depth-buffer", "row", ""),
+                    entry("texture-mapping", "row", ""),
+                    entry("texture-filter", "row", ""));
+
+    private static Map.Entry<String, Source> entry(String topic, String lab, String part) {
+        return Map.entry(topic, new Source(lab, part));
+    }
 
     /** Empty where no lab has such texts: the engine's English serves then. */
     static Optional<TopicTexts> of(String topic, Language language) {
@@ -29,13 +51,18 @@ record TopicTexts(Texts texts, String hazardKey) {
                 .map(
                         source ->
                                 new TopicTexts(
-                                        Texts.of(source.feature(), "topic", language),
-                                        source.hazardKey()));
+                                        Texts.of(source.lab(), "topic", language), source.part()));
     }
 
     /** What is special about the hazard; empty where the engine's English serves. */
     Optional<String> hazard(Hazard<?> hazard) {
-        String key = hazardKey + hazard.name();
+        String key = "hazard." + part + hazard.name();
         return texts.has(key) ? Optional.of(texts.text(key)) : Optional.empty();
+    }
+
+    /** What the keys of a method's texts begin with. */
+    String key(Method<?> method) {
+        String key = part + method.name();
+        return texts.has(key + ".formula") ? key : method.name();
     }
 }

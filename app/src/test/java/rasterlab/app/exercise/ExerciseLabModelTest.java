@@ -13,6 +13,7 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.canvas.ShellPath;
 import rasterlab.app.language.Language;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -240,7 +241,7 @@ class ExerciseLabModelTest {
             trial.model.settle();
             Path draft = folder.resolve("drafts").resolve("line-bresenham.java");
             assertEquals(
-                    Optional.of("./lab check line-bresenham '" + draft + "'"),
+                    Optional.of("./lab check line-bresenham " + ShellPath.quoted(draft)),
                     trial.model.command());
             assertEquals(FIRST_PIXEL, Files.readString(draft));
         }
