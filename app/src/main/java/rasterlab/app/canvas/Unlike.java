@@ -42,7 +42,9 @@ public record Unlike(Kind kind, List<Object> parts) {
         /** The point is not in the middle, at which spots look. */
         POINT_ASIDE,
         /** A colour is brought into the cube. */
-        COLOUR_CUT;
+        COLOUR_CUT,
+        /** The lab draws by formulas of its own and has not this method. */
+        OTHER_METHOD;
 
         private String key() {
             return "unlike." + name().toLowerCase(Locale.ROOT).replace('_', '-');

@@ -1,6 +1,7 @@
 package rasterlab.app.shell;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -94,9 +95,11 @@ final class LabOpening implements OpenInLab {
     private Runnable note(TopicWay way, TopicInput input, String method) {
         if (method.isEmpty() || way.notes().isEmpty()) return () -> {};
         TopicWay.Notes notes = way.notes().get();
-        List<Unlike> unlike = notes.unlike().apply(input, method);
-        if (unlike.isEmpty()) return () -> {};
         Verdict verdict = verdict(named(input.topic()), input.hazard(), method);
+        var unlike = new ArrayList<>(notes.unlike().apply(input, method));
+        if (verdict.kind() != Verdict.Kind.EXACT && !notes.drawsBy().test(method))
+            unlike.add(Unlike.of(Unlike.Kind.OTHER_METHOD));
+        if (unlike.isEmpty()) return () -> {};
         var note = new HazardNote(input.hazard(), method, verdict, unlike);
         return () -> notes.note().accept(note);
     }

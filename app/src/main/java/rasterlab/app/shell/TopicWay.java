@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.Unlike;
 
@@ -27,9 +28,13 @@ record TopicWay(
      * What is said beside a picture.
      *
      * @param unlike in what the tab shows an input otherwise than it is; on any thread
+     * @param drawsBy whether the picture shows what that method does
      * @param note says so beside the picture that is shown
      */
-    record Notes(BiFunction<TopicInput, String, List<Unlike>> unlike, Consumer<HazardNote> note) {}
+    record Notes(
+            BiFunction<TopicInput, String, List<Unlike>> unlike,
+            Predicate<String> drawsBy,
+            Consumer<HazardNote> note) {}
 
     /** A tab that shows every input of the topic as it is. */
     static TopicWay whole(String tab, BiConsumer<TopicInput, String> show) {

@@ -1,8 +1,8 @@
 package rasterlab.app.shell;
 
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
@@ -46,6 +46,14 @@ final class TopicWays {
                     "mean-z", "painter",
                     "convex-segment-textbook", "convex",
                     "convex-segment", "convex");
+
+    /** Topics about light, and by which of their methods the lab draws. */
+    private static final Map<String, Set<String>> LIT =
+            Map.of(
+                    "shade", Set.of("phong", "blinn-phong"),
+                    "shade-face", Set.of("flat", "gouraud", "phong"),
+                    "vertex-normals", Set.of("plain-textbook", "plain", "area", "angle"),
+                    "color", Set.of("formula"));
 
     private final Map<String, TopicWay> ways = new TreeMap<>();
 
@@ -197,6 +205,7 @@ final class TopicWays {
                         Optional.of(
                                 new TopicWay.Notes(
                                         (input, method) -> view.apply(input, method).unlike(),
+                                        method -> true,
                                         lab::tell))));
     }
 
@@ -212,7 +221,7 @@ final class TopicWays {
     }
 
     private void light(LightLabModel lab) {
-        for (String topic : List.of("shade", "shade-face", "vertex-normals", "color"))
+        for (String topic : LIT.keySet())
             ways.put(
                     topic,
                     new TopicWay(
@@ -225,6 +234,7 @@ final class TopicWays {
                             Optional.of(
                                     new TopicWay.Notes(
                                             (input, method) -> lab.unlike(input.input(), method),
+                                            LIT.get(topic)::contains,
                                             lab::tell))));
     }
 

@@ -32,6 +32,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.HazardNote;
@@ -195,6 +196,26 @@ class LabOpeningTest {
         assertEquals(Verdict.Kind.WRONG, note.verdict().kind());
         open("visible-faces", "cube", "convex-segment-textbook");
         assertEquals(Optional.empty(), models.visibility().state().note());
+    }
+
+    @ParameterizedTest(
+            name = "a picture that is right is shown for a wrong method unsaid: {0}, {2}")
+    @CsvSource({
+        "shade, light-behind, phong-textbook, true",
+        "shade, facing, lambert, false",
+        "shade-face, curved, flat-textbook, true",
+        "shade-face, curved, flat, false",
+        "color, grey, formula-textbook, true",
+        "color, pure-colours, eight-bit, true",
+        "color, grey, formula, false"
+    })
+    void methodThatTheLabHasNotIsNamed(String topic, String hazard, String method, boolean named) {
+        open(topic, hazard, method);
+        boolean said =
+                models.light().note().stream()
+                        .flatMap(note -> note.unlike().stream())
+                        .anyMatch(each -> each.kind() == Unlike.Kind.OTHER_METHOD);
+        assertEquals(named, said);
     }
 
     @Test
