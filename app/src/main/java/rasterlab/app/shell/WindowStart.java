@@ -11,7 +11,9 @@ import rasterlab.app.language.Texts;
 public final class WindowStart {
     private WindowStart() {}
 
-    /** Files are read, and scenes made, beside the event thread, which makes the look meanwhile. */
+    /**
+     * Settings are read, and scenes made, beside the event thread, which makes the look meanwhile.
+     */
     public static void open() {
         var problems = new Problems();
         Path place = SettingsFile.usual(System.getenv(), System.getProperties());
