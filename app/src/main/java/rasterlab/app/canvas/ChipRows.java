@@ -78,23 +78,12 @@ final class ChipRows implements LayoutManager {
     }
 
     private Dimension flow(List<Component> components, int width, boolean place) {
-        int x = 0;
-        int y = 0;
-        int rowHeight = 0;
-        int widest = 0;
-        for (Component each : components) {
-            Dimension size = each == more ? moreSize : each.getPreferredSize();
-            if (x > 0 && x + size.width > width) {
-                y += rowHeight + gap;
-                x = 0;
-                rowHeight = 0;
-            }
-            if (place) each.setBounds(x, y, size.width, size.height);
-            x += size.width + gap;
-            rowHeight = Math.max(rowHeight, size.height);
-            widest = Math.max(widest, x - gap);
-        }
-        return new Dimension(widest, y + rowHeight);
+        return FlowRows.flow(
+                components,
+                each -> each == more ? moreSize : each.getPreferredSize(),
+                gap,
+                width,
+                place);
     }
 
     @Override

@@ -6,6 +6,9 @@ import java.awt.Dimension;
 import java.awt.LayoutManager;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
 
 /** Rows from left to right that wrap at the container's width and ask for the height they need. */
@@ -46,19 +49,34 @@ public final class FlowRows implements LayoutManager {
     }
 
     private Dimension flow(Container parent, int width, boolean place) {
+        List<Component> shown =
+                Stream.of(parent.getComponents()).filter(Component::isVisible).toList();
+        return flow(shown, Component::getPreferredSize, gap, width, place);
+    }
+
+    /**
+     * The size of rows that are at most so wide, where one component is not wider.
+     *
+     * @param place whether the components get their places
+     */
+    static Dimension flow(
+            List<Component> components,
+            Function<Component, Dimension> sizes,
+            int gap,
+            int width,
+            boolean place) {
         int x = 0;
         int y = 0;
         int rowHeight = 0;
         int widest = 0;
-        for (Component child : parent.getComponents()) {
-            if (!child.isVisible()) continue;
-            Dimension size = child.getPreferredSize();
+        for (Component each : components) {
+            Dimension size = sizes.apply(each);
             if (x > 0 && x + size.width > width) {
                 y += rowHeight + gap;
                 x = 0;
                 rowHeight = 0;
             }
-            if (place) child.setBounds(x, y, size.width, size.height);
+            if (place) each.setBounds(x, y, size.width, size.height);
             x += size.width + gap;
             rowHeight = Math.max(rowHeight, size.height);
             widest = Math.max(widest, x - gap);

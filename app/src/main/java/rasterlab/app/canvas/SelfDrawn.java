@@ -1,5 +1,9 @@
 package rasterlab.app.canvas;
 
+import java.awt.BasicStroke;
+import java.awt.Graphics2D;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import javax.accessibility.AccessibleContext;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JComponent;
@@ -17,6 +21,30 @@ public abstract class SelfDrawn extends JComponent {
     /** Whether it has the keyboard and should say so, which no copied picture does. */
     protected final boolean showsFocus() {
         return isFocusOwner() && !isPaintingForPrint();
+    }
+
+    /** Draws anew whenever the keyboard comes or goes. */
+    protected final void repaintOnFocus() {
+        addFocusListener(
+                new FocusAdapter() {
+                    @Override
+                    public void focusGained(FocusEvent e) {
+                        repaint();
+                    }
+
+                    @Override
+                    public void focusLost(FocusEvent e) {
+                        repaint();
+                    }
+                });
+    }
+
+    /** A frame at the edges, where it {@linkplain #showsFocus() has the keyboard}. */
+    protected final void frameFocus(Graphics2D g) {
+        if (!showsFocus()) return;
+        g.setColor(StageColours.now().focus());
+        g.setStroke(new BasicStroke(2));
+        g.drawRect(1, 1, getWidth() - 2, getHeight() - 2);
     }
 
     @Override

@@ -1,13 +1,10 @@
 package rasterlab.app.light;
 
-import java.awt.BasicStroke;
 import java.awt.Cursor;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
@@ -60,18 +57,7 @@ final class LightStage extends SelfDrawn implements Settling {
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
         addMouseWheelListener(mouse);
-        addFocusListener(
-                new FocusAdapter() {
-                    @Override
-                    public void focusGained(FocusEvent e) {
-                        repaint();
-                    }
-
-                    @Override
-                    public void focusLost(FocusEvent e) {
-                        repaint();
-                    }
-                });
+        repaintOnFocus();
         bindKeys();
     }
 
@@ -151,11 +137,7 @@ final class LightStage extends SelfDrawn implements Settling {
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
         paintAll(g);
-        if (showsFocus()) {
-            g.setColor(StageColours.now().focus());
-            g.setStroke(new BasicStroke(2));
-            g.drawRect(1, 1, getWidth() - 2, getHeight() - 2);
-        }
+        frameFocus(g);
         g.dispose();
     }
 

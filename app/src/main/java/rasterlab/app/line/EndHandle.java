@@ -7,8 +7,6 @@ import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -48,18 +46,7 @@ final class EndHandle extends SelfDrawn {
         var mouse = new Drag(dragged);
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
-        addFocusListener(
-                new FocusAdapter() {
-                    @Override
-                    public void focusGained(FocusEvent e) {
-                        repaint();
-                    }
-
-                    @Override
-                    public void focusLost(FocusEvent e) {
-                        repaint();
-                    }
-                });
+        repaintOnFocus();
         bind(KeyEvent.VK_LEFT, -1, 0);
         bind(KeyEvent.VK_RIGHT, 1, 0);
         bind(KeyEvent.VK_UP, 0, -1);

@@ -1,11 +1,8 @@
 package rasterlab.app.row;
 
-import java.awt.BasicStroke;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
@@ -13,7 +10,6 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
-import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
@@ -36,18 +32,7 @@ final class RowStage extends SelfDrawn {
         var mouse = new Choosing();
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
-        addFocusListener(
-                new FocusAdapter() {
-                    @Override
-                    public void focusGained(FocusEvent e) {
-                        repaint();
-                    }
-
-                    @Override
-                    public void focusLost(FocusEvent e) {
-                        repaint();
-                    }
-                });
+        repaintOnFocus();
         bind(KeyEvent.VK_LEFT, -1);
         bind(KeyEvent.VK_RIGHT, 1);
     }
@@ -77,11 +62,7 @@ final class RowStage extends SelfDrawn {
     protected void paintComponent(Graphics graphics) {
         var g = (Graphics2D) graphics.create();
         paintAll(g);
-        if (showsFocus()) {
-            g.setColor(StageColours.now().focus());
-            g.setStroke(new BasicStroke(2));
-            g.drawRect(1, 1, getWidth() - 2, getHeight() - 2);
-        }
+        frameFocus(g);
         g.dispose();
     }
 

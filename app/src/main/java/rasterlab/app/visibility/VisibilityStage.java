@@ -8,8 +8,6 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.RenderingHints;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
@@ -69,18 +67,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
         addMouseWheelListener(mouse);
-        addFocusListener(
-                new FocusAdapter() {
-                    @Override
-                    public void focusGained(FocusEvent e) {
-                        repaint();
-                    }
-
-                    @Override
-                    public void focusLost(FocusEvent e) {
-                        repaint();
-                    }
-                });
+        repaintOnFocus();
         bind(KeyEvent.VK_UP, 0, Vase.PHI_STEP);
         bind(KeyEvent.VK_DOWN, 0, -Vase.PHI_STEP);
         bind(KeyEvent.VK_LEFT, -Vase.THETA_STEP, 0);
