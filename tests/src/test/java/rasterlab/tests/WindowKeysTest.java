@@ -1,6 +1,7 @@
 package rasterlab.tests;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -11,6 +12,7 @@ import java.util.List;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
@@ -32,7 +34,9 @@ class WindowKeysTest extends WindowHarness {
                     "visibility",
                     "light",
                     "spline",
-                    "opengl");
+                    "opengl",
+                    "study",
+                    "exercises");
 
     /** Radians that an arrow key turns the vase about its axis, as in the coursework. */
     private static final double STEP = 0.03 * Math.PI;
@@ -207,6 +211,58 @@ class WindowKeysTest extends WindowHarness {
     private int typeSize() {
         return GuiActionRunner.execute(
                 () -> window.comboBox("language").target().getFont().getSize());
+    }
+
+    @ParameterizedTest(name = "{1} keeps the window''s keys to itself")
+    @CsvSource({
+        "study, hazards",
+        "exercises, source",
+        "exercises, statement",
+        "exercises, cases",
+        "opengl, calls",
+        "line, language"
+    })
+    void windowsKeysWorkWhateverHasTheKeyboard(String tab, String name) {
+        show(tab);
+        focus(name);
+        pressWithControl(KeyEvent.VK_PAGE_DOWN);
+        String next = TABS.get((TABS.indexOf(tab) + 1) % TABS.size());
+        await("the next tab", () -> isSeen(next));
+        pressWithControl(KeyEvent.VK_PAGE_UP);
+        await("the tab before", () -> isSeen(tab));
+        focus(name);
+        pressWithControl(KeyEvent.VK_EQUALS);
+        await("larger type", () -> frame.look().textPercent() == 110);
+        focus(name);
+        pressWithControl(KeyEvent.VK_0);
+        await("usual type", () -> frame.look().textPercent() == 100);
+        focus(name);
+        press(KeyEvent.VK_F10);
+        await("the menu of looks", () -> isSeen("look.menu"));
+    }
+
+    @Test
+    void tableLeavesTheKeyOfTheControlsToTheWindow() {
+        show("study");
+        focus("hazards");
+        press(KeyEvent.VK_F9);
+        await("no controls", () -> !isSeen("topic"));
+        press(KeyEvent.VK_F9);
+        await("the controls", () -> isSeen("topic"));
+    }
+
+    @Test
+    void controlAndTabChooseTheNextTabButLeaveTheEditor() {
+        show("study");
+        focus("hazards");
+        pressWithControl(KeyEvent.VK_TAB);
+        await("the next tab", () -> isSeen("exercises"));
+        focus("source");
+        pressWithControl(KeyEvent.VK_TAB);
+        assertEquals("exercises", frame.shownTab());
+        assertFalse(window.robot().finder().findByName(frame, "source").isFocusOwner());
+        pressWithControl(KeyEvent.VK_TAB);
+        await("the first tab", () -> isSeen("coordinates"));
     }
 
     private void pressWithControl(int key) {

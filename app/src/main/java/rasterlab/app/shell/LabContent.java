@@ -17,6 +17,7 @@ public final class LabContent extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private final TabbedLabs pane;
+    private final transient WindowKeys keys = new WindowKeys(this);
 
     /**
      * @param shown name of the tab to show; an unknown one is the first
@@ -25,13 +26,14 @@ public final class LabContent extends JPanel {
     public LabContent(LabTabs labs, String shown, LabLook look, Consumer<LabLook> onLook) {
         super(new BorderLayout());
         Texts texts = Texts.of("shell", labs.language());
-        pane = new TabbedLabs(labs.all(), texts);
+        pane = new TabbedLabs(labs.all(), labs.onFailure(), texts);
         labs.opening().showTabsBy(this::show);
         show(shown);
         pane.fill();
         pane.putClientProperty("JTabbedPane.leadingComponent", brand());
         pane.putClientProperty(
-                "JTabbedPane.trailingComponent", new LookControls(texts, look, onLook));
+                "JTabbedPane.trailingComponent", new LookControls(texts, look, keys, onLook));
+        pane.bindSteps(keys);
         add(pane);
         pane.addChangeListener(
                 e -> {
@@ -39,6 +41,18 @@ public final class LabContent extends JPanel {
                     focusPicture();
                 });
         pane.addMouseListener(new ChoiceOfTheShownTab());
+    }
+
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        keys.listen();
+    }
+
+    @Override
+    public void removeNotify() {
+        keys.close();
+        super.removeNotify();
     }
 
     /**

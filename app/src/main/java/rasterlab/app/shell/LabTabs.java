@@ -27,11 +27,17 @@ public final class LabTabs implements AutoCloseable {
     private final Language language;
     private final List<LabTab> tabs;
     private final LabOpening opening;
+    private final Consumer<Throwable> onFailure;
 
-    private LabTabs(Language language, List<LabTab> tabs, LabOpening opening) {
+    private LabTabs(
+            Language language,
+            List<LabTab> tabs,
+            LabOpening opening,
+            Consumer<Throwable> onFailure) {
         this.language = language;
         this.tabs = List.copyOf(tabs);
         this.opening = opening;
+        this.onFailure = onFailure;
     }
 
     /**
@@ -68,7 +74,7 @@ public final class LabTabs implements AutoCloseable {
                         texts.text("tab.exercises"),
                         Optional.of(() -> ExercisePanel.prepare(models.exercises())),
                         () -> new ExercisePanel(models.exercises(), opening, language, onFailure)));
-        return new LabTabs(language, tabs, opening);
+        return new LabTabs(language, tabs, opening, onFailure);
     }
 
     private static void tryHazard(Runnable work) {
@@ -84,6 +90,11 @@ public final class LabTabs implements AutoCloseable {
     /** What shows inputs in their tabs. */
     LabOpening opening() {
         return opening;
+    }
+
+    /** Told what a lab could not do, on any thread. */
+    Consumer<Throwable> onFailure() {
+        return onFailure;
     }
 
     public List<LabTab> all() {

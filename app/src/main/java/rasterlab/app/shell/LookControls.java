@@ -1,14 +1,12 @@
 package rasterlab.app.shell;
 
-import java.awt.event.ActionEvent;
+import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import javax.swing.AbstractAction;
 import javax.swing.ButtonGroup;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
-import javax.swing.JComponent;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
@@ -24,23 +22,24 @@ final class LookControls extends JPanel {
 
     private final transient Texts texts;
     private final transient LabLook look;
+    private final transient WindowKeys keys;
     private final transient Consumer<LabLook> onLook;
 
-    LookControls(Texts texts, LabLook look, Consumer<LabLook> onLook) {
+    /**
+     * @param keys given the keys of the choice
+     */
+    LookControls(Texts texts, LabLook look, WindowKeys keys, Consumer<LabLook> onLook) {
         super(new MigLayout("insets 0 8 0 10, gap 8", "push[][]", "[center,grow]"));
         this.texts = texts;
         this.look = look;
+        this.keys = keys;
         this.onLook = onLook;
         setOpaque(false);
         add(language());
         add(button());
-        bindKey("ctrl EQUALS", "larger", look::larger);
-        bindKey("ctrl PLUS", "larger", look::larger);
-        bindKey("ctrl ADD", "larger", look::larger);
-        bindKey("ctrl MINUS", "smaller", look::smaller);
-        bindKey("ctrl SUBTRACT", "smaller", look::smaller);
-        bindKey("ctrl 0", "usual", look::usualSize);
-        bindKey("ctrl NUMPAD0", "usual", look::usualSize);
+        bindSize(List.of("ctrl EQUALS", "ctrl PLUS", "ctrl ADD"), look::larger);
+        bindSize(List.of("ctrl MINUS", "ctrl SUBTRACT"), look::smaller);
+        bindSize(List.of("ctrl 0", "ctrl NUMPAD0"), look::usualSize);
     }
 
     private JComboBox<String> language() {
@@ -68,7 +67,7 @@ final class LookControls extends JPanel {
                                 button.getWidth() - menu.getPreferredSize().width,
                                 button.getHeight());
         button.addActionListener(e -> open.run());
-        bind("F10", "look", open);
+        keys.bind(KeyStroke.getKeyStroke("F10"), open);
         return button;
     }
 
@@ -100,22 +99,8 @@ final class LookControls extends JPanel {
         return item;
     }
 
-    private void bindKey(String keys, String name, Supplier<LabLook> next) {
-        bind(keys, "text." + name, () -> onLook.accept(next.get()));
-    }
-
-    private void bind(String keys, String name, Runnable action) {
-        getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(KeyStroke.getKeyStroke(keys), name);
-        getActionMap()
-                .put(
-                        name,
-                        new AbstractAction() {
-                            private static final long serialVersionUID = 1L;
-
-                            @Override
-                            public void actionPerformed(ActionEvent e) {
-                                action.run();
-                            }
-                        });
+    private void bindSize(List<String> strokes, Supplier<LabLook> next) {
+        for (String stroke : strokes)
+            keys.bind(KeyStroke.getKeyStroke(stroke), () -> onLook.accept(next.get()));
     }
 }

@@ -2,11 +2,16 @@ package rasterlab.app.shell;
 
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
+import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
 import rasterlab.app.language.Texts;
 
 /**
@@ -18,12 +23,17 @@ final class TabbedLabs extends JTabbedPane {
     private static final long serialVersionUID = 1L;
 
     private final transient List<LabTab> tabs;
+    private final transient Consumer<Throwable> onFailure;
 
     /** The tab that is shown, or will be once it is made. */
     private int chosen;
 
-    TabbedLabs(List<LabTab> tabs, Texts texts) {
+    /**
+     * @param onFailure told why a panel could not be made; another choice of its tab tries again
+     */
+    TabbedLabs(List<LabTab> tabs, Consumer<Throwable> onFailure, Texts texts) {
         this.tabs = tabs;
+        this.onFailure = onFailure;
         setName("tabs");
         getAccessibleContext().setAccessibleName(texts.text("tabs"));
         putClientProperty("JTabbedPane.tabHeight", 40);
@@ -34,6 +44,33 @@ final class TabbedLabs extends JTabbedPane {
             addTab(tab.title(), null, new JPanel(new BorderLayout()), texts.text("tab.tip", digit));
             setMnemonicAt(getTabCount() - 1, KeyEvent.VK_0 + digit);
         }
+        // The look and feel's names of what the arrow keys do on the strip of tabs.
+        getActionMap().put("navigateRight", stepping(1));
+        getActionMap().put("navigateLeft", stepping(-1));
+    }
+
+    private Action stepping(int by) {
+        return new AbstractAction() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public void actionPerformed(ActionEvent e) {
+                step(by);
+            }
+        };
+    }
+
+    /** Counts from the tab that is chosen: keys are pressed faster than tabs are made. */
+    private void step(int by) {
+        setSelectedIndex(Math.floorMod(chosen + by, tabs.size()));
+    }
+
+    /** Gives the keys that step through the tabs to the window, whatever has the keyboard. */
+    void bindSteps(WindowKeys keys) {
+        keys.bind(KeyStroke.getKeyStroke("ctrl TAB"), () -> step(1));
+        keys.bind(KeyStroke.getKeyStroke("ctrl PAGE_DOWN"), () -> step(1));
+        keys.bind(KeyStroke.getKeyStroke("ctrl shift TAB"), () -> step(-1));
+        keys.bind(KeyStroke.getKeyStroke("ctrl PAGE_UP"), () -> step(-1));
     }
 
     /** The tab that is shown, or about to be. */
@@ -48,7 +85,7 @@ final class TabbedLabs extends JTabbedPane {
 
     /** Gives the keyboard to the picture of the tab that is shown, unless another is coming. */
     void focusPicture() {
-        if (chosen == getSelectedIndex()) chosen().panel().focusPicture();
+        if (chosen == getSelectedIndex() && isMade(chosen)) chosen().panel().focusPicture();
     }
 
     /** Shows the tab of that name; an unknown name leaves the one that is shown. */
@@ -59,13 +96,27 @@ final class TabbedLabs extends JTabbedPane {
 
     /** Makes the panel of the tab that is shown, unless it is there. */
     void fill() {
-        fill(getSelectedIndex());
+        attempt(() -> fill(getSelectedIndex()));
     }
 
     private void fill(int index) {
         JPanel place = place(index);
-        if (place.getComponentCount() == 0) place.add(tabs.get(index).panel());
+        if (!isMade(index)) place.add(tabs.get(index).panel());
         place.revalidate();
+    }
+
+    private boolean isMade(int index) {
+        return place(index).getComponentCount() > 0;
+    }
+
+    /** What fails leaves the tab that is seen the chosen one. */
+    private void attempt(Runnable step) {
+        try {
+            step.run();
+        } catch (RuntimeException | LinkageError | AssertionError e) {
+            chosen = getSelectedIndex();
+            onFailure.accept(e);
+        }
     }
 
     private JPanel place(int index) {
@@ -75,7 +126,7 @@ final class TabbedLabs extends JTabbedPane {
     @Override
     public void setSelectedIndex(int index) {
         chosen = index;
-        if (!isShowing() || place(index).getComponentCount() > 0) super.setSelectedIndex(index);
+        if (!isShowing() || isMade(index)) super.setSelectedIndex(index);
         else
             tabs.get(index)
                     .preparation()
@@ -106,7 +157,7 @@ final class TabbedLabs extends JTabbedPane {
     private void later(int index, Runnable step) {
         EventQueue.invokeLater(
                 () -> {
-                    if (chosen == index && isShowing()) step.run();
+                    if (chosen == index && isShowing()) attempt(step);
                 });
     }
 }

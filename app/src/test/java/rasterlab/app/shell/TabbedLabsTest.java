@@ -1,20 +1,27 @@
 package rasterlab.app.shell;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.JFrame;
+import javax.swing.KeyStroke;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -29,8 +36,11 @@ class TabbedLabsTest {
                     tab("first", Optional.empty()),
                     tab("plain", Optional.empty()),
                     tab("slow", Optional.of(this::prepare)),
-                    tab("broken", Optional.of(this::fail)));
+                    tab("broken", Optional.of(this::fail)),
+                    new LabTab("faulty", "faulty", Optional.empty(), this::failAtFirst));
+    private final List<String> failures = new CopyOnWriteArrayList<>();
     private TabbedLabs pane;
+    private WindowKeys keys;
     private JFrame frame;
 
     @BeforeEach
@@ -39,7 +49,13 @@ class TabbedLabsTest {
         EventQueue.invokeAndWait(
                 () -> {
                     LabTheme.LIGHT.install();
-                    pane = new TabbedLabs(tabs, Texts.of("shell", Language.ENGLISH));
+                    pane =
+                            new TabbedLabs(
+                                    tabs,
+                                    failure -> failures.add(failure.getMessage()),
+                                    Texts.of("shell", Language.ENGLISH));
+                    keys = new WindowKeys(pane);
+                    pane.bindSteps(keys);
                     pane.fill();
                     frame = new JFrame();
                     frame.setContentPane(pane);
@@ -83,6 +99,11 @@ class TabbedLabsTest {
 
     private void fail() {
         throw new IllegalStateException("not prepared");
+    }
+
+    private LabPanel failAtFirst() {
+        if (failures.isEmpty()) throw new IllegalStateException("not made");
+        return new Lab("faulty");
     }
 
     private void choose(String... names) throws Exception {
@@ -162,5 +183,72 @@ class TabbedLabsTest {
                 });
         for (int k = 0; k < 9; k++) assertEquals(0, selected());
         assertEquals(List.of(), events);
+    }
+
+    @ParameterizedTest(name = "{0} counts from the tab that is seen")
+    @CsvSource({"ctrl TAB, 3", "ctrl PAGE_DOWN, 3", "ctrl shift TAB, 2", "ctrl PAGE_UP, 2"})
+    void quickKeysCountFromTheTabThatIsComing(String key, int reached) throws Exception {
+        mayGoOn.countDown();
+        while (!frame.isFocused()) Thread.onSpinWait();
+        EventQueue.invokeAndWait(
+                () -> {
+                    for (int k = 0; k < 3; k++) press(KeyStroke.getKeyStroke(key));
+                });
+        await(reached);
+        assertFalse(events.contains("plain is made"), "made in passing");
+    }
+
+    private void press(KeyStroke key) {
+        boolean taken =
+                keys.dispatchKeyEvent(
+                        new KeyEvent(
+                                pane,
+                                KeyEvent.KEY_PRESSED,
+                                0,
+                                key.getModifiers(),
+                                key.getKeyCode(),
+                                KeyEvent.CHAR_UNDEFINED));
+        assertTrue(taken, "not a key of the window");
+    }
+
+    @Test
+    void quickArrowsOnTheStripCountFromTheTabThatIsComing() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    for (int k = 0; k < 3; k++)
+                        pane.getActionMap()
+                                .get("navigateRight")
+                                .actionPerformed(new ActionEvent(pane, 0, ""));
+                });
+        await(3);
+        assertEquals(List.of("broken is made"), events);
+    }
+
+    @Test
+    void panelThatCannotBeMadeLeavesTheTabThatIsSeen() throws Exception {
+        choose("faulty");
+        while (failures.isEmpty()) Thread.onSpinWait();
+        EventQueue.invokeAndWait(() -> assertEquals(pane.seen(), pane.chosen()));
+        assertEquals(0, selected());
+        assertEquals(List.of("not made"), failures);
+        choose("faulty");
+        await(4);
+        assertEquals(List.of("faulty is made"), events);
+    }
+
+    @Test
+    void windowOpensThoughTheFirstPanelCannotBeMade() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    var faulty = new LabTab("f", "f", Optional.empty(), this::failAtFirst);
+                    var opened =
+                            new TabbedLabs(
+                                    List.of(faulty),
+                                    failure -> failures.add(failure.getMessage()),
+                                    Texts.of("shell", Language.ENGLISH));
+                    opened.fill();
+                    opened.focusPicture();
+                });
+        assertEquals(List.of("not made"), failures);
     }
 }

@@ -1,0 +1,74 @@
+package rasterlab.app.shell;
+
+import java.awt.Component;
+import java.awt.KeyEventDispatcher;
+import java.awt.KeyboardFocusManager;
+import java.awt.event.KeyEvent;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+import javax.swing.MenuSelectionManager;
+import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
+
+/**
+ * Keys that belong to the window, whatever in it has the keyboard: a table or a text scrolls by
+ * some of them. A dialog's keys are its own, and so is the key that leaves a text in which Tab
+ * indents, for there is no other one.
+ */
+final class WindowKeys implements KeyEventDispatcher, AutoCloseable {
+    private final JComponent content;
+    private final Map<KeyStroke, Runnable> actions = new HashMap<>();
+
+    /**
+     * @param content of the window
+     */
+    WindowKeys(JComponent content) {
+        this.content = content;
+    }
+
+    void bind(KeyStroke key, Runnable action) {
+        actions.put(key, action);
+    }
+
+    /** Hears keys until it is closed. */
+    void listen() {
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(this);
+    }
+
+    @Override
+    public void close() {
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventDispatcher(this);
+    }
+
+    @Override
+    public boolean dispatchKeyEvent(KeyEvent e) {
+        KeyStroke key = KeyStroke.getKeyStrokeForEvent(e);
+        Optional<Runnable> action = Optional.ofNullable(actions.get(key));
+        if (action.isEmpty() || !content.isShowing() || !isOurs() || leavesAText(key)) return false;
+        MenuSelectionManager.defaultManager().clearSelectedPath();
+        action.get().run();
+        return true;
+    }
+
+    private boolean isOurs() {
+        return SwingUtilities.getWindowAncestor(content)
+                == KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow();
+    }
+
+    private static boolean leavesAText(KeyStroke key) {
+        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        return owner instanceof JTextComponent text
+                && text.isEditable()
+                && !leaves(text, KeyStroke.getKeyStroke("TAB"))
+                && leaves(text, key);
+    }
+
+    private static boolean leaves(JTextComponent text, KeyStroke key) {
+        return text.getFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS).contains(key)
+                || text.getFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS)
+                        .contains(key);
+    }
+}
