@@ -17,8 +17,10 @@ import java.util.regex.Pattern;
 public final class Complaints {
     private static final Pattern PLACE = Pattern.compile("\\{(\\d)}");
 
+    /** Compiled once: they are also asked for while a picture is painted. */
+    private static final List<Sentence> SENTENCES = sentences();
+
     private final Texts translations;
-    private final List<Sentence> sentences;
 
     /**
      * @param pattern with a group for each place, in the order of {@code places}
@@ -46,15 +48,17 @@ public final class Complaints {
 
     private Complaints(Language language) {
         translations = Texts.of("language", "complaints", language);
+    }
+
+    private static List<Sentence> sentences() {
         Texts english = Texts.of("language", "complaints", Language.ENGLISH);
-        sentences =
-                english.keys().stream()
-                        .map(key -> Sentence.of(key, english.text(key)))
-                        .sorted(
-                                Comparator.comparingInt(Sentence::ownLength)
-                                        .reversed()
-                                        .thenComparing(Sentence::key))
-                        .toList();
+        return english.keys().stream()
+                .map(key -> Sentence.of(key, english.text(key)))
+                .sorted(
+                        Comparator.comparingInt(Sentence::ownLength)
+                                .reversed()
+                                .thenComparing(Sentence::key))
+                .toList();
     }
 
     /** The sentence in that language. */
@@ -64,7 +68,7 @@ public final class Complaints {
     }
 
     private Optional<String> said(String english) {
-        for (Sentence sentence : sentences) {
+        for (Sentence sentence : SENTENCES) {
             Matcher found = sentence.pattern.matcher(english);
             if (found.matches()) return Optional.of(said(sentence, found));
         }
