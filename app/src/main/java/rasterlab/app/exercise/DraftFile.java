@@ -1,5 +1,6 @@
 package rasterlab.app.exercise;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
@@ -25,7 +26,7 @@ import rasterlab.app.outcome.WholeFile;
  * <p>Each window that has the exercise open holds a file of its own, {@code ID.java}, {@code
  * ID.2.java}, …, by a lock that ends with the process: two windows never write the same file.
  */
-final class DraftFile implements AutoCloseable {
+final class DraftFile implements Closeable {
     /** Windows at once, and the number of drafts kept of one exercise. */
     static final int MOST = 9;
 

@@ -1,9 +1,11 @@
 package rasterlab.app.exercise;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -99,7 +101,12 @@ final class Drafts implements AutoCloseable {
         while (writing || !waiting.isEmpty()) wait();
     }
 
-    /** Writes what waits and lets other windows have the files. */
+    /**
+     * Writes what waits and lets other windows have the files, each whatever became of the others.
+     *
+     * @throws UncheckedIOException for the first that could not be let go; the others' reasons are
+     *     suppressed in it
+     */
     @Override
     public void close() {
         synchronized (this) {
@@ -111,13 +118,22 @@ final class Drafts implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        for (DraftFile file : files.values()) {
+        closeAll(List.copyOf(files.values()));
+    }
+
+    static void closeAll(List<? extends Closeable> files) {
+        var failures = new ArrayList<IOException>();
+        for (Closeable file : files) {
             try {
                 file.close();
             } catch (IOException e) {
-                throw new UncheckedIOException(e);
+                failures.add(e);
             }
         }
+        if (failures.isEmpty()) return;
+        IOException first = failures.get(0);
+        failures.subList(1, failures.size()).forEach(first::addSuppressed);
+        throw new UncheckedIOException(first);
     }
 
     private void writeAll() {

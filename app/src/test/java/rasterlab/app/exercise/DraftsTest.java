@@ -2,11 +2,15 @@ package rasterlab.app.exercise;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.Closeable;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -122,5 +126,22 @@ class DraftsTest {
             assertEquals("", told.get(told.size() - 1).problem());
             assertEquals("typed on", Files.readString(file(ID + ".java")));
         }
+    }
+
+    @Test
+    void everyFileIsLetGoThoughTheFirstCannotBe() {
+        List<String> closed = new ArrayList<>();
+        List<Closeable> files =
+                List.of(failing("first"), () -> closed.add("second"), failing("third"));
+        var told = assertThrows(UncheckedIOException.class, () -> Drafts.closeAll(files));
+        assertEquals(List.of("second"), closed);
+        assertEquals("first", told.getCause().getMessage());
+        assertEquals("third", told.getCause().getSuppressed()[0].getMessage());
+    }
+
+    private static Closeable failing(String why) {
+        return () -> {
+            throw new IOException(why);
+        };
     }
 }
