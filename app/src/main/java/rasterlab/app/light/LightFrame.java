@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import rasterlab.app.canvas.PictureMaker;
 import rasterlab.engine.light.face.SeenBrightness;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.ShadingMethod;
@@ -27,12 +28,6 @@ record LightFrame(LightChoice choice, int width, int height) {
     private static final int SAMPLES = 401;
 
     private static final int REACH = 12;
-
-    /** Makes a picture, or throws CancellationException once it is of no use any more. */
-    @FunctionalInterface
-    interface PictureMaker {
-        Raster picture(RenderRequest request, BooleanSupplier cancelled);
-    }
 
     /**
      * One shading's picture.

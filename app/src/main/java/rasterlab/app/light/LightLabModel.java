@@ -12,6 +12,7 @@ import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.canvas.Unlike;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.row.RowLabModel;
@@ -48,10 +49,10 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     private final LatestOnly<LightFrame, LightFrame.Drawn> pictures;
     private final LatestOnly<Asked, Answer> files;
-    private final Renderer renderer = new Renderer();
+    private final PictureMaker maker;
     private final History<Chosen> history = new History<>(this::chosen, this::show);
     private final List<Consumer<LightLabState>> listeners = new ArrayList<>();
-    private final RowLabModel rows = RowLabModel.ofTextures();
+    private final RowLabModel rows;
     private Optional<Made> made = Optional.empty();
     private Optional<LitSceneFile> saved = Optional.empty();
     private int width;
@@ -70,6 +71,15 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
      * @param onFailure told what drawing threw, on any thread
      */
     public LightLabModel(Executor events, Consumer<Throwable> onFailure) {
+        this(PictureMaker.by(new Renderer()), events, onFailure);
+    }
+
+    /**
+     * @param maker closed with the model, when it draws no more
+     */
+    LightLabModel(PictureMaker maker, Executor events, Consumer<Throwable> onFailure) {
+        this.maker = maker;
+        rows = RowLabModel.ofTextures(events, onFailure);
         pictures =
                 new LatestOnly<>(
                         "lit pictures",
@@ -102,7 +112,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         Body body = frame.choice().body();
         if (made.filter(last -> last.body().equals(body)).isEmpty())
             made = Optional.of(new Made(body, body.scene()));
-        return frame.drawn(made.get().scene(), renderer::render, cancelled);
+        return frame.drawn(made.get().scene(), maker, cancelled);
     }
 
     /** The file that the scene was saved into last. */
@@ -282,14 +292,15 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     void settle() throws InterruptedException {
         files.settle();
         pictures.settle();
+        rows.settle();
     }
 
-    /** Ends the threads. */
+    /** Ends the threads; the one that draws closes what it draws by. */
     @Override
     public void close() {
         files.close();
-        pictures.close();
-        renderer.close();
+        pictures.close(maker::close);
+        rows.end();
     }
 
     private Chosen chosen() {

@@ -82,7 +82,6 @@ final class RowInspector {
     /** Shows the model's present state. */
     void refresh() {
         RowChoice choice = model.choice();
-        RowScene scene = model.scene();
         mode.show(choice.topic());
         for (int i = 0; i < methods.size(); i++) {
             boolean shown = model.topics().get(i).equals(choice.topic());
@@ -91,19 +90,24 @@ final class RowInspector {
         }
         description.show(
                 translations.textOr("hazard." + choice.hazard(), model.hazard().description()));
-        pixel.setText(texts.text("pixel.number", choice.pixel(), scene.pixels() - 1));
-        RowScene.Numbers shown = scene.numbers().apply(choice.pixel());
+        pixel.setText(texts.text("pixel.number", choice.pixel(), model.pixels() - 1));
+        model.shown().ifPresent(this::show);
+        Topic<?, ?, ?> topic = model.topic();
+        about.show(translations, topic.method(choice.method()), "", "");
+    }
+
+    private void show(RowLabModel.Shown shown) {
+        RowScene scene = shown.scene();
+        RowScene.Numbers read = scene.numbers().apply(shown.choice().pixel());
         numbers.show(
-                shown.headings().stream().map(key -> texts.text("column." + key)).toList(),
-                shown.lines().stream().map(this::line).toList(),
+                read.headings().stream().map(key -> texts.text("column." + key)).toList(),
+                read.lines().stream().map(this::line).toList(),
                 -1);
         verdict.setText(verdicts.text("verdict." + scene.verdict().kind().code()));
         wrong.setText(
                 scene.errors().length == 0
                         ? "–"
                         : texts.text("pixel.of", scene.wrongPixels(), scene.pixels()));
-        Topic<?, ?, ?> topic = model.topic();
-        about.show(translations, topic.method(choice.method()), "", "");
     }
 
     private List<String> line(RowScene.Line line) {

@@ -2,9 +2,7 @@ package rasterlab.app.row;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentHashMap;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -20,13 +18,11 @@ import rasterlab.engine.study.Verdict;
  */
 abstract class RowKind<C, I, O> {
     private final Topic<C, I, O> topic;
-    private final Map<String, Right<I, O>> rights = new ConcurrentHashMap<>();
-
-    /** The right answer, which takes much longer than any method's. */
-    private record Right<I, O>(Hazard<I> hazard, O exact) {}
+    private final RowAnswers<C, I, O> answers;
 
     RowKind(Topic<C, I, O> topic) {
         this.topic = topic;
+        answers = new RowAnswers<>(topic);
     }
 
     final Topic<C, I, O> topic() {
@@ -51,17 +47,16 @@ abstract class RowKind<C, I, O> {
     }
 
     /**
+     * Takes longer than a frame.
+     *
      * @throws IllegalArgumentException if there is no such hazard or method
      */
     final RowScene scene(RowChoice choice) {
-        Right<I, O> right = right(choice.hazard());
-        C method = topic.method(choice.method()).implementation();
-        I input = right.hazard().input();
-        try {
-            return scene(right, topic.record(method, input, Integer.MAX_VALUE));
-        } catch (IllegalArgumentException refusal) {
-            return refused(right, refusal.getMessage());
-        }
+        Hazard<I> hazard = hazard(choice.hazard());
+        RowAnswers.Answer<O> answer = answers.answer(hazard, choice.method());
+        return answer.actual()
+                .map(actual -> scene(hazard.input(), actual, answer))
+                .orElseGet(() -> refused(hazard.input(), answer));
     }
 
     final int pixels(String hazard) {
@@ -83,23 +78,13 @@ abstract class RowKind<C, I, O> {
                     "pixel must be from 0 to %d, got %d".formatted(pixels - 1, choice.pixel()));
     }
 
-    private Right<I, O> right(String name) {
-        return rights.computeIfAbsent(
-                name,
-                key -> {
-                    Hazard<I> hazard = hazard(key);
-                    return new Right<>(hazard, topic.exact(hazard.input(), Integer.MAX_VALUE));
-                });
-    }
-
-    /** Finds the right answer, so that {@link #scene} is quick; on any thread. */
+    /** Finds the right answer, so that {@link #scene} is quicker; takes long. */
     final void prepare(String hazard) {
-        right(hazard);
+        answers.right(hazard(hazard));
     }
 
-    private RowScene scene(Right<I, O> right, O actual) {
-        I input = right.hazard().input();
-        O exact = right.exact();
+    private RowScene scene(I input, O actual, RowAnswers.Answer<O> answer) {
+        O exact = answer.exact();
         var bands = new ArrayList<>(right(input, exact));
         bands.addAll(made(input, actual));
         int pixels = bands.get(0).argb().length;
@@ -113,7 +98,7 @@ abstract class RowKind<C, I, O> {
                 bands,
                 wrong,
                 errors,
-                verdict(topic.compare(input, exact, actual)),
+                verdict(answer.deviation()),
                 pixel -> numbers(input, exact, Optional.of(actual), pixel),
                 image(input));
     }
@@ -126,14 +111,13 @@ abstract class RowKind<C, I, O> {
         return new Verdict(kind, deviation, deviation.first());
     }
 
-    private RowScene refused(Right<I, O> right, String why) {
-        I input = right.hazard().input();
+    private RowScene refused(I input, RowAnswers.Answer<O> answer) {
         return new RowScene(
-                right(input, right.exact()),
+                right(input, answer.exact()),
                 new boolean[0],
                 new double[0],
-                new Verdict(Verdict.Kind.REFUSED, Deviation.NONE, why),
-                pixel -> numbers(input, right.exact(), Optional.empty(), pixel),
+                new Verdict(Verdict.Kind.REFUSED, Deviation.NONE, answer.refusal()),
+                pixel -> numbers(input, answer.exact(), Optional.empty(), pixel),
                 image(input));
     }
 }

@@ -2,8 +2,11 @@ package rasterlab.app.row;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.coordinates.figure.ChoiceModel;
 import rasterlab.engine.naming.Named;
@@ -11,30 +14,59 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 
-/** The lab of rows without its window: some topics, and whether their tab shows it. */
+/**
+ * The lab of rows without its window: some topics, and whether their tab shows it.
+ *
+ * <p>Answers are found on a thread of the model's own; all else runs on the thread of the executor
+ * it is given.
+ */
 public final class RowLabModel extends ChoiceModel<RowChoice> {
     private final List<RowKind<?, ?, ?>> kinds;
 
-    /** What was asked for last, whatever pixel is chosen; a right answer takes long. */
-    private Optional<Made> made = Optional.empty();
+    private final LatestOnly<RowChoice, RowScene> answers;
 
+    /** The choice, at its first pixel, whose scene was asked for last. */
+    private Optional<RowChoice> asked = Optional.empty();
+
+    /** The choice whose first wrong pixel is to be chosen once it is known. */
+    private Optional<RowChoice> sought = Optional.empty();
+
+    private Optional<Shown> shown = Optional.empty();
     private boolean open;
 
-    private record Made(RowChoice choice, RowScene scene) {}
+    /** A scene and the choice that it is of, which may be an earlier one than the present. */
+    record Shown(RowChoice choice, RowScene scene) {}
 
-    private RowLabModel(List<RowKind<?, ?, ?>> kinds) {
+    private RowLabModel(
+            List<RowKind<?, ?, ?>> kinds, Executor events, Consumer<Throwable> onFailure) {
         super(first(kinds.get(0).topic()));
         this.kinds = kinds;
+        answers =
+                new LatestOnly<>(
+                        "row",
+                        (choice, cancelled) -> kind(choice).scene(choice),
+                        (choice, scene) -> events.execute(() -> accept(choice, scene)),
+                        onFailure);
     }
 
-    /** Of the depths that buffers store. */
-    public static RowLabModel ofDepths() {
-        return new RowLabModel(List.of(new DepthKind()));
+    /**
+     * Of the depths that buffers store.
+     *
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what an answer threw, on any thread
+     */
+    public static RowLabModel ofDepths(Executor events, Consumer<Throwable> onFailure) {
+        return new RowLabModel(List.of(new DepthKind()), events, onFailure);
     }
 
-    /** Of textures: where they are looked up, and how they are filtered. */
-    public static RowLabModel ofTextures() {
-        return new RowLabModel(List.of(new MappingKind(), new FilterKind()));
+    /**
+     * Of textures: where they are looked up, and how they are filtered.
+     *
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what an answer threw, on any thread
+     */
+    public static RowLabModel ofTextures(Executor events, Consumer<Throwable> onFailure) {
+        return new RowLabModel(List.of(new MappingKind(), new FilterKind()), events, onFailure);
     }
 
     private static RowChoice first(Topic<?, ?, ?> topic) {
@@ -69,12 +101,12 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
         tell();
     }
 
-    /** Finds the right answers of all hazards; on any thread. */
+    /** Finds the right answers of all hazards; on any other thread. */
     void prepare() {
         hazards().forEach(each -> prepare(each.topic(), each.hazard().name()));
     }
 
-    /** Finds a hazard's right answer, so that it is shown without delay; on any thread. */
+    /** Finds a hazard's right answer, so that it is shown without delay; on any other thread. */
     public void prepare(String topic, String hazard) {
         kind(topic).prepare(hazard);
     }
@@ -90,9 +122,14 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
         boolean same = topic.equals(choice().topic());
         String kept = same ? choice().method() : chosen.methods().get(0).name();
         var next = new RowChoice(topic, hazard, method.isEmpty() ? kept : method, 0);
-        RowChoice opened = next.at(firstWrong(scene(next)));
+        kind(topic).require(next);
         open = true;
-        rearrange(opened);
+        if (isShown(next)) {
+            rearrange(next.at(firstWrong(shown.orElseThrow().scene())));
+        } else {
+            sought = Optional.of(next);
+            rearrange(next);
+        }
         tell();
     }
 
@@ -108,15 +145,41 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
         change(choice().withMethod(topic().method(method).name()));
     }
 
-    RowScene scene() {
-        return scene(choice());
+    /** The newest scene there is, and asks for the present choice's; empty before the first. */
+    Optional<Shown> shown() {
+        RowChoice wanted = choice().at(0);
+        if (asked.filter(wanted::equals).isEmpty()) {
+            asked = Optional.of(wanted);
+            answers.ask(wanted);
+        }
+        return shown.map(
+                last -> {
+                    int pixel = Math.min(choice().pixel(), last.scene().pixels() - 1);
+                    return new Shown(last.choice().at(pixel), last.scene());
+                });
     }
 
-    private RowScene scene(RowChoice of) {
-        RowChoice asked = of.at(0);
-        if (made.filter(last -> last.choice().equals(asked)).isEmpty())
-            made = Optional.of(new Made(asked, kind(asked).scene(asked)));
-        return made.orElseThrow().scene();
+    private boolean isShown(RowChoice wanted) {
+        return shown.filter(last -> last.choice().equals(wanted)).isPresent();
+    }
+
+    private void accept(RowChoice answered, RowScene scene) {
+        if (asked.filter(answered::equals).isEmpty()) return;
+        shown = Optional.of(new Shown(answered, scene));
+        boolean due = sought.filter(choice()::equals).isPresent();
+        sought = Optional.empty();
+        if (due) choosePixel(firstWrong(scene));
+        tell();
+    }
+
+    /** Waits until the scenes asked for so far are there. Any other thread. */
+    public void settle() throws InterruptedException {
+        answers.settle();
+    }
+
+    /** Ends the thread. */
+    public void end() {
+        answers.close();
     }
 
     Topic<?, ?, ?> topic() {
@@ -195,6 +258,7 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
     @Override
     protected void chosen(RowChoice next) {
         kind(next).require(next);
+        if (sought.filter(next::equals).isEmpty()) sought = Optional.empty();
     }
 
     /** Whether the lab was open, as it is kept between runs, beside the choice. */

@@ -55,8 +55,6 @@ final class RowPainter {
     }
 
     void paint(int width, int height) {
-        g.setColor(colours.ground());
-        g.fillRect(0, 0, width, height);
         wide = width - 2.0 * MARGIN;
         boolean refused = scene.errors().length == 0;
         int parts = scene.bands().size() + 1 + (scene.image().isPresent() ? 2 : 0);

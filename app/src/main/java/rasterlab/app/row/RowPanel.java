@@ -44,7 +44,7 @@ public final class RowPanel extends LabCard {
                 new StepPlayer(
                         Texts.of("canvas", language),
                         model.steps(),
-                        () -> model.choice().pixel() + " / " + (model.scene().pixels() - 1));
+                        () -> model.choice().pixel() + " / " + (model.pixels() - 1));
         play(chips(texts, language), stage, inspector.column(), steps);
         prepare();
     }

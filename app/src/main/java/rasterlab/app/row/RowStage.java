@@ -10,11 +10,13 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
+import rasterlab.app.canvas.Settling;
+import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
 /** The bands of the row; a click, a drag or an arrow key chooses a pixel. */
-final class RowStage extends SelfDrawn {
+final class RowStage extends SelfDrawn implements Settling {
     private static final long serialVersionUID = 1L;
 
     private final transient RowLabModel model;
@@ -55,7 +57,18 @@ final class RowStage extends SelfDrawn {
     }
 
     private void paintAll(Graphics2D g) {
-        new RowPainter(g, texts, model.choice(), model.scene()).paint(getWidth(), getHeight());
+        g.setColor(StageColours.now().ground());
+        g.fillRect(0, 0, getWidth(), getHeight());
+        model.shown()
+                .ifPresent(
+                        shown ->
+                                new RowPainter(g, texts, shown.choice(), shown.scene())
+                                        .paint(getWidth(), getHeight()));
+    }
+
+    @Override
+    public void settle() throws InterruptedException {
+        model.settle();
     }
 
     @Override
@@ -79,7 +92,7 @@ final class RowStage extends SelfDrawn {
         }
 
         private void choose(MouseEvent e) {
-            model.choosePixel(RowPainter.pixelAt(e.getX(), getWidth(), model.scene().pixels()));
+            model.choosePixel(RowPainter.pixelAt(e.getX(), getWidth(), model.pixels()));
         }
     }
 }

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipTopics;
 import rasterlab.app.coordinates.CoordinatesLabModel;
@@ -53,13 +54,12 @@ public record LabModels(
      * @param onFailure told what background work threw, on any thread
      */
     static LabModels first(Executor events, Consumer<Throwable> onFailure) {
-        var renderer = new Renderer();
         return new LabModels(
                 new CoordinatesLabModel(events, onFailure),
                 new LineLabModel(new LineTopic(), events, onFailure),
                 new PolygonLabModel(new PolygonTopics(), events, onFailure),
                 new ClipLabModel(new ClipTopics(), events, onFailure),
-                new VisibilityLabModel(renderer::render, events, onFailure),
+                new VisibilityLabModel(PictureMaker.by(new Renderer()), events, onFailure),
                 new LightLabModel(events, onFailure),
                 new SplineLabModel(events, onFailure),
                 new OpenGlLabModel(events, onFailure),

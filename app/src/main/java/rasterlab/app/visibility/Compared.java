@@ -1,6 +1,7 @@
 package rasterlab.app.visibility;
 
 import java.util.function.BooleanSupplier;
+import rasterlab.app.canvas.PictureMaker;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PictureDifference;
@@ -35,10 +36,7 @@ public record Compared(
     /**
      * @throws IllegalArgumentException if the method refuses the scene
      */
-    static Compared of(
-            RenderRequest request,
-            VisibilityLabModel.PictureMaker maker,
-            BooleanSupplier cancelled) {
+    static Compared of(RenderRequest request, PictureMaker maker, BooleanSupplier cancelled) {
         Raster exact = maker.picture(request.withVisibility(Renderer.REFERENCE), cancelled);
         Raster actual = maker.picture(request, cancelled);
         int background = background(request);

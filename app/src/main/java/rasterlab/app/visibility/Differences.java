@@ -2,12 +2,12 @@ package rasterlab.app.visibility;
 
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import rasterlab.app.canvas.PictureMaker;
 
 /** What both pictures have wrong beside the exact one. */
 record Differences(Compared first, Optional<Compared> second) {
     /** Empty where a method refuses the scene. */
-    static Optional<Differences> of(
-            Frame frame, VisibilityLabModel.PictureMaker maker, BooleanSupplier cancelled) {
+    static Optional<Differences> of(Frame frame, PictureMaker maker, BooleanSupplier cancelled) {
         try {
             return Optional.of(
                     new Differences(

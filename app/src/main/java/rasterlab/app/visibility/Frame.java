@@ -2,6 +2,7 @@ package rasterlab.app.visibility;
 
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import rasterlab.app.canvas.PictureMaker;
 import rasterlab.engine.pipeline.FaceDrawing;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.raster.Raster;
@@ -26,16 +27,13 @@ record Frame(RenderRequest first, Optional<RenderRequest> second, boolean depths
      */
     record Pictures(Picture first, Optional<Picture> second) {}
 
-    Pictures made(VisibilityLabModel.PictureMaker maker, BooleanSupplier cancelled) {
+    Pictures made(PictureMaker maker, BooleanSupplier cancelled) {
         return new Pictures(
                 picture(first, maker, cancelled),
                 second.map(request -> picture(request, maker, cancelled)));
     }
 
-    private Picture picture(
-            RenderRequest request,
-            VisibilityLabModel.PictureMaker maker,
-            BooleanSupplier cancelled) {
+    private Picture picture(RenderRequest request, PictureMaker maker, BooleanSupplier cancelled) {
         long start = System.nanoTime();
         try {
             Raster raster = drawn(request, maker, cancelled);
@@ -47,10 +45,7 @@ record Frame(RenderRequest first, Optional<RenderRequest> second, boolean depths
         }
     }
 
-    private Raster drawn(
-            RenderRequest request,
-            VisibilityLabModel.PictureMaker maker,
-            BooleanSupplier cancelled) {
+    private Raster drawn(RenderRequest request, PictureMaker maker, BooleanSupplier cancelled) {
         if (!depths && steps == ALL) return maker.picture(request, cancelled);
         Optional<FaceDrawing> drawing = FaceDrawing.of(request);
         if (drawing.isEmpty()) return maker.picture(request, cancelled);

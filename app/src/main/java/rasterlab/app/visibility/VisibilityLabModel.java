@@ -5,13 +5,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import java.util.function.BooleanSupplier;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
@@ -27,12 +28,7 @@ import rasterlab.engine.visibility.Visibility;
  * the executor it is given. Each change publishes a new immutable {@link VisibilityLabState}.
  */
 public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoCloseable {
-    /** Makes a picture, or throws CancellationException once it is of no use any more. */
-    @FunctionalInterface
-    public interface PictureMaker {
-        Raster picture(RenderRequest request, BooleanSupplier cancelled);
-    }
-
+    private final PictureMaker maker;
     private final LatestOnly<Frame, Frame.Pictures> pictures;
     private final LatestOnly<Frame, Optional<Differences>> differences;
     private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
@@ -43,17 +39,20 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private final FrameTimes times = new FrameTimes();
     private final List<Consumer<VisibilityLabState>> listeners = new ArrayList<>();
     private final ChartStudies charts;
-    private final RowLabModel rows = RowLabModel.ofDepths();
+    private final RowLabModel rows;
     private Optional<Frame> compared = Optional.empty();
     private StagePictures stage = new StagePictures(Renderer.visibilityMethods(), 0, 0);
     private VisibilityLabState state = VisibilityLabState.of(VisibilityChoice.first());
 
     /**
+     * @param maker closed with the model, when it draws no more
      * @param events runs what it is given on the one thread that uses this model, in order
      * @param onFailure told what a background picture threw, on any thread
      */
     public VisibilityLabModel(PictureMaker maker, Executor events, Consumer<Throwable> onFailure) {
+        this.maker = maker;
         charts = new ChartStudies(events, onFailure);
+        rows = RowLabModel.ofDepths(events, onFailure);
         pictures =
                 new LatestOnly<>(
                         "picture",
@@ -279,17 +278,24 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         differences.settle();
         histories.settle();
         charts.settle();
+        rows.settle();
     }
 
-    /** Ends the threads. */
+    /** Ends the threads; the last of the two that draw closes what they draw by. */
     @Override
     public void close() {
-        pictures.close();
-        differences.close();
+        var drawing = new AtomicInteger(2);
+        Runnable after =
+                () -> {
+                    if (drawing.decrementAndGet() == 0) maker.close();
+                };
+        pictures.close(after);
+        differences.close(after);
         walks.close();
         histories.close();
         files.close();
         charts.close();
+        rows.end();
     }
 
     private void draw(VisibilityChoice choice) {

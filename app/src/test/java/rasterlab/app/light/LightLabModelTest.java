@@ -11,16 +11,22 @@ import java.awt.Rectangle;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.canvas.PictureMaker;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.light.Substance;
+import rasterlab.engine.pipeline.RenderRequest;
+import rasterlab.engine.raster.Raster;
 
 @Timeout(60)
 class LightLabModelTest {
@@ -46,6 +52,45 @@ class LightLabModelTest {
 
     private static int[] pixels(LightFrame.Drawn drawn, int shading) {
         return drawn.pictures().get(shading).raster().argb();
+    }
+
+    @Test
+    void rendererIsNotClosedWhileItDraws() throws InterruptedException {
+        var drawing = new CountDownLatch(1);
+        var mayGoOn = new CountDownLatch(1);
+        var done = new CountDownLatch(1);
+        var order = new CopyOnWriteArrayList<String>();
+        var maker =
+                new PictureMaker() {
+                    @Override
+                    public Raster picture(RenderRequest request, BooleanSupplier cancelled) {
+                        drawing.countDown();
+                        await(mayGoOn);
+                        order.add("drawn");
+                        throw new CancellationException();
+                    }
+
+                    @Override
+                    public void close() {
+                        order.add("closed");
+                        done.countDown();
+                    }
+                };
+        var lab = new LightLabModel(maker, events::add, failures::add);
+        lab.resize(WIDTH, HEIGHT);
+        drawing.await();
+        lab.close();
+        mayGoOn.countDown();
+        done.await();
+        assertEquals(List.of("drawn", "closed"), order);
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     @Test

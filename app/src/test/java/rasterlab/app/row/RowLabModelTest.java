@@ -3,10 +3,17 @@ package rasterlab.app.row;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -16,11 +23,22 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
 
 class RowLabModelTest {
-    private final RowLabModel depths = RowLabModel.ofDepths();
-    private final RowLabModel textures = RowLabModel.ofTextures();
+    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final List<Throwable> failures = new CopyOnWriteArrayList<>();
+    private final RowLabModel depths = RowLabModel.ofDepths(events::add, failures::add);
+    private final RowLabModel textures = RowLabModel.ofTextures(events::add, failures::add);
+
+    @AfterEach
+    void end() {
+        depths.end();
+        textures.end();
+        assertEquals(List.of(), failures);
+    }
 
     static Stream<Arguments> cells() {
-        return Stream.of(RowLabModel.ofDepths(), RowLabModel.ofTextures())
+        return Stream.of(
+                        RowLabModel.ofDepths(Runnable::run, failure -> {}),
+                        RowLabModel.ofTextures(Runnable::run, failure -> {}))
                 .flatMap(
                         model ->
                                 model.hazards()
@@ -40,13 +58,31 @@ class RowLabModelTest {
     private RowLabModel shown(String topic, String hazard, String method) {
         RowLabModel model = depths.topics().contains(topic) ? depths : textures;
         model.show(topic, hazard, method);
+        settle(model);
         return model;
+    }
+
+    /** Waits for what is asked for and hands the answer to the model. */
+    private void settle(RowLabModel model) {
+        model.shown();
+        try {
+            model.settle();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+    }
+
+    private static RowScene scene(RowLabModel model) {
+        RowLabModel.Shown shown = model.shown().orElseThrow();
+        assertEquals(model.choice(), shown.choice());
+        return shown.scene();
     }
 
     @ParameterizedTest(name = "{0} {1} {2}")
     @MethodSource("cells")
     void whatIsRecordedIsSeen(String topic, Hazard<?> hazard, Method<?> method) {
-        RowScene scene = shown(topic, hazard.name(), method.name()).scene();
+        RowScene scene = scene(shown(topic, hazard.name(), method.name()));
         Verdict.Kind recorded = hazard.recorded().get(method.name());
         assertEquals(recorded, scene.verdict().kind());
         boolean refused = recorded == Verdict.Kind.REFUSED;
@@ -60,7 +96,7 @@ class RowLabModelTest {
     @MethodSource("cells")
     void exactRowLooksLikeTheRightOneButWhereTwoSurfacesAreLevel(
             String topic, Hazard<?> hazard, Method<?> method) {
-        RowScene scene = shown(topic, hazard.name(), method.name()).scene();
+        RowScene scene = scene(shown(topic, hazard.name(), method.name()));
         if (scene.verdict().kind() != Verdict.Kind.EXACT || topic.equals("texture-filter")) return;
         if (hazard.name().equals("twice-the-same")) return;
         for (RowScene.Band band : scene.bands())
@@ -69,7 +105,7 @@ class RowLabModelTest {
 
     @Test
     void depthsThatAreToldApartByNoCodeAreSeenByTheOrderOfDrawing() {
-        RowScene scene = shown("depth-buffer", "far-near-million", "z24").scene();
+        RowScene scene = scene(shown("depth-buffer", "far-near-million", "z24"));
         assertEquals(scene.bands().get(0).argb()[0], scene.bands().get(1).argb()[0]);
         assertFalse(scene.bands().get(0).argb()[0] == scene.bands().get(2).argb()[0]);
     }
@@ -78,19 +114,19 @@ class RowLabModelTest {
     void numbersAreThoseOfTheChosenPixel() {
         RowLabModel model = shown("texture-mapping", "floor", "affine");
         model.choosePixel(299);
-        RowScene.Line t = model.scene().numbers().apply(299).lines().get(1);
+        RowScene.Line t = scene(model).numbers().apply(299).lines().get(1);
         assertEquals("t", t.name());
         assertArrayEquals(new double[] {1, 1}, t.values());
         model.choosePixel(150);
-        double[] middle = model.scene().numbers().apply(150).lines().get(1).values();
+        double[] middle = scene(model).numbers().apply(150).lines().get(1).values();
         assertTrue(middle[0] < 0.2 && middle[1] > 0.5, middle[0] + " " + middle[1]);
     }
 
     @Test
     void rowOpensAtItsFirstWrongPixel() {
         RowLabModel model = shown("depth-buffer", "drift-8192", "incremental-float");
-        assertTrue(model.scene().wrong()[model.choice().pixel()]);
-        assertFalse(model.scene().wrong()[model.choice().pixel() - 1]);
+        assertTrue(scene(model).wrong()[model.choice().pixel()]);
+        assertFalse(scene(model).wrong()[model.choice().pixel() - 1]);
         model.choosePixel(1 << 20);
         assertEquals(8191, model.choice().pixel());
     }
@@ -119,5 +155,37 @@ class RowLabModelTest {
                     new RowChoice("line", "crossing", "z24", 0)
                 }) assertThrows(IllegalArgumentException.class, () -> depths.bringBack(bad));
         assertEquals(before, depths.choice());
+    }
+
+    @Test
+    void eventsThreadIsNotHeldUpWhileAnAnswerIsFound() {
+        textures.show("texture-filter", "turned", "summed-area");
+        assertEquals(Optional.empty(), textures.shown());
+        assertEquals("turned", textures.choice().hazard());
+        settle(textures);
+        RowScene first = scene(textures);
+        textures.chooseMethod("linear");
+        assertSame(first, textures.shown().orElseThrow().scene(), "no picture meanwhile");
+        assertEquals("summed-area", textures.shown().orElseThrow().choice().method());
+        settle(textures);
+        assertNotSame(first, scene(textures));
+    }
+
+    @Test
+    void pixelThatIsChosenMeanwhileStays() {
+        depths.show("depth-buffer", "drift-8192", "incremental-float");
+        depths.choosePixel(7);
+        settle(depths);
+        assertEquals(7, depths.choice().pixel());
+    }
+
+    @Test
+    void answerToAnEarlierChoiceIsNotShownAsThePresentOnes() {
+        depths.show("depth-buffer", "drift-8192", "z16");
+        depths.shown();
+        depths.show("depth-buffer", "crossing", "z24");
+        settle(depths);
+        assertEquals(depths.choice(), depths.shown().orElseThrow().choice());
+        assertEquals("crossing", depths.choice().hazard());
     }
 }

@@ -82,6 +82,7 @@ enum Blame {
                     "rasterlab.exercises.runner");
 
     private static final String[] WORK = {
+        "rasterlab.app.row.RowAnswers",
         "rasterlab.engine.raster.PictureDifference",
         "rasterlab.engine.study.HazardTrial",
         "rasterlab.engine.study.MethodTrial",

@@ -87,6 +87,21 @@ class BlameTest {
                         new String[] {"rasterlab.exercises.catalogue.Catalogue", OURS},
                         Optional.of(Blame.WORKS)),
                 argumentSet(
+                        "a row's right answer is found unseen",
+                        State.RUNNABLE,
+                        new String[] {
+                            "rasterlab.engine.texture.filter.FilterTopic",
+                            "rasterlab.app.row.RowAnswers",
+                            "rasterlab.app.row.RowKind",
+                            OURS
+                        },
+                        Optional.of(Blame.WORKS)),
+                argumentSet(
+                        "a row that is shown is blamed",
+                        State.RUNNABLE,
+                        new String[] {"rasterlab.app.row.RowPainter", OURS},
+                        Optional.empty()),
+                argumentSet(
                         "a list of methods is blamed",
                         State.RUNNABLE,
                         new String[] {"rasterlab.engine.visibility.hidden.HiddenSurfacesTopic"},

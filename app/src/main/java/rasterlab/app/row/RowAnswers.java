@@ -1,0 +1,55 @@
+package rasterlab.app.row;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import rasterlab.engine.study.Deviation;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Topic;
+
+/**
+ * What is right for a topic's rows and what methods answer; finding either takes longer than a
+ * frame, so the event thread never asks.
+ *
+ * @param <C> contract of the topic's methods
+ * @param <I> its input
+ * @param <O> its output
+ */
+final class RowAnswers<C, I, O> {
+    private final Topic<C, I, O> topic;
+
+    /** By the hazards' names; a right answer takes much longer than any method's. */
+    private final Map<String, O> rights = new ConcurrentHashMap<>();
+
+    /**
+     * @param actual empty where the method refused
+     * @param deviation of what it answered
+     * @param refusal why it refused; else empty
+     */
+    record Answer<O>(O exact, Optional<O> actual, Deviation deviation, String refusal) {}
+
+    RowAnswers(Topic<C, I, O> topic) {
+        this.topic = topic;
+    }
+
+    /** On any thread but the event thread, as all of this class. */
+    O right(Hazard<I> hazard) {
+        return rights.computeIfAbsent(
+                hazard.name(), name -> topic.exact(hazard.input(), Integer.MAX_VALUE));
+    }
+
+    /**
+     * @throws IllegalArgumentException if there is no such method
+     */
+    Answer<O> answer(Hazard<I> hazard, String method) {
+        O exact = right(hazard);
+        C implementation = topic.method(method).implementation();
+        try {
+            O actual = topic.record(implementation, hazard.input(), Integer.MAX_VALUE);
+            Deviation deviation = topic.compare(hazard.input(), exact, actual);
+            return new Answer<>(exact, Optional.of(actual), deviation, "");
+        } catch (IllegalArgumentException refusal) {
+            return new Answer<>(exact, Optional.empty(), Deviation.NONE, refusal.getMessage());
+        }
+    }
+}
