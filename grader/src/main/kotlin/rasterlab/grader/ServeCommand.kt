@@ -23,7 +23,6 @@ import java.net.ServerSocket
 import java.net.UnknownHostException
 import java.nio.file.Path
 import java.util.concurrent.Callable
-import kotlin.io.path.isDirectory
 
 @Command(
     name = "serve",
@@ -146,7 +145,6 @@ internal class ServeCommand : Callable<Int> {
     private fun catalogue(): Exercises {
         try {
             val more = exercises ?: return Exercises(Catalogue.builtIn().all())
-            if (!more.isDirectory()) throw CannotStart("--exercises $more: no such folder")
             return Exercises(Catalogue.builtIn().withFolder(more).all())
         } catch (failure: CatalogueException) {
             throw CannotStart("--exercises: ${failure.message}")

@@ -4,13 +4,11 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
 
@@ -40,16 +38,8 @@ public final class Catalogue {
      */
     public Catalogue withFolder(Path folder) {
         Map<String, Exercise> more = new LinkedHashMap<>(exercises);
-        for (Path sub : subFolders(folder)) add(more, ExerciseFolder.onDisk(sub));
+        for (Path sub : DiskFiles.subFolders(folder)) add(more, ExerciseFolder.onDisk(sub));
         return new Catalogue(more);
-    }
-
-    private static List<Path> subFolders(Path folder) {
-        try (Stream<Path> entries = Files.list(folder)) {
-            return entries.filter(Files::isDirectory).sorted().toList();
-        } catch (IOException | UncheckedIOException e) {
-            throw new CatalogueException("cannot list the exercise folder " + folder + ": " + e, e);
-        }
     }
 
     private static void add(Map<String, Exercise> exercises, ExerciseFolder folder) {

@@ -5,7 +5,6 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
@@ -40,7 +39,7 @@ final class ExerciseFolder {
         return new ExerciseFolder(
                 folder.getFileName().toString(),
                 folder.toString(),
-                name -> Files.newInputStream(folder.resolve(name)));
+                name -> DiskFiles.open(folder.resolve(name)));
     }
 
     static ExerciseFolder onClassPath(String id) {
@@ -94,7 +93,7 @@ final class ExerciseFolder {
                         place(file) + " is longer than the allowed " + MOST_BYTES + " bytes");
             return bytes;
         } catch (IOException e) {
-            throw new CatalogueException(place(file) + " is missing or cannot be read: " + e, e);
+            throw new CatalogueException(place(file) + ": cannot be read: " + e.getMessage(), e);
         }
     }
 

@@ -122,7 +122,7 @@ class CatalogueTest {
                         "statement.ru.md",
                         "segment.svg",
                         "circle.svg",
-                        "circle.svg is missing"),
+                        "circle.svg: no such file to read"),
                 argumentSet(
                         "picture from elsewhere",
                         "statement.en.md",
@@ -186,7 +186,7 @@ class CatalogueTest {
                         json,
                         "hidden-",
                         "lost-",
-                        "lost-cases.json is missing"),
+                        "lost-cases.json: no such file to read"),
                 argumentSet(
                         "unknown kind",
                         cases,

@@ -60,7 +60,7 @@ class RefusedStartTest {
                         List.of("--port", "0", "--host", "no.such.host.invalid")),
                 argumentSet(
                         "missing exercises are left out silently",
-                        "--exercises none: no such folder",
+                        "--exercises: none: no such folder",
                         List.of("--port", "0", "--exercises", "none")),
                 argumentSet(
                         "a database of another kind is taken",

@@ -1,0 +1,88 @@
+package rasterlab.exercises.catalogue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
+import java.nio.file.Path;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import rasterlab.exercises.CatalogueException;
+
+/**
+ * What lies in an instructor's folder. Only regular files are opened, since a pipe would be waited
+ * for and a device such as /dev/zero read without end; links are followed.
+ */
+final class DiskFiles {
+    private DiskFiles() {}
+
+    /**
+     * The folder's sub-folders by name; its other files are passed over.
+     *
+     * @throws CatalogueException naming what cannot be read, in one line
+     */
+    static List<Path> subFolders(Path folder) {
+        List<Path> found = new ArrayList<>();
+        for (Path entry : entries(folder)) if (attributes(entry).isDirectory()) found.add(entry);
+        return found;
+    }
+
+    private static List<Path> entries(Path folder) {
+        try (Stream<Path> entries = Files.list(folder)) {
+            return entries.sorted().toList();
+        } catch (NoSuchFileException e) {
+            throw new CatalogueException(folder + ": no such folder", e);
+        } catch (NotDirectoryException e) {
+            throw new CatalogueException(folder + ": is not a folder", e);
+        } catch (AccessDeniedException e) {
+            throw new CatalogueException(folder + ": no right to list it", e);
+        } catch (IOException e) {
+            throw new CatalogueException(folder + ": cannot be listed: " + reason(e), e);
+        }
+    }
+
+    private static BasicFileAttributes attributes(Path entry) {
+        try {
+            return Files.readAttributes(entry, BasicFileAttributes.class);
+        } catch (AccessDeniedException e) {
+            throw new CatalogueException(entry + ": no right to read it", e);
+        } catch (NoSuchFileException e) {
+            throw new CatalogueException(entry + ": is a link to what is not there", e);
+        } catch (IOException e) {
+            throw new CatalogueException(entry + ": cannot be read: " + reason(e), e);
+        }
+    }
+
+    /**
+     * @throws CatalogueException naming the file and why it is not read, in one line
+     */
+    static InputStream open(Path file) {
+        try {
+            BasicFileAttributes found = Files.readAttributes(file, BasicFileAttributes.class);
+            if (found.isDirectory())
+                throw new CatalogueException(file + ": is a folder, not a file of an exercise");
+            if (!found.isRegularFile())
+                throw new CatalogueException(
+                        file + ": is a device, pipe or socket, not a file of an exercise");
+            return Files.newInputStream(file);
+        } catch (NoSuchFileException e) {
+            throw new CatalogueException(file + ": no such file to read", e);
+        } catch (AccessDeniedException e) {
+            throw new CatalogueException(file + ": no right to read it", e);
+        } catch (IOException e) {
+            throw new CatalogueException(file + ": cannot be read: " + reason(e), e);
+        }
+    }
+
+    /** What the system says, without the path that the message already has. */
+    private static String reason(IOException e) {
+        if (e instanceof FileSystemException file && file.getReason() != null)
+            return file.getReason();
+        return String.valueOf(e.getMessage());
+    }
+}
