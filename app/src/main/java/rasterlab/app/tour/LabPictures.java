@@ -46,8 +46,17 @@ final class LabPictures implements TourPart {
                     new Shot("clip", "clip", models -> {}),
                     new Shot("visibility", "visibility", models -> {}),
                     new Shot("order", "visibility", LabPictures::showOrder),
+                    new Shot(
+                            "depth-rows",
+                            "visibility",
+                            models ->
+                                    models.visibility()
+                                            .rows()
+                                            .show("depth-buffer", "crossing", "z16")),
                     new Shot("light", "light", models -> models.light().drawNormals(true)),
                     new Shot("colours", "light", models -> models.light().showColours(true)),
+                    textureRows("texture-rows", "texture-mapping", "floor", "affine"),
+                    textureRows("filter-rows", "texture-filter", "aliasing", "nearest"),
                     new Shot("spline", "spline", models -> {}),
                     new Shot(
                             "function",
@@ -60,6 +69,10 @@ final class LabPictures implements TourPart {
 
     private static Shot coordinates(String name, CoordinatesMode mode) {
         return new Shot(name, "coordinates", models -> models.coordinates().show(mode));
+    }
+
+    private static Shot textureRows(String name, String topic, String hazard, String method) {
+        return new Shot(name, "light", models -> models.light().rows().show(topic, hazard, method));
     }
 
     @Override

@@ -10,6 +10,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -37,6 +38,9 @@ class TourTest {
         assertTrue(log.toString(StandardCharsets.UTF_8).contains("vase: painter"));
         assertEquals("mine", Files.readString(foreign));
         assertEveryPictureIsThere(html);
+        for (String lab : List.of("depth-rows", "texture-rows", "filter-rows"))
+            for (String look : List.of("en-light", "en-dark", "ru-light", "ru-dark"))
+                assertTrue(html.contains("lab-" + lab + "-" + look), lab + " in " + look);
     }
 
     private void assertEveryPictureIsThere(String html) {
