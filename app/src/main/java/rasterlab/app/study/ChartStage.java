@@ -36,13 +36,18 @@ import rasterlab.engine.study.Study;
 final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
     private static final long serialVersionUID = 1L;
 
-    /** A chart that is smaller than this is painted so large and made smaller. */
+    /** A chart that is smaller than this, in its own type, is painted so large and made smaller. */
     private static final Dimension LEAST = new Dimension(560, 400);
 
     /** From this width on the axis of costs has room for a word on the sizes beside the points. */
     private static final int ROOMY = 900;
 
-    private record Asked(Study study, int width, int height, StageColours colours) {}
+    /**
+     * @param width in the chart's own units, in which its type has always the same size
+     * @param height likewise
+     * @param dots of the picture for each unit
+     */
+    private record Asked(Study study, int width, int height, double dots, StageColours colours) {}
 
     private record Painted(Asked asked, BufferedImage image, List<PointPlaces.Place> places) {}
 
@@ -97,8 +102,8 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
                 chart ->
                         PointPlaces.near(
                                 chart.places(),
-                                x * chart.image().getWidth() / getWidth(),
-                                y * chart.image().getHeight() / getHeight()));
+                                x * chart.asked().width() / getWidth(),
+                                y * chart.asked().height() / getHeight()));
     }
 
     /** Goes to the next dearer or cheaper point. */
@@ -129,17 +134,23 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
     }
 
     private Asked question(Study study) {
-        double larger =
-                Math.max(
-                        1,
-                        Math.max(
-                                (double) LEAST.width / getWidth(),
-                                (double) LEAST.height / getHeight()));
+        double type = type(getWidth(), getHeight(), UIScale.getUserScaleFactor());
         return new Asked(
                 study,
-                (int) Math.round(getWidth() * larger),
-                (int) Math.round(getHeight() * larger),
+                (int) Math.round(getWidth() / type),
+                (int) Math.round(getHeight() / type),
+                Math.max(1, type),
                 StageColours.now());
+    }
+
+    /**
+     * How much larger than usual the chart's type is.
+     *
+     * @param wanted the window's type, 1 for the usual size
+     */
+    static double type(int width, int height, double wanted) {
+        return Math.min(
+                wanted, Math.min((double) width / LEAST.width, (double) height / LEAST.height));
     }
 
     private Painted painted(Asked question) {
@@ -152,10 +163,14 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         if (question.width() < ROOMY)
             chart.setXAxisTitle(new StudyWords(texts.language()).briefCostAxis(question.study()));
         var image =
-                new BufferedImage(question.width(), question.height(), BufferedImage.TYPE_INT_RGB);
+                new BufferedImage(
+                        (int) Math.round(question.width() * question.dots()),
+                        (int) Math.round(question.height() * question.dots()),
+                        BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
+        g.scale(question.dots(), question.dots());
         g.setColor(colours.ground());
-        g.fillRect(0, 0, question.width(), question.height());
+        g.fillRect(0, 0, question.width() + 1, question.height() + 1);
         chart.paint(g, question.width(), question.height());
         g.dispose();
         return new Painted(question, image, places.all());
@@ -198,8 +213,8 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         var inChart = (Graphics2D) g.create();
         inChart.drawImage(chart.image(), 0, 0, getWidth(), getHeight(), null);
         inChart.scale(
-                (double) getWidth() / chart.image().getWidth(),
-                (double) getHeight() / chart.image().getHeight());
+                (double) getWidth() / chart.asked().width(),
+                (double) getHeight() / chart.asked().height());
         inChart.setColor(StageColours.now().ink());
         inChart.setStroke(new BasicStroke(2));
         for (PointPlaces.Place place : chart.places())
