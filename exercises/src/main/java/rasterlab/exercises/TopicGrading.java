@@ -3,7 +3,9 @@ package rasterlab.exercises;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
+import rasterlab.engine.raster.PixelRecording;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.score.Answer;
@@ -54,7 +56,14 @@ public interface TopicGrading {
         Finding judge(Answer answer);
 
         /** The input as a scene file that the lab opens. */
-        String scene();
+        default String scene() {
+            return scene(Optional.empty());
+        }
+
+        /**
+         * The same with what a student's method plotted, which the lab shows beside the right one.
+         */
+        String scene(Optional<PixelRecording> drawn);
     }
 
     /** A batch of inputs that are drawn into a sink which sums up. */

@@ -70,6 +70,9 @@ class WindowExercisesTest extends WindowHarness {
         robot.waitForIdle();
         assertEquals("line", frame.shownTab());
         assertEquals(new Segment(4, 3, 4, 3), segment());
+        await(
+                "the program's pixels beside the right ones",
+                () -> models.line().state().other().isPresent());
     }
 
     @Test

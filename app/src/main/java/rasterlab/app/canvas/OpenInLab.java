@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import java.util.Optional;
+import rasterlab.engine.raster.PixelRecording;
 
 /** Shows an input in the tab of its topic, wherever in the window that is asked for. */
 public interface OpenInLab {
@@ -27,8 +28,10 @@ public interface OpenInLab {
      *
      * @param json an object, as {@code ./lab run} takes it
      * @param method by which it is shown; "" for the one that is chosen there
+     * @param drawn what the user's program plotted, shown beside it; empty where that was right or
+     *     is not known
      * @throws IllegalArgumentException if there is no such method, an obstacle, or naming the place
      *     where the input cannot be read
      */
-    void showInput(String topic, String json, String method);
+    void showInput(String topic, String json, String method, Optional<PixelRecording> drawn);
 }

@@ -240,7 +240,8 @@ final class ResultPane extends JPanel {
     private void openChosen(Consumer<Throwable> onFailure) {
         MethodCase scene = table.chosen().flatMap(ResultPane::scene).orElseThrow();
         try {
-            lab.showInput(scene.topic(), scene.input(), scene.method().orElse(""));
+            lab.showInput(
+                    scene.topic(), scene.input(), scene.method().orElse(""), scene.recording());
         } catch (IllegalArgumentException e) {
             onFailure.accept(e);
         }

@@ -45,7 +45,19 @@ public record LineDrawing(
             String method,
             Segment segment,
             PixelRecording exact) {
-        LineRasterizer rasterizer = topic.method(method).implementation();
+        return of(topic, method, topic.method(method).implementation(), segment, exact);
+    }
+
+    /**
+     * @param rasterizer maybe one that the topic does not know
+     * @param exact the first {@link #LIMIT} pixels of the exact line
+     */
+    static LineDrawing of(
+            Topic<LineRasterizer, Segment, PixelRecording> topic,
+            String method,
+            LineRasterizer rasterizer,
+            Segment segment,
+            PixelRecording exact) {
         LineTrace trace = LineTrace.of(rasterizer, segment, LIMIT);
         Deviation deviation = topic.compare(segment, exact, trace.pixels());
         if (rasterizer instanceof CoverageLine shaded && trace.pixels().size() > 0)

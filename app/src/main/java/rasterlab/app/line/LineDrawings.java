@@ -14,7 +14,8 @@ import rasterlab.engine.study.Topic;
  *
  * @param exact the first {@link LineDrawing#LIMIT} pixels of the exact line
  * @param drawing by the chosen method
- * @param other by the second method, if one is compared
+ * @param tried what a program of the user's did with the segment, if that is shown
+ * @param other by the second method, if one is compared, or what the program drew
  * @param apart pixels of two methods: extra is what only the chosen one lights, or covers more,
  *     missing what only the second one does; empty where one refused or none is compared
  */
@@ -22,29 +23,33 @@ public record LineDrawings(
         LineChoice choice,
         PixelRecording exact,
         LineDrawing drawing,
+        Optional<Tried> tried,
         Optional<LineDrawing> other,
         Optional<PixelDifference> apart) {
 
     static LineDrawings of(
             Topic<LineRasterizer, Segment, PixelRecording> topic, LineChoice choice) {
         PixelRecording exact = topic.exact(choice.segment(), LineDrawing.LIMIT);
-        return of(topic, choice, exact, () -> false);
+        return of(topic, choice, Optional.empty(), exact, () -> false);
     }
 
     /**
      * What another choice draws; the exact line of the same segment is not made again.
      *
+     * @param tried left out where it does not fit the choice
      * @param cancelled asked before each of the three parts
      * @throws CancellationException once {@code cancelled} says true
      */
     LineDrawings next(
             Topic<LineRasterizer, Segment, PixelRecording> topic,
             LineChoice next,
+            Optional<Tried> tried,
             BooleanSupplier cancelled) {
         requireUse(cancelled);
         return of(
                 topic,
                 next,
+                tried.filter(one -> one.fits(next)),
                 next.segment().equals(choice.segment())
                         ? exact
                         : topic.exact(next.segment(), LineDrawing.LIMIT),
@@ -54,17 +59,20 @@ public record LineDrawings(
     private static LineDrawings of(
             Topic<LineRasterizer, Segment, PixelRecording> topic,
             LineChoice choice,
+            Optional<Tried> tried,
             PixelRecording exact,
             BooleanSupplier cancelled) {
         requireUse(cancelled);
         Segment segment = choice.segment();
         LineDrawing drawing = LineDrawing.of(topic, choice.method(), segment, exact);
-        if (choice.comparison().isEmpty())
-            return new LineDrawings(choice, exact, drawing, Optional.empty(), Optional.empty());
         requireUse(cancelled);
-        LineDrawing other = LineDrawing.of(topic, choice.comparison(), segment, exact);
+        Optional<LineDrawing> other =
+                choice.comparison().isEmpty()
+                        ? tried.flatMap(Tried::method)
+                                .map(by -> LineDrawing.of(topic, Tried.NAME, by, segment, exact))
+                        : Optional.of(LineDrawing.of(topic, choice.comparison(), segment, exact));
         return new LineDrawings(
-                choice, exact, drawing, Optional.of(other), drawing.differenceFrom(other));
+                choice, exact, drawing, tried, other, other.flatMap(drawing::differenceFrom));
     }
 
     private static void requireUse(BooleanSupplier cancelled) {

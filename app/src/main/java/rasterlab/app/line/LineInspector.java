@@ -31,6 +31,7 @@ final class LineInspector {
     private final JLabel extra;
     private final JLabel worst;
     private final JLabel other;
+    private final JLabel tried;
     private final JLabel apart;
     private final AboutText about;
 
@@ -67,6 +68,7 @@ final class LineInspector {
         extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
         worst = column.value("worst");
         other = column.value("other");
+        tried = column.value("tried");
         apart = column.value("apart");
         apart.setToolTipText(texts.text("apart.hint"));
 
@@ -97,8 +99,11 @@ final class LineInspector {
         missing.setText(readings.missing());
         extra.setText(readings.extra());
         worst.setText(readings.worst());
-        column.showRow(other, state.other().isPresent());
+        boolean program = state.drawings().tried().isPresent();
+        column.showRow(other, state.other().isPresent() && !program);
+        column.showRow(tried, state.other().isPresent() && program);
         other.setText(readings.other());
+        tried.setText(readings.other());
         column.showRow(apart, state.drawings().apart().isPresent());
         apart.setText(readings.apart());
         explain(state);

@@ -2,6 +2,7 @@ package rasterlab.app.line;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.History;
@@ -35,6 +36,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     private final FigureLabModel figures;
     private final List<Consumer<LineMode>> modeListeners = new ArrayList<>();
     private LineMode mode = LineMode.SEGMENT;
+    private Optional<Tried> tried = Optional.empty();
     private LineLabState state;
 
     /**
@@ -53,7 +55,8 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         drawings =
                 new LatestOnly<>(
                         "line",
-                        (asked, cancelled) -> asked.shown().next(topic, asked.choice(), cancelled),
+                        (asked, cancelled) ->
+                                asked.shown().next(topic, asked.choice(), asked.tried(), cancelled),
                         (asked, answer) -> events.execute(() -> accept(answer)),
                         onFailure);
     }
@@ -61,7 +64,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     /**
      * @param shown what is drawn already and may serve again
      */
-    private record Question(LineChoice choice, LineDrawings shown) {}
+    private record Question(LineChoice choice, Optional<Tried> tried, LineDrawings shown) {}
 
     public LineLabState state() {
         return state;
@@ -148,7 +151,21 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     }
 
     public void show(Segment segment) {
+        tried = Optional.empty();
         change(state.choice().with(segment), true);
+    }
+
+    /**
+     * Shows beside the present segment, as long as it and nothing else is compared, what a program
+     * of the user's did with it.
+     *
+     * @param drawn what it plotted, in order; empty where that was right or is not known
+     */
+    public void showTried(Optional<PixelRecording> drawn) {
+        tried = Optional.of(new Tried(state.choice().segment(), drawn));
+        LineChoice next = state.choice().withComparison("");
+        if (!next.equals(state.choice())) history.remember();
+        draw(next, state.arrangement());
     }
 
     /**
@@ -240,7 +257,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
 
     private void draw(LineChoice choice, int arrangement) {
         publish(state(choice, state.drawings(), state.step(), arrangement));
-        drawings.ask(new Question(choice, state.drawings()));
+        drawings.ask(new Question(choice, tried, state.drawings()));
     }
 
     private void accept(LineDrawings drawn) {

@@ -14,7 +14,7 @@ final class LineNotes {
             case ENDED ->
                     drawing.pixels() == 0
                             ? Optional.of(texts.text("note.nothing", method))
-                            : Optional.empty();
+                            : drawings.tried().map(tried -> texts.text(whose(tried), method));
             case CUT ->
                     Optional.of(
                             texts.text(
@@ -26,5 +26,11 @@ final class LineNotes {
             case CRASHED ->
                     Optional.of(texts.text("note.crashed", method, drawing.trace().message()));
         };
+    }
+
+    /** Key of the sentence that says whose pixels are seen. */
+    private static String whose(Tried tried) {
+        if (tried.drawn().isEmpty()) return "note.tried.right";
+        return tried.drawn().get().size() == 0 ? "note.tried.nothing" : "note.tried";
     }
 }

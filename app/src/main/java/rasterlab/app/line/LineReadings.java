@@ -92,7 +92,7 @@ final class LineReadings {
         return texts.text("apart.pixels", extra + missing, extra, missing);
     }
 
-    /** The second method's wrong pixels in one line; "" when none is compared. */
+    /** The wrong pixels of a second method or of a program in one line; "" when there is none. */
     String other() {
         return state.other()
                 .map(

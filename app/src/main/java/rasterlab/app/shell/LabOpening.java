@@ -16,6 +16,7 @@ import rasterlab.app.canvas.Unshown;
 import rasterlab.app.line.LineInput;
 import rasterlab.engine.Topics;
 import rasterlab.engine.naming.Named;
+import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Topic;
@@ -30,6 +31,9 @@ final class LabOpening implements OpenInLab {
 
     /** What makes an input of a topic from JSON, for the topics of exercises. */
     private final Map<String, Function<String, Object>> readers = Map.of("line", LineInput::read);
+
+    /** What shows pixels of the user's program beside an input, for the same topics. */
+    private final Map<String, Consumer<Optional<PixelRecording>>> tried;
 
     private final Executor background;
     private final Executor events;
@@ -48,6 +52,7 @@ final class LabOpening implements OpenInLab {
             LabModels models, Executor background, Executor events, Consumer<Throwable> onFailure) {
         for (Topic<?, ?, ?> topic : Topics.all()) topics.put(topic.name(), topic);
         ways = new TopicWays(models);
+        tried = Map.of("line", models.line()::showTried);
         this.background = background;
         this.events = events;
         this.onFailure = onFailure;
@@ -116,7 +121,8 @@ final class LabOpening implements OpenInLab {
     }
 
     @Override
-    public void showInput(String topic, String json, String method) {
+    public void showInput(
+            String topic, String json, String method, Optional<PixelRecording> drawn) {
         var reader =
                 Named.find(
                                 "reader of topic",
@@ -126,6 +132,7 @@ final class LabOpening implements OpenInLab {
                         .getValue();
         asked++;
         show(way(topic, method), new TopicInput(topic, "", reader.apply(json)), method);
+        tried.get(topic).accept(drawn);
     }
 
     private TopicInput input(String topic, String hazard) {

@@ -187,6 +187,7 @@ class ExerciseLabModelTest {
             assertTrue(done.contains(5), done.toString());
             TriedCase smallest = outcome.smallestCounterexample().orElseThrow();
             assertTrue(smallest.scene().contains("\"topic\":\"line\""), smallest.scene());
+            assertTrue(smallest.scene().contains("\"drawn\":[["), smallest.scene());
             assertTrue(smallest.said().english().contains("missing"), smallest.said().english());
             assertNotEquals(smallest.said().in(Language.RUSSIAN), smallest.said().english());
             for (TriedCase other : outcome.cases())

@@ -26,6 +26,7 @@ import rasterlab.app.canvas.Unshown;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.engine.raster.PixelRecording;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /** Exercises after a check of the starter, which draws nearly every case wrong. */
@@ -37,7 +38,7 @@ class ExerciseRoomsTest {
     private static ExerciseLabModel model;
 
     /** Opens nothing. */
-    private static final OpenInLab NOWHERE =
+    static final OpenInLab NOWHERE =
             new OpenInLab() {
                 @Override
                 public Optional<Unshown> obstacleTo(String topic, String hazard) {
@@ -53,7 +54,8 @@ class ExerciseRoomsTest {
                 public void showHazard(String topic, String hazard, String method) {}
 
                 @Override
-                public void showInput(String topic, String json, String method) {}
+                public void showInput(
+                        String topic, String json, String method, Optional<PixelRecording> drawn) {}
             };
 
     @BeforeAll

@@ -28,6 +28,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -43,9 +44,11 @@ import rasterlab.app.clip.ClipMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LineMode;
+import rasterlab.app.line.Tried;
 import rasterlab.app.spline.SplineMode;
 import rasterlab.engine.Topics;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
@@ -314,10 +317,37 @@ class LabOpeningTest {
     @Test
     void inputOfLinesIsReadWithItsWindow() {
         shown().showInput(
-                        "line", "{\"from\":[1,2],\"to\":[-3,4],\"window\":[0,0,9,9]}", "bresenham");
+                        "line",
+                        "{\"from\":[1,2],\"to\":[-3,4],\"window\":[0,0,9,9]}",
+                        "bresenham",
+                        Optional.empty());
         assertEquals(
                 new Segment(1, 2, -3, 4).in(new PixelWindow(0, 0, 9, 9)),
                 models.line().state().choice().segment());
+    }
+
+    @Test
+    void casesProgramIsShownBesideTheRightLine() throws InterruptedException {
+        var answers = new ConcurrentLinkedQueue<Runnable>();
+        var drawn = new PixelRecording(1);
+        drawn.plot(1, 2);
+        try (LabModels others =
+                LabModels.first(
+                        answers::add,
+                        failure -> {
+                            throw new AssertionError(failure);
+                        })) {
+            new LabOpening(others, work -> {}, answers::add, failure -> {})
+                    .showInput(
+                            "line",
+                            "{\"from\":[1,2],\"to\":[3,4]}",
+                            "bresenham",
+                            Optional.of(drawn));
+            others.line().settle();
+            answers.forEach(Runnable::run);
+            Tried tried = others.line().state().drawings().tried().orElseThrow();
+            assertEquals(new Tried(new Segment(1, 2, 3, 4), Optional.of(drawn)), tried);
+        }
     }
 
     @Test
@@ -325,7 +355,12 @@ class LabOpeningTest {
         var refused =
                 assertThrows(
                         IllegalArgumentException.class,
-                        () -> shown().showInput("line", "{\"from\":[1,2],\"to\":[3]}", ""));
+                        () ->
+                                shown().showInput(
+                                                "line",
+                                                "{\"from\":[1,2],\"to\":[3]}",
+                                                "",
+                                                Optional.empty()));
         assertTrue(refused.getMessage().contains("'to'"), refused.getMessage());
         assertEquals(List.of(), tabs);
     }
@@ -340,7 +375,11 @@ class LabOpeningTest {
                 for (var call : grading.calls(one, exercise.tolerance(), SEED)) {
                     var scene = (MethodCase) SceneFile.read(call.scene());
                     tabs.clear();
-                    opening.showInput(scene.topic(), scene.input(), scene.method().orElse(""));
+                    opening.showInput(
+                            scene.topic(),
+                            scene.input(),
+                            scene.method().orElse(""),
+                            scene.recording());
                     assertEquals(1, tabs.size(), exercise.id() + " " + one.name());
                 }
         }
@@ -350,6 +389,7 @@ class LabOpeningTest {
     void casesOfATopicWithoutExercisesAreRefused() {
         assertEquals(Optional.of(Unshown.NO_READER), opening.obstacleToInputs("matrix"));
         assertThrows(
-                IllegalArgumentException.class, () -> shown().showInput("matrix", "{}", "formula"));
+                IllegalArgumentException.class,
+                () -> shown().showInput("matrix", "{}", "formula", Optional.empty()));
     }
 }

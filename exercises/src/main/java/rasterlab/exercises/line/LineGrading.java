@@ -3,10 +3,12 @@ package rasterlab.exercises.line;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.BresenhamLine;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelRecording;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading;
@@ -82,8 +84,8 @@ public final class LineGrading implements TopicGrading {
         }
 
         @Override
-        public String scene() {
-            return LineJudge.scene(segment);
+        public String scene(Optional<PixelRecording> drawn) {
+            return LineJudge.scene(segment, drawn);
         }
     }
 }

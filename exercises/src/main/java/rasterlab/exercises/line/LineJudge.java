@@ -99,14 +99,27 @@ public final class LineJudge {
 
     private static Finding shown(
             GradingVerdict verdict, Message said, PixelRecording wanted, PixelRecording actual) {
-        return new Finding(verdict, said, CasePictures.of(PixelDifference.of(wanted, actual)));
+        return new Finding(
+                verdict,
+                said,
+                CasePictures.of(PixelDifference.of(wanted, actual)),
+                Optional.of(actual));
     }
 
-    /** The case's segment as a scene file that the lab opens, with the method that is right. */
-    public static String scene(Segment segment) {
+    /**
+     * The case's segment as a scene file that the lab opens, with the method that is right.
+     *
+     * @param drawn by the student's method, where it is kept
+     */
+    public static String scene(Segment segment, Optional<PixelRecording> drawn) {
         ObjectNode input = MAPPER.createObjectNode();
         input.putArray("from").add(segment.x0()).add(segment.y0());
         input.putArray("to").add(segment.x1()).add(segment.y1());
-        return new MethodCase("line", Optional.of(REFERENCE), input.toString()).write();
+        return new MethodCase(
+                        "line",
+                        Optional.of(REFERENCE),
+                        input.toString(),
+                        drawn.map(MethodCase.Pixel::first))
+                .write();
     }
 }

@@ -73,7 +73,8 @@ final class CaseRun {
         List<Call> calls = topic.calls(one, exercise.tolerance(), seed);
         for (Call call : calls) {
             Finding finding = tried(one, call);
-            if (finding.verdict() != GradingVerdict.OK) return report(one, finding, call.scene());
+            if (finding.verdict() != GradingVerdict.OK)
+                return report(one, finding, call.scene(finding.drawn()));
         }
         return report(one, Finding.OK, calls.get(0).scene());
     }

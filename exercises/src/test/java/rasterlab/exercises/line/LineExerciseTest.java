@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -222,10 +223,24 @@ class LineExerciseTest {
             assertEquals(
                     "{\"version\":1,\"topic\":\"line\",\"method\":\"bresenham\","
                             + "\"input\":{\"from\":[12,-3],\"to\":[0,7]}}",
-                    LineJudge.scene(new Segment(12, -3, 0, 7)));
+                    LineJudge.scene(new Segment(12, -3, 0, 7), Optional.empty()));
         } finally {
             Locale.setDefault(before);
         }
+    }
+
+    @Test
+    void theSceneOfAWrongCaseKeepsWhatWasDrawn() {
+        Segment segment = new Segment(0, 0, 1, 0);
+        PixelRecording wrong = new PixelRecording(3);
+        wrong.plot(0, -1);
+        wrong.plot(1, 0);
+        LineCase demand = new LineCase(List.of(segment), false, false, 100, false);
+        Finding finding =
+                new LineJudge(demand, true)
+                        .judge(segment, new Answer(Answer.Ending.RETURNED, wrong, "", "", ""));
+        String scene = LineJudge.scene(segment, finding.drawn());
+        assertTrue(scene.endsWith(",\"drawn\":[[0,-1],[1,0]]}"), scene);
     }
 
     @Test

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -26,6 +27,7 @@ import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
+import rasterlab.exercises.scene.MethodCase.Pixel;
 
 class SceneFileTest {
     private static final long SEED = 20260311;
@@ -58,6 +60,27 @@ class SceneFileTest {
         assertEquals(one, SceneFile.read(one.write()));
         var own = new MethodCase("line", Optional.empty(), "{\"from\":[0,0],\"to\":[5,2]}");
         assertEquals(own, SceneFile.read(own.write()));
+        var drawn =
+                new MethodCase(
+                        "line",
+                        Optional.empty(),
+                        "{\"from\":[0,0],\"to\":[5,2]}",
+                        Optional.of(List.of(new Pixel(-1, Integer.MAX_VALUE), new Pixel(-1, 7))));
+        assertEquals(drawn, SceneFile.read(drawn.write()));
+    }
+
+    @ParameterizedTest(name = "{1} is taken for pixels")
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "$.drawn: must be an array; 7",
+                "$.drawn[1]: must be a pixel [x, y], got 3 members; [[0,0],[1,2,3]]",
+                "$.drawn[0][1]: must be a whole number from -2147483648; [[0,2147483648]]"
+            })
+    void brokenPixelsAreNamed(String said, String drawn) {
+        String file = "{\"version\":1,\"topic\":\"line\",\"input\":{},\"drawn\":" + drawn + "}";
+        var refusal = assertThrows(IllegalArgumentException.class, () -> SceneFile.read(file));
+        assertTrue(refusal.getMessage().startsWith(said), refusal.getMessage());
     }
 
     @Test
