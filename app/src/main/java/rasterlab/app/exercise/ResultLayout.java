@@ -27,16 +27,20 @@ final class ResultLayout implements LayoutManager {
     private final Component cases;
     private final Container words;
     private final Component picture;
+    private final Component guide;
 
     /**
      * @param cases what scrolls the table
      * @param words the chosen case's reason, and the buttons
+     * @param guide stands in place of words and picture while it is visible
      */
-    ResultLayout(CaseTable table, Component cases, Container words, Component picture) {
+    ResultLayout(
+            CaseTable table, Component cases, Container words, Component picture, Component guide) {
         this.table = table;
         this.cases = cases;
         this.words = words;
         this.picture = picture;
+        this.guide = guide;
     }
 
     @Override
@@ -53,6 +57,7 @@ final class ResultLayout implements LayoutManager {
             int top = Math.min((height - gap) / 2, height - gap - heightOfWords(left));
             top = Math.max(top, ROWS * table.getRowHeight());
             cases.setBounds(0, 0, width, top);
+            guide.setBounds(0, top + gap, width, height - top - gap);
             words.setBounds(0, top + gap, left, height - top - gap);
             picture.setBounds(left + gap, top + gap, width - left - gap, height - top - gap);
             return;
@@ -60,6 +65,7 @@ final class ResultLayout implements LayoutManager {
         int left = Math.max(width / 2, Math.min(needed, most));
         int right = width - left - gap;
         cases.setBounds(0, 0, left, height);
+        guide.setBounds(left + gap, 0, right, height);
         int lines = Math.min(height, heightOfWords(right));
         words.setBounds(left + gap, 0, right, lines);
         picture.setBounds(left + gap, lines + gap / 2, right, height - lines - gap / 2);

@@ -39,7 +39,10 @@ final class ResultPane extends JPanel {
     private final CaseTable table;
     private final RemarkList remarks;
     private final JTextArea reason = Controls.words("reason");
+    private final JTextArea guide = Controls.words("guide");
+    private final JScrollPane guideScroll = new JScrollPane(guide);
     private final NameChooser view;
+    private final JPanel words = new JPanel();
     private final CasePicture picture;
     private final JButton open;
     private transient Optional<Outcome> shown = Optional.empty();
@@ -66,6 +69,11 @@ final class ResultPane extends JPanel {
                         picture::choose);
         open = Controls.button("open", texts, () -> openChosen(onFailure));
         reason.getAccessibleContext().setAccessibleName(texts.text("reason"));
+        guide.getAccessibleContext().setAccessibleName(texts.text("guide.name"));
+        guide.setText(texts.text("guide"));
+        guide.setCaretPosition(0);
+        guideScroll.setBorder(null);
+        guideScroll.setName("guide.scroll");
         verdict.setName("result.verdict");
         verdict.setFont(verdict.getFont().deriveFont(Font.BOLD));
         points.setName("result.points");
@@ -91,7 +99,7 @@ final class ResultPane extends JPanel {
     private JPanel cases() {
         var scroll = new JScrollPane(table);
         scroll.setName("cases.scroll");
-        var words = new JPanel(new MigLayout("insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][]"));
+        words.setLayout(new MigLayout("insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][]"));
         var controls = new JPanel(new FlowRows(6));
         JLabel label = Controls.label("view", texts, view);
         label.setPreferredSize(
@@ -102,11 +110,12 @@ final class ResultPane extends JPanel {
         FlowRows.keepWrapped(controls);
         words.add(reason, "wmin 0");
         words.add(controls, "wmin 0");
-        var both = new JPanel(new ResultLayout(table, scroll, words, picture));
-        both.add(scroll);
-        both.add(words);
-        both.add(picture);
-        return both;
+        var all = new JPanel(new ResultLayout(table, scroll, words, picture, guideScroll));
+        all.add(scroll);
+        all.add(words);
+        all.add(picture);
+        all.add(guideScroll);
+        return all;
     }
 
     /**
@@ -121,6 +130,7 @@ final class ResultPane extends JPanel {
                         .isPresent();
         table.show(outcome.isPresent() || running ? merged(judged, untried) : untried);
         remarks.show(outcome.map(Outcome::remarks).orElse(List.of()));
+        guide(outcome.isEmpty() && !state.work().running());
         cases.revalidate();
         cards.show(answer, sourceRefused ? "remarks" : "cases");
         sayHead(state, outcome);
@@ -130,6 +140,15 @@ final class ResultPane extends JPanel {
                     .ifPresent(smallest -> table.choose(smallest.name()));
         }
         showChosen();
+    }
+
+    /**
+     * @param nothing whether there is nothing yet to be said of any case
+     */
+    private void guide(boolean nothing) {
+        guideScroll.setVisible(nothing);
+        words.setVisible(!nothing);
+        picture.setVisible(!nothing);
     }
 
     /** The judged cases first, then those that were not. */

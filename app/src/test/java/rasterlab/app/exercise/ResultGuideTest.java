@@ -1,0 +1,121 @@
+package rasterlab.app.exercise;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JScrollPane;
+import javax.swing.JTextArea;
+import javax.swing.UIManager;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.score.Points;
+
+/** The place of the result before there is one. */
+class ResultGuideTest {
+    private static final List<Throwable> FAILURES = new CopyOnWriteArrayList<>();
+
+    @AfterEach
+    void usualTheme() throws Exception {
+        EventQueue.invokeAndWait(LabTheme.LIGHT::install);
+        assertEquals(List.of(), FAILURES);
+    }
+
+    @ParameterizedTest(name = "half the window is empty: {0}, type of {1} in {2}×{3}")
+    @CsvSource({
+        "ENGLISH, 14, 780, 300",
+        "RUSSIAN, 14, 780, 300",
+        "ENGLISH, 14, 870, 430",
+        "RUSSIAN, 14, 870, 430",
+        "RUSSIAN, 19, 1200, 560"
+    })
+    void saysWhatToDoUntilThereIsAResult(Language language, double type, int width, int height)
+            throws Exception {
+        var made = new AtomicReference<ResultPane>();
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    double usual = UIManager.getFont("defaultFont").getSize2D();
+                    LabTheme.LIGHT.install((int) Math.round(100 * type / usual));
+                    made.set(
+                            new ResultPane(
+                                    Texts.of("exercise", language),
+                                    ExerciseRoomsTest.NOWHERE,
+                                    remark -> {},
+                                    FAILURES::add));
+                    show(made.get(), Optional.empty());
+                });
+        OffscreenPainter.paint(made.get(), width, height);
+        EventQueue.invokeAndWait(() -> assertWhole(made.get(), language));
+        EventQueue.invokeAndWait(
+                () -> {
+                    show(made.get(), Optional.of(outcome()));
+                    assertFalse(named(made.get(), "guide.scroll").isVisible(), "still there");
+                    assertTrue(named(made.get(), "case.picture").isVisible());
+                    made.get().close();
+                });
+    }
+
+    private static void assertWhole(ResultPane pane, Language language) {
+        var scroll = (JScrollPane) named(pane, "guide.scroll");
+        var guide = (JTextArea) named(pane, "guide");
+        assertTrue(scroll.isVisible());
+        assertTrue(guide.getText().contains("Ctrl+Enter"), guide.getText());
+        String check = Texts.of("exercise", language).label("check");
+        assertTrue(guide.getText().contains(check), guide.getText());
+        assertTrue(
+                guide.getPreferredSize().height <= scroll.getViewport().getHeight(),
+                guide.getPreferredSize().height + " in " + scroll.getViewport().getHeight());
+        assertFalse(named(pane, "case.picture").isVisible());
+    }
+
+    private static void show(ResultPane pane, Optional<Outcome> outcome) {
+        Exercise exercise = Catalogue.builtIn().all().get(0);
+        pane.show(
+                new ExerciseState(
+                        exercise,
+                        exercise.starter(),
+                        List.of(),
+                        outcome,
+                        Work.NONE,
+                        Notice.NONE,
+                        Notice.NONE,
+                        Optional.empty()),
+                TriedCase.untried(exercise));
+    }
+
+    private static Outcome outcome() {
+        return new Outcome(
+                "",
+                0,
+                "ok",
+                new Points(0, 0, 0, 100),
+                TriedCase.untried(Catalogue.builtIn().all().get(0)),
+                List.of(),
+                Said.NOTHING,
+                0);
+    }
+
+    private static Component named(Container within, String name) {
+        for (Component each : within.getComponents()) {
+            if (name.equals(each.getName())) return each;
+            Component found = each instanceof Container inner ? named(inner, name) : null;
+            if (found != null) return found;
+        }
+        return null;
+    }
+}
