@@ -48,6 +48,7 @@ public final class LabsFile {
 
     private final Path file;
     private final Consumer<Problem> problem;
+    private volatile boolean refused;
 
     /**
      * @param problem told, once for every lab, what cannot be kept or brought back
@@ -62,24 +63,50 @@ public final class LabsFile {
         return new LabsFile(settings.resolveSibling("labs.json"), problem);
     }
 
-    /** Brings every lab to what it showed. On the event thread. */
+    /** What the file holds, read but not looked into. */
+    public static final class Content {
+        private final JsonNode root;
+
+        private Content(JsonNode root) {
+            this.root = root;
+        }
+    }
+
+    /** Reads the file and brings every lab to what it showed. On the event thread. */
     public void load(LabModels models) {
-        if (!Files.exists(file)) return;
-        JsonNode root;
+        read().ifPresent(content -> bringBack(content, models));
+    }
+
+    /** What the labs showed; empty where nothing is kept or it cannot be read. On any thread. */
+    Optional<Content> read() {
+        if (!Files.exists(file)) return Optional.empty();
         try {
             Optional<String> obstacle = FileToRead.obstacle(file, FileKind.SETTINGS);
             if (obstacle.isPresent()) throw new IOException(obstacle.get());
-            root = JSON.readTree(file.toFile());
+            JsonNode root = JSON.readTree(file.toFile());
             if (!root.isObject()) throw new IOException("not a JSON object");
+            return Optional.of(new Content(root));
         } catch (JsonProcessingException e) {
-            String reason = "not JSON: " + JsonMistake.in(e);
-            problem.accept(Problem.of("labs.notUsed", file.toString(), reason));
-            return;
+            refuse("not JSON: " + JsonMistake.in(e));
         } catch (IOException e) {
-            problem.accept(Problem.of("labs.notUsed", file.toString(), reason(e)));
-            return;
+            refuse(reason(e));
         }
-        models.kept().forEach((name, lab) -> bringBack(name, lab, root.path(name)));
+        return Optional.empty();
+    }
+
+    private void refuse(String reason) {
+        refused = true;
+        problem.accept(Problem.of("labs.notUsed", file.toString(), reason));
+    }
+
+    /** Brings every lab to what it showed. On the event thread. */
+    void bringBack(Content content, LabModels models) {
+        models.kept().forEach((name, lab) -> bringBack(name, lab, content.root.path(name)));
+    }
+
+    /** Whether the file holds what cannot be used, and should be written anew. */
+    boolean isRefused() {
+        return refused;
     }
 
     private <C> void bringBack(String name, Kept<C> lab, JsonNode kept) {
@@ -89,6 +116,7 @@ public final class LabsFile {
         } catch (JsonProcessingException | RuntimeException e) {
             // A file that was changed by hand can miss more than a lab's own checks look at.
             String reason = e instanceof JsonMappingException part ? reasonOf(part) : reason(e);
+            refused = true;
             problem.accept(Problem.of("labs.oneNotUsed", file.toString(), name, reason));
         }
     }

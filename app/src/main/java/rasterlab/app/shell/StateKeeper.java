@@ -56,7 +56,7 @@ final class StateKeeper implements AutoCloseable {
         this.settings = settings;
         this.models = models;
         lastSettings = settings.get();
-        lastChoices = LabsFile.choices(models);
+        lastChoices = labsFile.isRefused() ? Map.of() : LabsFile.choices(models);
         Runtime.getRuntime().addShutdownHook(atTheEnd);
         timer.start();
     }
@@ -71,7 +71,7 @@ final class StateKeeper implements AutoCloseable {
         lastChoices = nowChoices;
     }
 
-    /** Writes everything and looks no more. On the event thread. */
+    /** Writes what changed since the last look and looks no more. On the event thread. */
     @Override
     public void close() {
         timer.stop();
@@ -80,9 +80,8 @@ final class StateKeeper implements AutoCloseable {
         } catch (IllegalStateException ending) {
             return; // The program ends: what runs then does the rest.
         }
+        look();
         finishWriting();
-        labsFile.save(models);
-        file.save(settings.get());
     }
 
     private void endOfProgram() {

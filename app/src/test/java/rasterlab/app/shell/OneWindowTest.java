@@ -61,4 +61,23 @@ class OneWindowTest {
         assertEquals(HELD, process.inputReader().readLine());
         return process;
     }
+
+    @Test
+    void secondWindowLeavesWhatTheFirstKeeps() throws Exception {
+        Path settings = folder.resolve("window.properties");
+        var file = new SettingsFile(settings, problem -> {});
+        LabSettings read = LabSettings.first(Language.ENGLISH);
+        LabSettings changed = LabSettings.first(Language.RUSSIAN);
+        Process other = other(settings);
+        try {
+            file.save(changed);
+            WindowStart.keep(read, file, settings, problem -> {});
+            assertEquals(changed, file.load(read));
+        } finally {
+            other.destroyForcibly();
+            other.waitFor();
+        }
+        WindowStart.keep(read, file, settings, problem -> {});
+        assertEquals(read, file.load(changed));
+    }
 }

@@ -1,0 +1,79 @@
+package rasterlab.app.shell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.language.Language;
+
+@Timeout(60)
+class StateKeeperTest {
+    private static final LabSettings FIRST = LabSettings.first(Language.ENGLISH);
+
+    @TempDir Path folder;
+    private final List<String> problems = new CopyOnWriteArrayList<>();
+
+    private Path labs() {
+        return folder.resolve("labs.json");
+    }
+
+    /** A window's life between its first look and its last. */
+    private void live(Consumer<LabModels> during) throws InterruptedException {
+        OffscreenPainter.onEventThread(
+                () -> {
+                    try (LabModels models =
+                            LabModels.first(failure -> problems.add(failure.toString()))) {
+                        var file =
+                                new SettingsFile(
+                                        folder.resolve("window.properties"),
+                                        problem -> problems.add(problem.toString()));
+                        var labsFile =
+                                new LabsFile(labs(), problem -> problems.add(problem.toString()));
+                        labsFile.load(models);
+                        var keeper = new StateKeeper(file, labsFile, () -> FIRST, models);
+                        during.accept(models);
+                        keeper.close();
+                    }
+                });
+    }
+
+    @Test
+    void windowThatChangedNothingLeavesWhatAnotherOneWroteMeanwhile() throws Exception {
+        var file =
+                new SettingsFile(
+                        folder.resolve("window.properties"),
+                        problem -> problems.add(problem.toString()));
+        LabSettings others = LabSettings.first(Language.RUSSIAN);
+        live(
+                models -> {
+                    file.save(others);
+                    new LabsFile(labs(), problem -> {}).save(Map.of("other", 7));
+                });
+        assertEquals(others, file.load(FIRST));
+        assertTrue(Files.readString(labs()).contains("other"), Files.readString(labs()));
+        assertEquals(List.of(), problems);
+    }
+
+    @Test
+    void whatWasChangedLastIsWritten() throws Exception {
+        live(models -> models.line().chooseMethod("dda"));
+        assertTrue(Files.readString(labs()).contains("dda"), Files.readString(labs()));
+        assertEquals(List.of(), problems);
+    }
+
+    @Test
+    void brokenFileIsToldOnce() throws Exception {
+        Files.writeString(labs(), "[");
+        live(models -> {});
+        live(models -> {});
+        assertEquals(1, problems.size(), problems.toString());
+    }
+}
