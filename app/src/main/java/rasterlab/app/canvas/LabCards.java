@@ -1,8 +1,10 @@
 package rasterlab.app.canvas;
 
 import java.awt.CardLayout;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Function;
 
 /**
@@ -15,6 +17,7 @@ public final class LabCards<K> implements AutoCloseable {
     private final Function<K, LabPanel> made;
     private final CardLayout layout = new CardLayout();
     private final Map<K, LabPanel> labs = new LinkedHashMap<>();
+    private final Set<K> unseen = new HashSet<>();
 
     /**
      * @param tab shows the labs and nothing else
@@ -28,15 +31,19 @@ public final class LabCards<K> implements AutoCloseable {
     /** Shows that lab, and stops what the others play. */
     public void show(K key) {
         labs.values().forEach(LabPanel::stop);
-        if (!labs.containsKey(key)) add(key);
+        make(key);
+        if (unseen.remove(key)) labs.get(key).refresh();
         layout.show(tab, key.toString());
         tab.revalidate();
     }
 
-    private void add(K key) {
+    /** Makes that lab, unless it is there. */
+    public void make(K key) {
+        if (labs.containsKey(key)) return;
         LabPanel lab = made.apply(key);
         tab.add(lab, key.toString());
         labs.put(key, lab);
+        unseen.add(key);
     }
 
     /** Gives the keyboard to the picture of a lab that has been shown. */

@@ -11,6 +11,12 @@ public abstract class LabPanel extends JPanel implements AutoCloseable {
         super(new BorderLayout());
     }
 
+    /**
+     * Shows what the model has. Whoever makes the panel asks for it before the panel is seen, in an
+     * event of its own where one would take long; later the panel asks itself.
+     */
+    public abstract void refresh();
+
     /** Gives the keyboard to the lab's picture, whose keys change what it shows. */
     public abstract void focusPicture();
 

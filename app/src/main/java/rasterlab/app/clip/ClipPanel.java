@@ -47,7 +47,6 @@ public final class ClipPanel extends LabPanel {
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
-        refresh();
     }
 
     private String count() {
@@ -70,7 +69,8 @@ public final class ClipPanel extends LabPanel {
         stage.close();
     }
 
-    private void refresh() {
+    @Override
+    public void refresh() {
         chips.show(model.state().choice().mode());
         stage.refresh();
         inspector.refresh();

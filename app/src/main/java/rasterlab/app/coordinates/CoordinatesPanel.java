@@ -33,6 +33,11 @@ public final class CoordinatesPanel extends LabPanel {
         setName("coordinates");
         cards = new LabCards<>(this, this::made);
         unsubscribe = model.listen(cards::show);
+        cards.make(model.mode());
+    }
+
+    @Override
+    public void refresh() {
         cards.show(model.mode());
     }
 

@@ -66,7 +66,6 @@ public final class ExercisePanel extends LabPanel {
         add(rooms);
         keys();
         unsubscribe = model.listen(state -> refresh());
-        refresh();
         if (model.state().outcome().isPresent()) rooms.show(Rooms.Room.RESULT);
     }
 
@@ -146,7 +145,8 @@ public final class ExercisePanel extends LabPanel {
         result.close();
     }
 
-    private void refresh() {
+    @Override
+    public void refresh() {
         ExerciseState state = model.state();
         exercise.show(state.exercise().id());
         statement.show(state.exercise(), texts.locale().getLanguage());

@@ -80,7 +80,6 @@ public final class LightPanel extends LabPanel {
                     noState.run();
                     noRows.run();
                 };
-        refresh();
     }
 
     private RowPanel rows() {
@@ -178,7 +177,8 @@ public final class LightPanel extends LabPanel {
         rows.close();
     }
 
-    private void refresh() {
+    @Override
+    public void refresh() {
         if (model.rows().open()) {
             orbit.stop();
             turning.stop();

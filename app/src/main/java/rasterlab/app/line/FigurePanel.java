@@ -53,7 +53,6 @@ final class FigurePanel extends LabPanel {
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
-        refresh();
     }
 
     private Optional<String> command() {
@@ -79,7 +78,8 @@ final class FigurePanel extends LabPanel {
         stage.close();
     }
 
-    private void refresh() {
+    @Override
+    public void refresh() {
         above.show(model.state().scene().mode());
         stage.refresh();
         inspector.refresh();

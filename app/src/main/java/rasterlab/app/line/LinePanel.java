@@ -41,6 +41,11 @@ public final class LinePanel extends LabPanel {
                             cards.show(Card.of(mode));
                             focusPicture();
                         });
+        cards.make(Card.of(model.mode()));
+    }
+
+    @Override
+    public void refresh() {
         cards.show(Card.of(model.mode()));
     }
 

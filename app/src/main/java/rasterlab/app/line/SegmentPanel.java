@@ -49,7 +49,6 @@ final class SegmentPanel extends LabPanel {
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
-        refresh();
     }
 
     /** Gives the keyboard to the end of the segment that had it last. */
@@ -71,7 +70,8 @@ final class SegmentPanel extends LabPanel {
         player.stop();
     }
 
-    private void refresh() {
+    @Override
+    public void refresh() {
         stage.refresh();
         inspector.refresh();
         player.refresh();

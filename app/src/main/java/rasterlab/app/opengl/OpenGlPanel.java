@@ -47,7 +47,6 @@ public final class OpenGlPanel extends LabPanel {
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage.picture());
         unsubscribe = model.listen(state -> refresh());
-        refresh();
     }
 
     /** Of the software picture; empty before there is one. */
@@ -88,7 +87,8 @@ public final class OpenGlPanel extends LabPanel {
         unsubscribe.run();
     }
 
-    private void refresh() {
+    @Override
+    public void refresh() {
         stage.refresh();
         inspector.refresh();
         player.refresh();

@@ -49,7 +49,6 @@ public final class PolygonPanel extends LabPanel {
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
-        refresh();
     }
 
     private String count() {
@@ -72,7 +71,8 @@ public final class PolygonPanel extends LabPanel {
         stage.close();
     }
 
-    private void refresh() {
+    @Override
+    public void refresh() {
         chips.show(model.state().choice().mode());
         stage.refresh();
         inspector.refresh();

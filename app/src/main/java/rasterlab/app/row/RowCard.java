@@ -27,6 +27,7 @@ public final class RowCard {
     public void show() {
         if (made.isEmpty()) {
             made = Optional.of(make.get());
+            made.get().refresh();
             shown.add(made.get(), NAME);
         }
         cards.show(shown, NAME);

@@ -78,7 +78,7 @@ public final class RowPanel extends LabCard {
     }
 
     @Override
-    protected void refresh() {
+    protected void refreshParts() {
         stage.repaint();
         inspector.refresh();
     }

@@ -40,7 +40,8 @@ public final class LabFrame extends JFrame {
     private Rectangle unmaximised;
 
     /**
-     * A frame that is not shown yet. On the event thread, with the settings' theme installed.
+     * A frame that is not shown yet, with tabs of its own. On the event thread, with the settings'
+     * theme installed.
      *
      * @param file where the settings are kept, soon after they change
      * @param labsFile where what the labs show is kept likewise
@@ -48,6 +49,27 @@ public final class LabFrame extends JFrame {
      */
     public LabFrame(
             LabModels models,
+            LabSettings settings,
+            SettingsFile file,
+            LabsFile labsFile,
+            Consumer<Throwable> onFailure) {
+        this(
+                models,
+                LabTabs.create(models, settings.look().language(), onFailure),
+                settings,
+                file,
+                labsFile,
+                onFailure);
+    }
+
+    /**
+     * The same with tabs that were made before.
+     *
+     * @param tabs in the settings' language
+     */
+    LabFrame(
+            LabModels models,
+            LabTabs tabs,
             LabSettings settings,
             SettingsFile file,
             LabsFile labsFile,
@@ -75,7 +97,7 @@ public final class LabFrame extends JFrame {
                 });
         addWindowFocusListener(new FirstFocus());
         setContentPane(place);
-        fill(settings.tab());
+        fill(tabs, settings.tab());
         placeOnScreen();
         keeper = new StateKeeper(file, labsFile, this::settings, models);
     }
@@ -115,7 +137,7 @@ public final class LabFrame extends JFrame {
         look.theme().install(look.textPercent());
         if (look.theme() != before.theme() || look.textPercent() != before.textPercent())
             FlatLaf.updateUI();
-        fill(seen);
+        fill(LabTabs.create(models, language(), onFailure), seen);
         content.show(coming);
         giveFocus(focus);
         EventQueue.invokeLater(() -> giveFocus(focus));
@@ -140,11 +162,11 @@ public final class LabFrame extends JFrame {
         if (name == null || !FocusByName.request(content, name)) content.focusPicture();
     }
 
-    private void fill(String tab) {
+    private void fill(LabTabs next, String tab) {
         Texts texts = Texts.of("shell", language());
         setTitle(texts.text("title"));
         DialogTexts.install(language());
-        tabs = LabTabs.create(models, language(), onFailure);
+        tabs = next;
         content = new LabContent(tabs, tab, look(), this::wear);
         // The frame would lay out a new content pane at once; this is an event of its own.
         place.add(content);

@@ -18,7 +18,6 @@ import rasterlab.app.polygon.PolygonLabModel;
 import rasterlab.app.polygon.PolygonTopics;
 import rasterlab.app.spline.SplineLabModel;
 import rasterlab.app.study.StudyLabModel;
-import rasterlab.app.visibility.VisibilityChoice;
 import rasterlab.app.visibility.VisibilityLabModel;
 import rasterlab.engine.Topics;
 import rasterlab.engine.line.LineTopic;
@@ -48,9 +47,9 @@ public record LabModels(
     }
 
     /**
-     * Every lab as it opens, used on another thread than the event thread.
+     * Every lab as it opens, made on one thread and used on that of the events.
      *
-     * @param events runs what it is given on that thread, in order
+     * @param events runs what it is given on one thread, in order, once the models are made
      * @param onFailure told what background work threw, on any thread
      */
     static LabModels first(Executor events, Consumer<Throwable> onFailure) {
@@ -67,9 +66,8 @@ public record LabModels(
                 new ExerciseLabModel(() -> Catalogue.builtIn().all(), events, onFailure));
     }
 
-    /** Loads what the models are made of, so that they are made sooner; on any thread. */
+    /** Loads what most models are made of, so that they are made sooner; on any thread. */
     static void prepare() {
-        VisibilityChoice.first();
         Topics.all();
     }
 

@@ -11,6 +11,7 @@ public final class LabTab implements AutoCloseable {
     private final Optional<Runnable> preparation;
     private final Supplier<LabPanel> made;
     private LabPanel panel;
+    private boolean fresh;
 
     /**
      * @param name the same in every language, such as {@code line}; also the panel's component name
@@ -39,9 +40,18 @@ public final class LabTab implements AutoCloseable {
         return preparation;
     }
 
+    /** Makes the lab, unless it is there, which takes about as long as {@link #panel} then. */
+    void make() {
+        if (panel != null) return;
+        panel = made.get();
+        fresh = true;
+    }
+
     /** The lab; the same one every time. */
     public LabPanel panel() {
-        if (panel == null) panel = made.get();
+        make();
+        if (fresh) panel.refresh();
+        fresh = false;
         return panel;
     }
 

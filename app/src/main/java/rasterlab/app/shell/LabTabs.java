@@ -108,6 +108,11 @@ public final class LabTabs implements AutoCloseable {
         return Named.find("tab", name, tabs, LabTab::name);
     }
 
+    /** The tab of that name, or the first. */
+    LabTab namedOrFirst(String name) {
+        return tabs.stream().filter(tab -> tab.name().equals(name)).findFirst().orElse(tabs.get(0));
+    }
+
     /** Stops what the panels play and listen to. On the event thread. */
     @Override
     public void close() {

@@ -16,8 +16,8 @@ import rasterlab.app.language.Texts;
 
 /**
  * The labs' tabs, whose panels are made when they are first chosen. In an open window each is
- * prepared in the background, then made, laid out and shown in an event each, between which the
- * window answers; until then it shows the tab before.
+ * prepared in the background, then made, filled, laid out and shown in an event each, between which
+ * the window answers; until then it shows the tab before.
  */
 final class TabbedLabs extends JTabbedPane {
     private static final long serialVersionUID = 1L;
@@ -142,8 +142,13 @@ final class TabbedLabs extends JTabbedPane {
     }
 
     private void make(int index) {
-        fill(index);
-        later(index, () -> layOut(index));
+        tabs.get(index).make();
+        later(
+                index,
+                () -> {
+                    fill(index);
+                    later(index, () -> layOut(index));
+                });
     }
 
     private void layOut(int index) {

@@ -3,67 +3,86 @@ package rasterlab.app.shell;
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.concurrent.CompletableFuture;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
-/** Opens the window as it was left. */
+/**
+ * Opens the window as it was left.
+ *
+ * <p>Settings and what the labs showed are read, and the labs' models made, beside the event
+ * thread, which makes the look meanwhile. Then tab, frame and picture are an event each.
+ */
 public final class WindowStart {
-    private WindowStart() {}
+    private final Problems problems = new Problems();
+    private final FailureReports reports = new FailureReports(this::show);
+    private final SettingsFile file;
+    private final LabSettings settings;
+    private LabTabs tabs;
+    private LabFrame frame;
 
-    /**
-     * Settings are read, and scenes made, beside the event thread, which makes the look meanwhile.
-     */
+    private WindowStart(Path place) {
+        file = new SettingsFile(place, problems);
+        settings = file.load(LabSettings.first(Language.of(Locale.getDefault())));
+    }
+
     public static void open() {
-        var problems = new Problems();
         Path place = SettingsFile.usual(System.getenv(), System.getProperties());
-        var file = new SettingsFile(place, problems);
-        LabSettings settings = file.load(LabSettings.first(Language.of(Locale.getDefault())));
+        new WindowStart(place).open(place);
+    }
+
+    private void open(Path place) {
+        Thread.setDefaultUncaughtExceptionHandler(reports);
         EventQueue.invokeLater(
                 () -> settings.look().theme().install(settings.look().textPercent()));
-        LabsFile labs = LabsFile.beside(place, problems);
-        Optional<LabsFile.Content> before = labs.read();
-        EventQueue.invokeLater(() -> open(settings, file, labs, before, problems));
-        keep(settings, file, place, problems);
-        LabModels.prepare();
+        var labs =
+                CompletableFuture.supplyAsync(
+                        () -> LabsFile.beside(place, problems),
+                        work -> new Thread(work, "labs file").start());
+        var kept = labs.thenApply(LabsFile::read);
+        // Saved at once too: whoever cannot write it learns so now, not when the window is gone.
+        file.save(settings);
+        hold(place);
+        var events = new HeldEvents(EventQueue::invokeLater);
+        LabModels models = LabModels.first(events, reports);
+        LabsFile labsFile = labs.join();
+        kept.join().ifPresent(left -> labsFile.bringBack(models, left));
+        inTurn(
+                List.of(
+                        () -> {
+                            events.letGo();
+                            tabs = LabTabs.create(models, settings.look().language(), reports);
+                        },
+                        () -> tabs.namedOrFirst(settings.tab()).begin(),
+                        () -> tabs.namedOrFirst(settings.tab()).make(),
+                        () -> tabs.namedOrFirst(settings.tab()).panel(),
+                        () -> frame = new LabFrame(models, tabs, settings, file, labsFile, reports),
+                        () -> frame.setVisible(true),
+                        () -> problems.showIn(frame)));
     }
 
-    private static void open(
-            LabSettings settings,
-            SettingsFile file,
-            LabsFile labs,
-            Optional<LabsFile.Content> before,
-            Problems problems) {
-        var shown = new LabFrame[1];
-        var reports =
-                new FailureReports(
-                        failure -> new ErrorDialog(texts(shown[0])).show(shown[0], failure));
-        Thread.setDefaultUncaughtExceptionHandler(reports);
-        LabModels models = LabModels.first(reports);
-        before.ifPresent(content -> labs.bringBack(content, models));
-        shown[0] = new LabFrame(models, settings, file, labs, reports);
-        shown[0].setVisible(true);
-        problems.showIn(shown[0]);
+    /** Each in an event of its own; one that throws ends it. */
+    private static void inTurn(List<Runnable> steps) {
+        if (steps.isEmpty()) return;
+        EventQueue.invokeLater(
+                () -> {
+                    steps.get(0).run();
+                    inTurn(steps.subList(1, steps.size()));
+                });
     }
 
-    /**
-     * Saves the settings at once too, so that whoever cannot write them learns so now, not when the
-     * window is gone; but not over what another window may have changed since they were read.
-     */
-    static void keep(
-            LabSettings settings, SettingsFile file, Path place, Consumer<Problem> problem) {
-        boolean first = true;
+    private void hold(Path place) {
         try {
-            first = OneWindow.hold(place, problem);
+            OneWindow.hold(place, problems);
         } catch (IOException e) {
-            problem.accept(Problem.of("window.unknown", String.valueOf(e.getMessage())));
+            problems.accept(Problem.of("window.unknown", String.valueOf(e.getMessage())));
         }
-        if (first) file.save(settings);
     }
 
-    private static Texts texts(LabFrame frame) {
-        return Texts.of("shell", frame == null ? Language.ENGLISH : frame.language());
+    private void show(Throwable failure) {
+        Language language = frame == null ? Language.ENGLISH : frame.language();
+        new ErrorDialog(Texts.of("shell", language)).show(frame, failure);
     }
 }

@@ -67,7 +67,6 @@ final class CurvePanel extends LabPanel {
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
-        refresh();
     }
 
     /** Gives the keyboard to the point that had it last. */
@@ -89,7 +88,8 @@ final class CurvePanel extends LabPanel {
         stage.close();
     }
 
-    private void refresh() {
+    @Override
+    public void refresh() {
         CurveLabState state = model.state();
         var readings = new CurveReadings(state, texts, translations);
         Extent all = state.choice().extent();

@@ -72,7 +72,6 @@ final class FunctionPanel extends LabPanel {
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);
         unsubscribe = model.listen(state -> refresh());
-        refresh();
     }
 
     /** Gives the keyboard to the point that had it last. */
@@ -94,7 +93,8 @@ final class FunctionPanel extends LabPanel {
         stage.close();
     }
 
-    private void refresh() {
+    @Override
+    public void refresh() {
         FunctionLabState state = model.state();
         var readings = new FunctionReadings(state, texts, translations);
         Extent all = model.everything();

@@ -38,6 +38,11 @@ public final class SplinePanel extends LabPanel {
                                                     onFailure);
                                 });
         unsubscribe = model.listen(cards::show);
+        cards.make(model.mode());
+    }
+
+    @Override
+    public void refresh() {
         cards.show(model.mode());
     }
 

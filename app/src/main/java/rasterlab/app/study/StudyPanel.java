@@ -80,7 +80,6 @@ public final class StudyPanel extends LabPanel {
         add(new LabLayout(bar(), stage, inspector.column(), actions, timeline()));
         KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::cancel);
         unsubscribe = model.listen(state -> refresh());
-        refresh();
     }
 
     private JButton button(String key, Runnable action) {
@@ -218,7 +217,8 @@ public final class StudyPanel extends LabPanel {
                 done -> {});
     }
 
-    private void refresh() {
+    @Override
+    public void refresh() {
         StudyLabState state = model.state();
         boolean running = state.work().running();
         measure.setEnabled(!running);

@@ -66,7 +66,6 @@ public final class VisibilityPanel extends LabPanel {
                     noRows.run();
                     noCharts.run();
                 };
-        refresh();
         showMode();
     }
 
@@ -105,7 +104,8 @@ public final class VisibilityPanel extends LabPanel {
         inspector.refreshMode();
     }
 
-    private void refresh() {
+    @Override
+    public void refresh() {
         stage.refresh();
         inspector.refresh();
         player.refresh();

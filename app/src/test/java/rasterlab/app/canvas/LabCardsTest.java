@@ -20,6 +20,11 @@ class LabCardsTest {
         }
 
         @Override
+        public void refresh() {
+            events.add(getName() + " is filled");
+        }
+
+        @Override
         public void focusPicture() {
             events.add(getName() + " has the keyboard");
         }
@@ -45,8 +50,10 @@ class LabCardsTest {
                 List.of(
                         "tab is made",
                         "one is made",
+                        "one is filled",
                         "one stops",
                         "two is made",
+                        "two is filled",
                         "one stops",
                         "two stops",
                         "one has the keyboard"),

@@ -78,7 +78,13 @@ class TabbedLabsTest {
         private static final long serialVersionUID = 1L;
 
         Lab(String name) {
+            setName(name);
             events.add(name + " is made");
+        }
+
+        @Override
+        public void refresh() {
+            events.add(getName() + " is filled");
         }
 
         @Override
@@ -123,14 +129,23 @@ class TabbedLabsTest {
     }
 
     @Test
-    void panelIsMadeLaidOutAndShownInEventsOfTheirOwn() throws Exception {
+    void panelIsMadeFilledLaidOutAndShownInEventsOfTheirOwn() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
                     pane.show("plain");
                     note();
                 });
         await(1);
-        assertEquals(List.of("before", "plain is made", "before", "laid out", "shown"), events);
+        assertEquals(
+                List.of(
+                        "before",
+                        "plain is made",
+                        "before",
+                        "plain is filled",
+                        "before",
+                        "laid out",
+                        "shown"),
+                events);
     }
 
     /** In each event, until the plain tab is shown. */
@@ -152,14 +167,14 @@ class TabbedLabsTest {
         assertEquals(List.of(), events);
         mayGoOn.countDown();
         await(2);
-        assertEquals(List.of("prepared beside events", "slow is made"), events);
+        assertEquals(List.of("prepared beside events", "slow is made", "slow is filled"), events);
     }
 
     @Test
     void panelIsMadeThoughItsPreparationFailed() throws Exception {
         choose("broken");
         await(3);
-        assertEquals(List.of("broken is made"), events);
+        assertEquals(List.of("broken is made", "broken is filled"), events);
     }
 
     @Test
@@ -170,7 +185,7 @@ class TabbedLabsTest {
         while (!events.contains("prepared beside events")) selected();
         for (int k = 0; k < 9; k++) assertEquals(3, selected());
         assertEquals(
-                List.of("broken is made", "prepared beside events"),
+                List.of("broken is filled", "broken is made", "prepared beside events"),
                 events.stream().sorted().toList());
     }
 

@@ -73,18 +73,18 @@ public abstract class LabCard extends LabPanel {
             JComponent chips, JComponent stage, Inspector inspector, JComponent below) {
         add(new LabLayout(chips, stage, inspector, actions, below));
         Actions.bindUndo(this, model.history());
-        unsubscribe = model.listen(choice -> refreshAll());
-        refreshAll();
+        unsubscribe = model.listen(choice -> refresh());
     }
 
-    private void refreshAll() {
-        refresh();
+    @Override
+    public final void refresh() {
+        refreshParts();
         player.ifPresent(StepPlayer::refresh);
         actions.refreshUndo();
     }
 
     /** Shows the model's present state on stage and inspector. */
-    protected abstract void refresh();
+    protected abstract void refreshParts();
 
     /** Ends the threads that paint. */
     protected abstract void closeStage();

@@ -58,7 +58,7 @@ public final class ListPanel extends LabCard {
     }
 
     @Override
-    protected void refresh() {
+    protected void refreshParts() {
         stage.refresh();
         inspector.refresh();
     }

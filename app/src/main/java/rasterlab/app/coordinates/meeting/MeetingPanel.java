@@ -57,7 +57,7 @@ public final class MeetingPanel extends LabCard {
     }
 
     @Override
-    protected void refresh() {
+    protected void refreshParts() {
         stage.refresh();
         inspector.refresh();
         actions().enable("copyCommand", MeetingCommand.of(model.choice()).isPresent());

@@ -67,7 +67,7 @@ public final class StackPanel extends LabCard {
     }
 
     @Override
-    protected void refresh() {
+    protected void refreshParts() {
         stage.refresh();
         inspector.refresh();
         boolean drawn = !model.scene().cubes().isEmpty();

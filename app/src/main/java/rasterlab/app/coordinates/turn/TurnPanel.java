@@ -61,7 +61,7 @@ public final class TurnPanel extends LabCard {
     }
 
     @Override
-    protected void refresh() {
+    protected void refreshParts() {
         stage.refresh();
         inspector.refresh();
     }

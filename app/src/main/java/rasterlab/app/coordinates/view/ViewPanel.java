@@ -65,7 +65,7 @@ public final class ViewPanel extends LabCard {
     }
 
     @Override
-    protected void refresh() {
+    protected void refreshParts() {
         stage.refresh();
         inspector.refresh();
     }
