@@ -1,6 +1,7 @@
 package rasterlab.app.clip;
 
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
@@ -26,14 +27,26 @@ public final class ClipPanel extends LabPanel {
     private final transient Runnable unsubscribe;
 
     /**
+     * Makes the inspector, and then the rest: half of the time each.
+     *
      * @param onFailure told what a control could not do or painting threw, on any thread
      */
-    public ClipPanel(ClipLabModel model, Language language, Consumer<Throwable> onFailure) {
+    public static Supplier<LabPanel> begin(
+            ClipLabModel model, Language language, Consumer<Throwable> onFailure) {
+        var inspector = new ClipInspector(model, Texts.of("clip", language));
+        return () -> new ClipPanel(model, inspector, language, onFailure);
+    }
+
+    private ClipPanel(
+            ClipLabModel model,
+            ClipInspector inspector,
+            Language language,
+            Consumer<Throwable> onFailure) {
         this.model = model;
+        this.inspector = inspector;
         setName("clip");
         texts = Texts.of("clip", language);
         stage = new ClipStage(model, texts, onFailure);
-        inspector = new ClipInspector(model, texts);
         player = new StepPlayer(Texts.of("canvas", language), model, this::count);
         actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());

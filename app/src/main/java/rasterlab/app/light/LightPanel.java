@@ -2,6 +2,7 @@ package rasterlab.app.light;
 
 import java.awt.CardLayout;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
@@ -39,17 +40,32 @@ public final class LightPanel extends LabPanel {
     private final transient Runnable unsubscribe;
 
     /**
+     * Makes the inspectors, and then the rest: half of the time each.
+     *
      * @param onFailure told what a control could not do
      */
-    public LightPanel(LightLabModel model, Language language, Consumer<Throwable> onFailure) {
+    public static Supplier<LabPanel> begin(
+            LightLabModel model, Language language, Consumer<Throwable> onFailure) {
+        Texts texts = Texts.of("light", language);
+        var light = new LightInspector(model, texts);
+        var colours = new ColourInspector(model, texts);
+        return () -> new LightPanel(model, light, colours, language, onFailure);
+    }
+
+    private LightPanel(
+            LightLabModel model,
+            LightInspector light,
+            ColourInspector colours,
+            Language language,
+            Consumer<Throwable> onFailure) {
         this.model = model;
+        this.light = light;
+        this.colours = colours;
         this.onFailure = onFailure;
         setName("light");
         texts = Texts.of("light", language);
         stage = new LightStage(model, texts);
         cube = new CubeStage(model, texts);
-        light = new LightInspector(model, texts);
-        colours = new ColourInspector(model, texts);
         Texts canvas = Texts.of("canvas", language);
         orbit = new StepPlayer(canvas, new LampOrbit(model), this::orbitReading);
         turning = new StepPlayer(canvas, new CubeTurning(model), this::turningReading);

@@ -40,10 +40,7 @@ final class OpenGlInspector {
     private final JLabel renderer;
     private final JLabel limits;
 
-    /**
-     * @param onOpen asks the user for an image file
-     */
-    OpenGlInspector(OpenGlLabModel model, Texts texts, Runnable onOpen) {
+    OpenGlInspector(OpenGlLabModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
         column = new Inspector(texts);
@@ -55,9 +52,9 @@ final class OpenGlInspector {
                         name -> model.touch(named(name).settings().get(0)));
         group.setLightWeightPopupEnabled(false);
         column.row("group", group);
-        rows = new SettingRows(model, texts, column, onOpen);
+        rows = new SettingRows(model, texts, column, this::chooseImage);
         file = column.value("file");
-        open = openButton(onOpen);
+        open = openButton();
         column.heading("heading.call");
         call = area("call", true);
         column.heading("heading.difference");
@@ -73,15 +70,19 @@ final class OpenGlInspector {
         write(area("lacking", false), lacking());
     }
 
-    private JButton openButton(Runnable onOpen) {
+    private JButton openButton() {
         var button = new JButton(texts.label("open"));
         button.setName("open");
         button.setMnemonic(texts.mnemonic("open"));
         button.setDisplayedMnemonicIndex(texts.mnemonicIndex("open"));
         button.setToolTipText(texts.text("open.hint"));
-        button.addActionListener(e -> onOpen.run());
+        button.addActionListener(e -> chooseImage());
         column.wide(button);
         return button;
+    }
+
+    private void chooseImage() {
+        ImageChooser.ask(column, texts).ifPresentOrElse(model::open, this::refresh);
     }
 
     private JTextArea area(String name, boolean program) {

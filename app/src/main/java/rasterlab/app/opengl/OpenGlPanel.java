@@ -2,8 +2,7 @@ package rasterlab.app.opengl;
 
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.JFileChooser;
-import javax.swing.filechooser.FileNameExtensionFilter;
+import java.util.function.Supplier;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
@@ -27,14 +26,26 @@ public final class OpenGlPanel extends LabPanel {
     private final transient Runnable unsubscribe;
 
     /**
+     * Makes the inspector, and then the rest: half of the time each.
+     *
      * @param onFailure told what a control could not do
      */
-    public OpenGlPanel(OpenGlLabModel model, Language language, Consumer<Throwable> onFailure) {
+    public static Supplier<LabPanel> begin(
+            OpenGlLabModel model, Language language, Consumer<Throwable> onFailure) {
+        var inspector = new OpenGlInspector(model, Texts.of("opengl", language));
+        return () -> new OpenGlPanel(model, inspector, language, onFailure);
+    }
+
+    private OpenGlPanel(
+            OpenGlLabModel model,
+            OpenGlInspector inspector,
+            Language language,
+            Consumer<Throwable> onFailure) {
         this.model = model;
+        this.inspector = inspector;
         setName("opengl");
         texts = Texts.of("opengl", language);
         stage = new OpenGlStage(model, texts, model::open);
-        inspector = new OpenGlInspector(model, texts, this::chooseImage);
         player = new StepPlayer(Texts.of("canvas", language), new Turntable(model), this::angle);
         actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());
@@ -60,18 +71,6 @@ public final class OpenGlPanel extends LabPanel {
     private String angle() {
         return texts.text(
                 "turntable", Shown.number(model.state().choice().turn(), 1, texts.locale()));
-    }
-
-    private void chooseImage() {
-        var chooser = new JFileChooser();
-        chooser.setName("image.chooser");
-        chooser.setDialogTitle(texts.text("open.title"));
-        chooser.setFileFilter(
-                new FileNameExtensionFilter(
-                        texts.text("open.images"), "png", "jpg", "jpeg", "gif", "bmp"));
-        if (chooser.showOpenDialog(this) == JFileChooser.APPROVE_OPTION)
-            model.open(chooser.getSelectedFile().toPath());
-        else inspector.refresh();
     }
 
     /** Gives the keyboard to the picture, whose arrow keys turn the scene. */

@@ -1,6 +1,7 @@
 package rasterlab.app.polygon;
 
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
@@ -26,14 +27,26 @@ public final class PolygonPanel extends LabPanel {
     private final transient Runnable unsubscribe;
 
     /**
+     * Makes the inspector, and then the rest: half of the time each.
+     *
      * @param onFailure told what a control could not do or painting threw, on any thread
      */
-    public PolygonPanel(PolygonLabModel model, Language language, Consumer<Throwable> onFailure) {
+    public static Supplier<LabPanel> begin(
+            PolygonLabModel model, Language language, Consumer<Throwable> onFailure) {
+        var inspector = new PolygonInspector(model, Texts.of("polygon", language));
+        return () -> new PolygonPanel(model, inspector, language, onFailure);
+    }
+
+    private PolygonPanel(
+            PolygonLabModel model,
+            PolygonInspector inspector,
+            Language language,
+            Consumer<Throwable> onFailure) {
         this.model = model;
+        this.inspector = inspector;
         setName("polygon");
         texts = Texts.of("polygon", language);
         stage = new PolygonStage(model, texts, onFailure);
-        inspector = new PolygonInspector(model, texts);
         player = new StepPlayer(Texts.of("canvas", language), model, this::count);
         actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());

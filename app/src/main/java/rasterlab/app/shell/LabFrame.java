@@ -134,9 +134,10 @@ public final class LabFrame extends JFrame {
         // What is thrown away need not learn the new look first.
         place.removeAll();
         tabs.close();
-        look.theme().install(look.textPercent());
-        if (look.theme() != before.theme() || look.textPercent() != before.textPercent())
+        if (look.theme() != before.theme() || look.textPercent() != before.textPercent()) {
+            look.theme().install(look.textPercent());
             FlatLaf.updateUI();
+        }
         fill(LabTabs.create(models, language(), onFailure), seen);
         content.show(coming);
         giveFocus(focus);

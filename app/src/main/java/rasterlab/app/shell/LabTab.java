@@ -9,7 +9,8 @@ public final class LabTab implements AutoCloseable {
     private final String name;
     private final String title;
     private final Optional<Runnable> preparation;
-    private final Supplier<LabPanel> made;
+    private final Supplier<Supplier<LabPanel>> begun;
+    private Optional<Supplier<LabPanel>> rest = Optional.empty();
     private LabPanel panel;
     private boolean fresh;
 
@@ -18,13 +19,18 @@ public final class LabTab implements AutoCloseable {
      * @param title in the window's language
      * @param preparation does before what the panel would take long for, on any thread; may be left
      *     out, or be run again
-     * @param made makes the lab's panel
+     * @param begun makes a part of the lab's panel and says how the rest is made, so that none of
+     *     the two takes long
      */
-    LabTab(String name, String title, Optional<Runnable> preparation, Supplier<LabPanel> made) {
+    LabTab(
+            String name,
+            String title,
+            Optional<Runnable> preparation,
+            Supplier<Supplier<LabPanel>> begun) {
         this.name = name;
         this.title = title;
         this.preparation = preparation;
-        this.made = made;
+        this.begun = begun;
     }
 
     public String name() {
@@ -40,10 +46,17 @@ public final class LabTab implements AutoCloseable {
         return preparation;
     }
 
-    /** Makes the lab, unless it is there, which takes about as long as {@link #panel} then. */
+    /** The first part of making the lab, unless it is there. */
+    void begin() {
+        if (panel == null && rest.isEmpty()) rest = Optional.of(begun.get());
+    }
+
+    /** Makes the lab, unless it is there, but for what it shows. */
     void make() {
+        begin();
         if (panel != null) return;
-        panel = made.get();
+        panel = rest.orElseThrow().get();
+        rest = Optional.empty();
         fresh = true;
     }
 

@@ -16,8 +16,8 @@ import rasterlab.app.language.Texts;
 
 /**
  * The labs' tabs, whose panels are made when they are first chosen. In an open window each is
- * prepared in the background, then made, filled, laid out and shown in an event each, between which
- * the window answers; until then it shows the tab before.
+ * prepared in the background, then begun, made, filled, laid out and shown in an event each,
+ * between which the window answers; until then it shows the tab before.
  */
 final class TabbedLabs extends JTabbedPane {
     private static final long serialVersionUID = 1L;
@@ -130,32 +130,42 @@ final class TabbedLabs extends JTabbedPane {
         else
             tabs.get(index)
                     .preparation()
-                    .ifPresentOrElse(
-                            preparation -> prepare(index, preparation),
-                            () -> later(index, () -> make(index)));
+                    .ifPresentOrElse(preparation -> prepare(index, preparation), () -> make(index));
     }
 
     /** What fails here fails again where the panel is made. */
     private void prepare(int index, Runnable preparation) {
         CompletableFuture.runAsync(preparation, work -> new Thread(work, "tab").start())
-                .whenComplete((done, failure) -> later(index, () -> make(index)));
+                .whenComplete((done, failure) -> make(index));
     }
 
     private void make(int index) {
-        tabs.get(index).make();
-        later(
+        LabTab tab = tabs.get(index);
+        inTurn(
                 index,
-                () -> {
-                    fill(index);
-                    later(index, () -> layOut(index));
-                });
+                List.of(
+                        tab::begin,
+                        tab::make,
+                        () -> fill(index),
+                        () -> layOut(index),
+                        () -> setSelectedIndex(index)));
     }
 
     private void layOut(int index) {
         JPanel place = place(index);
         place.setBounds(getSelectedComponent().getBounds());
         place.validate();
-        later(index, () -> setSelectedIndex(index));
+    }
+
+    /** Each in an event of its own, after this one. */
+    private void inTurn(int index, List<Runnable> steps) {
+        if (steps.isEmpty()) return;
+        later(
+                index,
+                () -> {
+                    steps.get(0).run();
+                    inTurn(index, steps.subList(1, steps.size()));
+                });
     }
 
     /** In the next event, unless another tab was chosen or the window changed all till then. */

@@ -2,6 +2,7 @@ package rasterlab.app.visibility;
 
 import java.awt.CardLayout;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
@@ -30,15 +31,26 @@ public final class VisibilityPanel extends LabPanel {
     private final transient Runnable unsubscribe;
 
     /**
+     * Makes the inspector, and then the rest: half of the time each.
+     *
      * @param onFailure told what a control could not do
      */
-    public VisibilityPanel(
+    public static Supplier<LabPanel> begin(
             VisibilityLabModel model, Language language, Consumer<Throwable> onFailure) {
+        var inspector = new VisibilityInspector(model, Texts.of("visibility", language));
+        return () -> new VisibilityPanel(model, inspector, language, onFailure);
+    }
+
+    private VisibilityPanel(
+            VisibilityLabModel model,
+            VisibilityInspector inspector,
+            Language language,
+            Consumer<Throwable> onFailure) {
         this.model = model;
+        this.inspector = inspector;
         setName("visibility");
         texts = Texts.of("visibility", language);
         stage = new VisibilityStage(model, texts);
-        inspector = new VisibilityInspector(model, texts);
         player =
                 new StepPlayer(
                         Texts.of("canvas", language),

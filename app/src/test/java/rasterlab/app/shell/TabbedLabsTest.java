@@ -71,7 +71,14 @@ class TabbedLabsTest {
     }
 
     private LabTab tab(String name, Optional<Runnable> preparation) {
-        return new LabTab(name, name, preparation, () -> new Lab(name));
+        return new LabTab(
+                name,
+                name,
+                preparation,
+                () -> {
+                    events.add(name + " is begun");
+                    return () -> new Lab(name);
+                });
     }
 
     private final class Lab extends LabPanel {
@@ -129,7 +136,7 @@ class TabbedLabsTest {
     }
 
     @Test
-    void panelIsMadeFilledLaidOutAndShownInEventsOfTheirOwn() throws Exception {
+    void panelIsBegunMadeFilledLaidOutAndShownInEventsOfTheirOwn() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
                     pane.show("plain");
@@ -138,6 +145,8 @@ class TabbedLabsTest {
         await(1);
         assertEquals(
                 List.of(
+                        "before",
+                        "plain is begun",
                         "before",
                         "plain is made",
                         "before",
@@ -167,14 +176,20 @@ class TabbedLabsTest {
         assertEquals(List.of(), events);
         mayGoOn.countDown();
         await(2);
-        assertEquals(List.of("prepared beside events", "slow is made", "slow is filled"), events);
+        assertEquals(
+                List.of(
+                        "prepared beside events",
+                        "slow is begun",
+                        "slow is made",
+                        "slow is filled"),
+                events);
     }
 
     @Test
     void panelIsMadeThoughItsPreparationFailed() throws Exception {
         choose("broken");
         await(3);
-        assertEquals(List.of("broken is made", "broken is filled"), events);
+        assertEquals(List.of("broken is begun", "broken is made", "broken is filled"), events);
     }
 
     @Test
@@ -185,7 +200,11 @@ class TabbedLabsTest {
         while (!events.contains("prepared beside events")) selected();
         for (int k = 0; k < 9; k++) assertEquals(3, selected());
         assertEquals(
-                List.of("broken is filled", "broken is made", "prepared beside events"),
+                List.of(
+                        "broken is begun",
+                        "broken is filled",
+                        "broken is made",
+                        "prepared beside events"),
                 events.stream().sorted().toList());
     }
 
