@@ -66,11 +66,6 @@ public record LabModels(
                 new ExerciseLabModel(() -> Catalogue.builtIn().all(), events, onFailure));
     }
 
-    /** Loads what most models are made of, so that they are made sooner; on any thread. */
-    static void prepare() {
-        Topics.all();
-    }
-
     /** What opens as it was left, by the name under which it is kept. */
     Map<String, Kept<?>> kept() {
         var kept = new LinkedHashMap<String, Kept<?>>();

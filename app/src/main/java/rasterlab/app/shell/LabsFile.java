@@ -72,7 +72,7 @@ public final class LabsFile {
         }
     }
 
-    /** Reads the file and brings every lab to what it showed. On the event thread. */
+    /** Reads the file and brings every lab to what it showed. On the thread that uses the models. */
     public void load(LabModels models) {
         read().ifPresent(content -> bringBack(content, models));
     }
@@ -99,7 +99,7 @@ public final class LabsFile {
         problem.accept(Problem.of("labs.notUsed", file.toString(), reason));
     }
 
-    /** Brings every lab to what it showed. On the event thread. */
+    /** Brings every lab to what it showed. On the thread that uses the models. */
     void bringBack(Content content, LabModels models) {
         models.kept().forEach((name, lab) -> bringBack(name, lab, content.root.path(name)));
     }

@@ -1,6 +1,7 @@
 package rasterlab.engine.scene.catalogue;
 
 import java.util.List;
+import java.util.Optional;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.scene.Scene;
 
@@ -29,11 +30,27 @@ public final class Scenes {
                     GlassScenes.sphereAndCylinder(),
                     GlassScenes.transparency());
 
+    private static final List<Usual> USUAL = RECIPES.stream().map(Usual::new).toList();
+
     private Scenes() {}
 
-    /** Made when first asked for. */
-    private static final class Made {
-        static final List<Scene> ALL = RECIPES.stream().map(Recipe::usual).toList();
+    /** A scene in its usual detail, made when it is first asked for. */
+    private static final class Usual {
+        private final Recipe recipe;
+        private Optional<Scene> made = Optional.empty();
+
+        Usual(Recipe recipe) {
+            this.recipe = recipe;
+        }
+
+        String name() {
+            return recipe.name();
+        }
+
+        synchronized Scene scene() {
+            if (made.isEmpty()) made = Optional.of(recipe.usual());
+            return made.get();
+        }
     }
 
     /** All names, in teaching order. */
@@ -43,7 +60,7 @@ public final class Scenes {
 
     /** All scenes in their usual detail, in teaching order. */
     public static List<Scene> all() {
-        return Made.ALL;
+        return USUAL.stream().map(Usual::scene).toList();
     }
 
     /**
@@ -52,8 +69,7 @@ public final class Scenes {
      * @throws IllegalArgumentException for an unknown name; the message lists the known ones
      */
     public static Scene named(String name) {
-        Named.find("scene", name, RECIPES, Recipe::name);
-        return Named.find("scene", name, Made.ALL, Scene::name);
+        return Named.find("scene", name, USUAL, Usual::name).scene();
     }
 
     /**
