@@ -40,3 +40,5 @@ dependencies {
 application {
     mainClass.set("rasterlab.app.Main")
 }
+
+tasks.test { maxParallelForks = 2 }

@@ -44,3 +44,5 @@ val contractJar by tasks.registering(Jar::class) {
 tasks.assemble {
     dependsOn(contractJar)
 }
+
+tasks.test { maxParallelForks = 2 }

@@ -34,10 +34,15 @@ public final class Tour {
      * @throws Complaint if the folder cannot be written to
      */
     public boolean make(Optional<Path> home) throws InterruptedException {
+        return make(parts(home));
+    }
+
+    /** Makes those parts and the page; returns and throws the same. */
+    boolean make(List<TourPart> parts) throws InterruptedException {
         WholeFile.requireFolder(folder.resolve(TourPage.PICTURES));
         var page = new TourPage(folder, language, progress);
         boolean whole = true;
-        for (TourPart part : parts(home)) whole &= made(part, page);
+        for (TourPart part : parts) whole &= made(part, page);
         byte[] html = page.html().getBytes(StandardCharsets.UTF_8);
         WholeFile.write(index(), html);
         return whole;
@@ -48,7 +53,7 @@ public final class Tour {
         return folder.resolve("index.html");
     }
 
-    private List<TourPart> parts(Optional<Path> home) {
+    private static List<TourPart> parts(Optional<Path> home) {
         return List.of(
                 new LabPictures(),
                 new ScenePictures(),

@@ -31,7 +31,12 @@ class TourTest {
                         folder,
                         Language.RUSSIAN,
                         new PrintStream(log, true, StandardCharsets.UTF_8));
-        assertFalse(tour.make(Optional.empty()), "the server cannot be found");
+        List<TourPart> parts =
+                List.of(
+                        new GradingSection(Optional.empty()),
+                        new ScenePictures(),
+                        new HazardSection());
+        assertFalse(tour.make(parts), "the server cannot be found");
         String html = Files.readString(tour.index());
         assertTrue(html.contains("<p class=\"failure\">"), html);
         assertTrue(html.contains("Опасные случаи"), html);
