@@ -8,6 +8,7 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
 import javax.swing.JPanel;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.data.TableCell;
@@ -61,12 +62,18 @@ class WindowStudyTest extends WindowHarness {
     void clickChoosesThePointThatIsThere() {
         measureLines();
         Component chart = window.robot().finder().findByName(frame, "chart");
-        for (int x = chart.getWidth() / 8; x < chart.getWidth() * 3 / 4; x += 12)
-            for (int y = chart.getHeight() * 3 / 4; y < chart.getHeight() * 9 / 10; y += 12) {
-                if (state().point().isPresent()) return;
-                robot.click(chart, new Point(x, y), MouseButton.LEFT_BUTTON, 1);
-            }
-        throw new AssertionError("no point in the band of exact results");
+        robot.click(chart, bandOfExactResults(), MouseButton.LEFT_BUTTON, 1);
+        assertEquals("bresenham", state().point().orElseThrow().method());
+    }
+
+    /** Where the chart has Bresenham's colour, below the scale of the errors. */
+    private Point bandOfExactResults() {
+        int bresenham = MethodColours.of("bresenham").getRGB();
+        BufferedImage picture = seen("chart");
+        for (int y = picture.getHeight() * 3 / 4; y < picture.getHeight() * 9 / 10; y++)
+            for (int x = 0; x < picture.getWidth(); x++)
+                if ((0xFF000000 | picture.getRGB(x, y)) == bresenham) return new Point(x, y);
+        throw new AssertionError("Bresenham's points are not drawn in the band of exact results");
     }
 
     @Test
