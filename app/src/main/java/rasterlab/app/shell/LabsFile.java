@@ -72,7 +72,9 @@ public final class LabsFile {
         }
     }
 
-    /** Reads the file and brings every lab to what it showed. On the thread that uses the models. */
+    /**
+     * Reads the file and brings every lab to what it showed. On the thread that uses the models.
+     */
     public void load(LabModels models) {
         read().ifPresent(content -> bringBack(content, models));
     }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -22,6 +23,7 @@ public final class WindowStart {
     private final LabSettings settings;
     private LabTabs tabs;
     private LabFrame frame;
+    private boolean unmade;
 
     private WindowStart(Path place) {
         file = new SettingsFile(place, problems);
@@ -42,25 +44,33 @@ public final class WindowStart {
                         () -> LabsFile.beside(place, problems),
                         work -> new Thread(work, "labs file").start());
         var kept = labs.thenApply(LabsFile::read);
-        // Saved at once too: whoever cannot write it learns so now, not when the window is gone.
-        file.save(settings);
-        hold(place);
+        keep(settings, file, place, problems);
         var events = new HeldEvents(EventQueue::invokeLater);
         LabModels models = LabModels.first(events, reports);
         LabsFile labsFile = labs.join();
-        kept.join().ifPresent(left -> labsFile.bringBack(models, left));
+        kept.join().ifPresent(left -> labsFile.bringBack(left, models));
         inTurn(
                 List.of(
                         () -> {
                             events.letGo();
                             tabs = LabTabs.create(models, settings.look().language(), reports);
                         },
-                        () -> tabs.namedOrFirst(settings.tab()).begin(),
-                        () -> tabs.namedOrFirst(settings.tab()).make(),
-                        () -> tabs.namedOrFirst(settings.tab()).panel(),
+                        () -> prepare(LabTab::begin),
+                        () -> prepare(LabTab::make),
+                        () -> prepare(LabTab::panel),
                         () -> frame = new LabFrame(models, tabs, settings, file, labsFile, reports),
                         () -> frame.setVisible(true),
                         () -> problems.showIn(frame)));
+    }
+
+    /** Does a part of what the frame would do; what fails here fails there again, and is told. */
+    private void prepare(Consumer<LabTab> part) {
+        if (unmade) return;
+        try {
+            part.accept(tabs.namedOrFirst(settings.tab()));
+        } catch (RuntimeException | LinkageError | AssertionError e) {
+            unmade = true;
+        }
     }
 
     /** Each in an event of its own; one that throws ends it. */
@@ -73,12 +83,19 @@ public final class WindowStart {
                 });
     }
 
-    private void hold(Path place) {
+    /**
+     * Saves the settings at once too, so that whoever cannot write them learns so now, not when the
+     * window is gone; but not over what another window may have changed since they were read.
+     */
+    static void keep(
+            LabSettings settings, SettingsFile file, Path place, Consumer<Problem> problem) {
+        boolean first = true;
         try {
-            OneWindow.hold(place, problems);
+            first = OneWindow.hold(place, problem);
         } catch (IOException e) {
-            problems.accept(Problem.of("window.unknown", String.valueOf(e.getMessage())));
+            problem.accept(Problem.of("window.unknown", String.valueOf(e.getMessage())));
         }
+        if (first) file.save(settings);
     }
 
     private void show(Throwable failure) {

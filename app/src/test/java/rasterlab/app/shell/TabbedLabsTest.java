@@ -37,7 +37,7 @@ class TabbedLabsTest {
                     tab("plain", Optional.empty()),
                     tab("slow", Optional.of(this::prepare)),
                     tab("broken", Optional.of(this::fail)),
-                    new LabTab("faulty", "faulty", Optional.empty(), this::failAtFirst));
+                    new LabTab("faulty", "faulty", Optional.empty(), () -> this::failAtFirst));
     private final List<String> failures = new CopyOnWriteArrayList<>();
     private TabbedLabs pane;
     private WindowKeys keys;
@@ -255,7 +255,7 @@ class TabbedLabsTest {
                                 .actionPerformed(new ActionEvent(pane, 0, ""));
                 });
         await(3);
-        assertEquals(List.of("broken is made"), events);
+        assertEquals(List.of("broken is begun", "broken is made", "broken is filled"), events);
     }
 
     @Test
@@ -267,14 +267,14 @@ class TabbedLabsTest {
         assertEquals(List.of("not made"), failures);
         choose("faulty");
         await(4);
-        assertEquals(List.of("faulty is made"), events);
+        assertEquals(List.of("faulty is made", "faulty is filled"), events);
     }
 
     @Test
     void windowOpensThoughTheFirstPanelCannotBeMade() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
-                    var faulty = new LabTab("f", "f", Optional.empty(), this::failAtFirst);
+                    var faulty = new LabTab("f", "f", Optional.empty(), () -> this::failAtFirst);
                     var opened =
                             new TabbedLabs(
                                     List.of(faulty),
