@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.line.LineMode;
@@ -75,6 +76,19 @@ final class LabPictures implements TourPart {
         return new Shot(name, "light", models -> models.light().rows().show(topic, hazard, method));
     }
 
+    private final Predicate<String> wanted;
+
+    LabPictures() {
+        this(name -> true);
+    }
+
+    /**
+     * @param wanted tells by their names which pictures are made
+     */
+    LabPictures(Predicate<String> wanted) {
+        this.wanted = wanted;
+    }
+
     @Override
     public String key() {
         return "labs";
@@ -83,6 +97,7 @@ final class LabPictures implements TourPart {
     @Override
     public void make(TourPage page) throws InterruptedException {
         for (Shot shot : SHOTS) {
+            if (!wanted.test(shot.name())) continue;
             page.heading(page.texts().text("labs." + shot.name()));
             List<TourPage.Figure> figures = new ArrayList<>();
             for (LabTheme theme : THEMES)

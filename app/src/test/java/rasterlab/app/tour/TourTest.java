@@ -43,7 +43,15 @@ class TourTest {
         assertTrue(log.toString(StandardCharsets.UTF_8).contains("vase: painter"));
         assertEquals("mine", Files.readString(foreign));
         assertEveryPictureIsThere(html);
-        for (String lab : List.of("depth-rows", "texture-rows", "filter-rows"))
+    }
+
+    @Test
+    void labIsShownInEachLanguageAndTheme() throws Exception {
+        var tour = new Tour(folder, Language.ENGLISH, System.err);
+        List<String> labs = List.of("depth-rows", "texture-rows", "filter-rows");
+        assertTrue(tour.make(List.of(new LabPictures(labs::contains))));
+        String html = Files.readString(tour.index());
+        for (String lab : labs)
             for (String look : List.of("en-light", "en-dark", "ru-light", "ru-dark"))
                 assertTrue(html.contains("lab-" + lab + "-" + look), lab + " in " + look);
     }
