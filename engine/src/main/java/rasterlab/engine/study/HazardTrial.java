@@ -3,6 +3,7 @@ package rasterlab.engine.study;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -28,6 +29,14 @@ public final class HazardTrial {
             return verdict.kind() == recorded;
         }
     }
+
+    /**
+     * What a method made of an input, beside what is right.
+     *
+     * @param exact the right answer, cut where {@link Topic#mostItems} says
+     * @param made the method's; empty where it gave none
+     */
+    public record Tried<O>(O exact, Optional<O> made, Verdict verdict) {}
 
     /** Every method on every hazard, hazard by hazard. */
     public static <C, I, O> List<Cell> table(Topic<C, I, O> topic, Duration wallLimit) {
@@ -70,11 +79,25 @@ public final class HazardTrial {
      */
     public static <C, I, O> Verdict judge(
             Topic<C, I, O> topic, Method<C> method, Hazard<I> hazard, Duration wallLimit) {
-        I input = hazard.input();
-        return judge(topic, method, input, Answer.to(topic, input), wallLimit);
+        return tried(topic, method, hazard.input(), wallLimit).verdict();
+    }
+
+    /**
+     * The same with what the method made of it.
+     *
+     * @param wallLimit the longest it may take
+     */
+    public static <C, I, O> Tried<O> tried(
+            Topic<C, I, O> topic, Method<C> method, I input, Duration wallLimit) {
+        return tried(topic, method, input, Answer.to(topic, input), wallLimit);
     }
 
     static <C, I, O> Verdict judge(
+            Topic<C, I, O> topic, Method<C> method, I input, Answer<O> answer, Duration wallLimit) {
+        return tried(topic, method, input, answer, wallLimit).verdict();
+    }
+
+    private static <C, I, O> Tried<O> tried(
             Topic<C, I, O> topic, Method<C> method, I input, Answer<O> answer, Duration wallLimit) {
         var outcome =
                 Guard.call(
@@ -87,8 +110,12 @@ public final class HazardTrial {
                 && threw.cause() instanceof LimitReached reached)
             return answer.cut()
                     ? compared(topic, input, answer.exact(), recorded(reached))
-                    : endless(answer, topic.item());
-        return Verdicts.ofFailure(outcome);
+                    : without(answer, endless(answer, topic.item()));
+        return without(answer, Verdicts.ofFailure(outcome));
+    }
+
+    private static <O> Tried<O> without(Answer<O> answer, Verdict verdict) {
+        return new Tried<>(answer.exact(), Optional.empty(), verdict);
     }
 
     private static Verdict endless(Answer<?> answer, String item) {
@@ -104,7 +131,11 @@ public final class HazardTrial {
                         + " are right");
     }
 
-    private static <C, I, O> Verdict compared(Topic<C, I, O> topic, I input, O exact, O actual) {
+    private static <C, I, O> Tried<O> compared(Topic<C, I, O> topic, I input, O exact, O actual) {
+        return new Tried<>(exact, Optional.of(actual), verdict(topic, input, exact, actual));
+    }
+
+    private static <C, I, O> Verdict verdict(Topic<C, I, O> topic, I input, O exact, O actual) {
         Deviation deviation;
         try {
             deviation = topic.compare(input, exact, actual);

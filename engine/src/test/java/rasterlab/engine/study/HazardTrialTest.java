@@ -145,6 +145,20 @@ class HazardTrialTest {
         assertTrue(table.get(0).asRecorded() && !table.get(1).asRecorded(), table.toString());
     }
 
+    @Test
+    void whatWasMadeStandsBesideWhatIsRight() {
+        Method<LineRasterizer> low = named("low", moved(2));
+        Method<LineRasterizer> none = named("none", throwing(new IllegalArgumentException("no")));
+        var topic = new LinesOf(List.of(low, none));
+        var tried = HazardTrial.tried(topic, low, SEGMENT, AMPLE);
+        var exact = topic.exact(SEGMENT, 100);
+        assertTrue(topic.compare(SEGMENT, exact, tried.exact()).exact());
+        var made = topic.record(low.implementation(), SEGMENT, 100);
+        assertTrue(topic.compare(SEGMENT, made, tried.made().orElseThrow()).exact());
+        assertEquals(Kind.WRONG, tried.verdict().kind());
+        assertTrue(HazardTrial.tried(topic, none, SEGMENT, AMPLE).made().isEmpty());
+    }
+
     static LineRasterizer right() {
         return new BresenhamLine();
     }
