@@ -3,12 +3,14 @@ package rasterlab.app.canvas;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import rasterlab.app.language.Texts;
 
 /**
  * In what a tab shows a hazard otherwise than it is.
  *
- * @param parts of the sentence, such as sizes
+ * @param parts of the sentence, such as sizes; the texts have them as they are written, and behind
+ *     them once more as they are
  */
 public record Unlike(Kind kind, List<Object> parts) {
     /** What is other; each is a sentence. */
@@ -61,11 +63,9 @@ public record Unlike(Kind kind, List<Object> parts) {
 
     /** The sentence in the language of the texts, those of {@code canvas}. */
     String in(Texts texts) {
-        return texts.text(
-                kind.key(),
-                parts.stream()
-                        .map(part -> part instanceof Number n ? number(n, texts) : part)
-                        .toArray());
+        Stream<Object> said =
+                parts.stream().map(part -> part instanceof Number n ? number(n, texts) : part);
+        return texts.text(kind.key(), Stream.concat(said, parts.stream()).toArray());
     }
 
     private static String number(Number number, Texts texts) {

@@ -11,7 +11,8 @@ import java.util.Set;
  * The texts of one package of the app in one language.
  *
  * <p>A text with arguments is a {@link MessageFormat} pattern; one without is taken as it stands,
- * so that an apostrophe needs doubling in patterns only.
+ * so that an apostrophe needs doubling in patterns only. Words take the form that goes with a
+ * number by {@code {0,plural,one#…|other#…}}, in Russian {@code one}, {@code few} and {@code many}.
  */
 public final class Texts {
     private final ResourceBundle bundle;
@@ -68,7 +69,8 @@ public final class Texts {
         String pattern = bundle.getString(key);
         return arguments.length == 0
                 ? pattern
-                : new MessageFormat(pattern, locale()).format(arguments);
+                : new MessageFormat(PluralForms.chosen(pattern, arguments, language), locale())
+                        .format(arguments);
     }
 
     /**

@@ -218,7 +218,7 @@ final class StudyInspector {
                         + ". "
                         + description(state, hazard)
                         + (said.isEmpty() ? "" : "\n→ " + FirstDifference.said(texts, said)));
-        say(input, texts.text("input.is", InputText.of(hazard.input())));
+        say(input, texts.text("input.is", InputText.of(hazard.input(), texts)));
         Optional<Unshown> obstacle = lab.obstacleTo(state.topic().name(), hazard.name());
         open.setEnabled(obstacle.isEmpty());
         open.setToolTipText(

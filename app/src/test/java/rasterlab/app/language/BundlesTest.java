@@ -1,6 +1,7 @@
 package rasterlab.app.language;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -99,6 +100,22 @@ class BundlesTest {
             String beside = translated.getProperty(key + ".en", "");
             String text = translated.getProperty(key);
             if (!key.endsWith(".en")) assertEquals(placeholders(beside), placeholders(text), key);
+        }
+    }
+
+    @ParameterizedTest(name = "a plural lacks a form of its language: {0}")
+    @MethodSource("allFiles")
+    void pluralsHaveTheFormsOfTheirLanguage(Path file) throws IOException {
+        boolean russian = file.toString().endsWith("_ru.properties");
+        List<String> forms = russian ? List.of("one", "few", "many") : List.of("one", "other");
+        Properties texts = read(file);
+        for (String key : texts.stringPropertyNames()) {
+            String[] plurals = texts.getProperty(key).split("\\{\\d,plural,", -1);
+            for (int i = 1; i < plurals.length; i++)
+                for (String form : forms)
+                    assertTrue(
+                            Pattern.compile("(^|\\|)" + form + "#").matcher(plurals[i]).find(),
+                            key + ": " + form);
         }
     }
 

@@ -1,7 +1,11 @@
 package rasterlab.app.language;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -34,5 +38,41 @@ class PluralTest {
     void englishNounHasTwoForms(double number, String noun) {
         Texts texts = Texts.of("study", Language.ENGLISH);
         assertEquals(noun, texts.plural("amount.pixels", number));
+    }
+
+    @ParameterizedTest(name = "a sentence has the wrong form for {0}")
+    @CsvSource({
+        "1, после 1 шага на один отрезок",
+        "2, после 2 шагов на один отрезок",
+        "11, после 11 шагов на один отрезок",
+        "21, после 21 шага на один отрезок",
+    })
+    void formsStandWithinSentences(int steps, String end) {
+        String said = Texts.of("clip", Language.RUSSIAN).text("note.endless", "dda", steps);
+        assertTrue(said.endsWith(end), said);
+    }
+
+    @Test
+    @DisplayName("one pixel is called pixels")
+    void countOfOneIsSingular() {
+        Texts texts = Texts.of("visibility", Language.ENGLISH);
+        assertEquals("1 pixel", texts.text("wrongPixels.count", 1));
+        assertEquals("0 pixels", texts.text("wrongPixels.count", 0));
+        assertEquals("2 pixels", texts.text("wrongPixels.count", 2));
+    }
+
+    @Test
+    @DisplayName("a form that is not there leaves the braces in the sentence")
+    void missingFormIsSaid() {
+        var refused =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () ->
+                                PluralForms.chosen(
+                                        "{0,plural,one#a}", new Object[] {5}, Language.RUSSIAN));
+        assertTrue(refused.getMessage().contains("many"), refused.getMessage());
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> PluralForms.chosen("{0,plural,one#a", new Object[] {1}, Language.RUSSIAN));
     }
 }
