@@ -8,6 +8,9 @@ import java.util.Locale;
 public final class Shown {
     private static final double LONG = 1e6;
 
+    /** What some thousand roundings of a double leave of a number. */
+    private static final double ROUNDING = 1e-12;
+
     private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
     private Shown() {}
@@ -33,6 +36,18 @@ public final class Shown {
         return text.equals("−0") ? "0" : text;
     }
 
+    /**
+     * A coordinate, or a part of a direction, beside others: rounding reads as 0.
+     *
+     * @param largest of all that stand there, in magnitude
+     * @param decimals at most so many
+     */
+    public static String beside(double value, double largest, int decimals, Locale locale) {
+        double rest = Double.isFinite(largest) ? ROUNDING * Math.abs(largest) : 0;
+        boolean rounding = Math.abs(value) <= rest;
+        return number(rounding ? 0 : value, decimals, locale);
+    }
+
     /** {@code 1.5·10⁻⁷} for {@code 1.5E−7}. */
     static String withPower(String number) {
         int mark = number.indexOf('E');
@@ -45,7 +60,12 @@ public final class Shown {
 
     /** {@code (x, y)}, with what stands between numbers in that language. */
     public static String point(double x, double y, Locale locale) {
-        return "(" + number(x, locale) + apart(locale) + number(y, locale) + ")";
+        double largest = Math.max(Math.abs(x), Math.abs(y));
+        return "("
+                + beside(x, largest, 4, locale)
+                + apart(locale)
+                + beside(y, largest, 4, locale)
+                + ")";
     }
 
     /** What stands between numbers: a semicolon where they have a decimal comma. */

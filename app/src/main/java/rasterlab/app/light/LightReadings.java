@@ -60,7 +60,7 @@ final class LightReadings {
                                 + " "
                                 + cosines
                                 + " f = "
-                                + number(lamp.factor())));
+                                + Shown.number(lamp.factor(), 3, texts.locale())));
         lines.add(words("      +", row(lamp.added())));
     }
 
@@ -84,8 +84,9 @@ final class LightReadings {
         return Formula.of(new Formula.Words(words), matrix);
     }
 
+    /** A cosine, a part of a direction or a share of full intensity. */
     private String number(double value) {
-        return Shown.number(value, 3, texts.locale());
+        return Shown.beside(value, 1, 3, texts.locale());
     }
 
     private String numbers(double[] values, int decimals) {

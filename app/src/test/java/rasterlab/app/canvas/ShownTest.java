@@ -29,4 +29,23 @@ class ShownTest {
         assertEquals("(1.5, 2)", Shown.point(1.5, 2, Locale.ENGLISH));
         assertEquals("(1,5; 2)", Shown.point(1.5, 2, Locale.forLanguageTag("ru")));
     }
+
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({
+        "rounding beside 1 is shown, 5.55e-17, 1, 0",
+        "rounding of the other sign is shown, -5.55e-17, -1, 0",
+        "small number that is no rounding is hidden, 1.2e-7, 1, 1.2·10⁻⁷",
+        "small number among small ones is hidden, 3e-200, 4e-200, 3·10⁻²⁰⁰",
+        "number beside infinity is hidden, 2, Infinity, 2",
+        "infinity is hidden, Infinity, Infinity, Infinity",
+    })
+    void roundingBesideOthersReadsAsZero(
+            String mistake, double value, double largest, String shown) {
+        assertEquals(shown, Shown.beside(value, largest, 4, Locale.ENGLISH), mistake);
+    }
+
+    @Test
+    void pointOnAnAxisHasAZero() {
+        assertEquals("(1, 0)", Shown.point(1, 6.1e-17, Locale.ENGLISH));
+    }
 }
