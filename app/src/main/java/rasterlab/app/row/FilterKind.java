@@ -1,9 +1,13 @@
 package rasterlab.app.row;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.StringJoiner;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import rasterlab.app.coordinates.figure.CallJson;
 import rasterlab.contract.TextureFilter;
 import rasterlab.engine.texture.filter.FilterTopic;
 import rasterlab.engine.texture.filter.FilteredPixels;
@@ -22,6 +26,22 @@ final class FilterKind extends RowKind<TextureFilter, FilteredPixels, double[]> 
     @Override
     int pixels(FilteredPixels pixels) {
         return pixels.count();
+    }
+
+    /** Of a grey picture, as those of all hazards are. */
+    @Override
+    String json(FilteredPixels pixels) {
+        var rows = new StringJoiner(", ", "[", "]");
+        for (int row = pixels.height() - 1; row >= 0; row--)
+            rows.add(
+                    Arrays.stream(pixels.argb(), row * pixels.width(), (row + 1) * pixels.width())
+                            .mapToObj(argb -> String.valueOf(argb & 255))
+                            .collect(Collectors.joining(",", "[", "]")));
+        return "{\"picture\": %s, \"pixels\": %s}"
+                .formatted(
+                        rows,
+                        CallJson.rows(
+                                pixels.footprints().length / pixels.count(), pixels.footprints()));
     }
 
     @Override

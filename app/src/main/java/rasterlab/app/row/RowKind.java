@@ -42,6 +42,13 @@ abstract class RowKind<C, I, O> {
 
     abstract RowScene.Numbers numbers(I input, O exact, Optional<O> actual, int pixel);
 
+    /** The input as {@code ./lab run} reads it. */
+    abstract String json(I input);
+
+    final String json(String hazard) {
+        return json(hazard(hazard).input());
+    }
+
     Optional<RowScene.Image> image(I input) {
         return Optional.empty();
     }

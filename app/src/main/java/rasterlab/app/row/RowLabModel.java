@@ -186,6 +186,15 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
         return kind(choice()).topic();
     }
 
+    /** The shell command that has the method answer to the row. */
+    String command() {
+        return "echo '%s' | ./lab run %s %s"
+                .formatted(
+                        kind(choice()).json(choice().hazard()),
+                        choice().topic(),
+                        choice().method());
+    }
+
     List<? extends Method<?>> methods(String topic) {
         return kind(topic).topic().methods();
     }

@@ -35,11 +35,7 @@ public final class RowPanel extends LabCard {
         this.model = model;
         stage = new RowStage(model, texts);
         inspector = new RowInspector(model, texts, tab, modes, onMode);
-        addCopies(
-                () -> stage,
-                stage::svg,
-                () -> Optional.of("./lab hazards " + model.choice().topic()),
-                onFailure);
+        addCopies(() -> stage, stage::svg, () -> Optional.of(model.command()), onFailure);
         var steps =
                 new StepPlayer(
                         Texts.of("canvas", language),

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import rasterlab.app.canvas.ShellPath;
@@ -42,6 +43,15 @@ final class VisibilityCommand {
         String first = new VisibilityCommand(model).by(choice.visibility());
         if (choice.comparison().isEmpty()) return first;
         return first + "\n" + new VisibilityCommand(model).by(choice.comparison());
+    }
+
+    /** The file that has to be saved before the command can draw it; empty where there is one. */
+    static Optional<String> unsaved(VisibilityLabModel model) {
+        VisibilityChoice choice = model.state().choice();
+        SceneChoice scene = choice.shown();
+        boolean charted = choice.view() == StageView.GROWTH || choice.view() == StageView.PRECISION;
+        boolean saved = charted || scene.file().isPresent() || named(scene).equals(scene.name());
+        return saved ? Optional.empty() : Optional.of(named(scene));
     }
 
     private String by(String method) {

@@ -122,6 +122,11 @@ public final class VisibilityPanel extends LabPanel {
         inspector.refresh();
         player.refresh();
         actions.refreshUndo();
+        actions.hint(
+                "copyCommand",
+                VisibilityCommand.unsaved(model)
+                        .map(file -> texts.text("copy.unsaved", file))
+                        .orElse(texts.text("copy.command")));
     }
 
     private Chips chips() {

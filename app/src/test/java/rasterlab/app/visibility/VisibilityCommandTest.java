@@ -36,6 +36,7 @@ import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.texture.TextureEnvironment.Mode;
 import rasterlab.engine.texture.Wrap;
+import rasterlab.engine.visibility.faces.VisibleFacesTopic;
 
 @Timeout(60)
 class VisibilityCommandTest {
@@ -129,6 +130,21 @@ class VisibilityCommandTest {
             assertEquals(2, lines.size());
             assertTrue(lines.get(0).contains("--visibility painter"), lines.get(0));
             assertTrue(lines.get(1).contains("--visibility warnock"), lines.get(1));
+        }
+    }
+
+    @Test
+    void fileThatIsNotThereYetIsNamed() {
+        try (var model =
+                new VisibilityLabModel(
+                        new Renderer()::render, Runnable::run, Throwable::printStackTrace)) {
+            assertEquals(Optional.empty(), VisibilityCommand.unsaved(model));
+            var body = new VisibleFacesTopic().hazards().get(0).input();
+            model.choose(TopicView.of("visible-faces-cube", body, "back-face", "back-face")::shown);
+            String file = VisibilityCommand.unsaved(model).orElseThrow();
+            assertTrue(VisibilityCommand.of(model).contains("render " + file + " "), file);
+            model.choose(choice -> choice.withView(StageView.GROWTH));
+            assertEquals(Optional.empty(), VisibilityCommand.unsaved(model));
         }
     }
 

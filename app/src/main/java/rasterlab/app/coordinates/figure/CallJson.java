@@ -42,6 +42,11 @@ public final class CallJson {
         return rows.stream().collect(Collectors.joining(", ", "[", "]"));
     }
 
+    /** {@code [a, b, …]}. */
+    public static String list(double[] numbers) {
+        return list(Arrays.stream(numbers).boxed().toList());
+    }
+
     private static String list(List<Double> numbers) {
         return numbers.stream().map(CallJson::number).collect(Collectors.joining(", ", "[", "]"));
     }
