@@ -2,16 +2,17 @@ package rasterlab.app.canvas;
 
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Verdict;
 
 /**
- * What is said beside a hazard that a tab cannot show as it is.
+ * What is said beside a hazard that a tab cannot show as it is, or that a method fails on.
  *
  * @param verdict on the method, for the hazard's own numbers
- * @param unlike in what the picture is other, at least one
+ * @param unlike in what the picture is other
  */
 public record HazardNote(String hazard, String method, Verdict verdict, List<Unlike> unlike) {
     public HazardNote {
@@ -29,8 +30,7 @@ public record HazardNote(String hazard, String method, Verdict verdict, List<Unl
         String detail = verdict.detail();
         boolean failed = verdict.kind() != Verdict.Kind.EXACT;
         if (failed && !detail.isEmpty()) said += " (" + Complaints.said(language, detail) + ")";
-        return unlike.stream()
-                .map(each -> each.in(texts))
-                .collect(Collectors.joining(". ", said + ". ", "."));
+        return Stream.concat(Stream.of(said), unlike.stream().map(each -> each.in(texts)))
+                .collect(Collectors.joining(". ", "", "."));
     }
 }

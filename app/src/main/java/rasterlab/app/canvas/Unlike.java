@@ -45,6 +45,12 @@ public record Unlike(Kind kind, List<Object> parts) {
         POINT_ASIDE,
         /** A colour is brought into the cube. */
         COLOUR_CUT,
+        /** A point at which is divided by 0 is nowhere. */
+        NO_IMAGE,
+        /** The method's point cannot be told apart from the exact one. */
+        POINTS_TOGETHER,
+        /** The method's point is too far away to be in the picture. */
+        POINT_BEYOND,
         /** The lab draws by formulas of its own and has not this method. */
         OTHER_METHOD;
 

@@ -15,7 +15,7 @@ import rasterlab.app.coordinates.view.ViewLabModel;
 /** All labs of coordinates, and which of them is shown. */
 public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoCloseable {
     private final ViewLabModel views = new ViewLabModel();
-    private final ListLabModel transformations = new ListLabModel();
+    private final ListLabModel transformations;
     private final StackLabModel stack = new StackLabModel();
     private final TurnLabModel rotation;
     private final MeetingLabModel meeting = new MeetingLabModel();
@@ -27,6 +27,7 @@ public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoClo
      * @param onFailure told what background work threw, on any thread
      */
     public CoordinatesLabModel(Executor events, Consumer<Throwable> onFailure) {
+        transformations = new ListLabModel(events, onFailure);
         rotation = new TurnLabModel(events, onFailure);
     }
 
@@ -83,6 +84,7 @@ public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoClo
     /** Ends the labs' threads. */
     @Override
     public void close() {
+        transformations.close();
         rotation.close();
     }
 }

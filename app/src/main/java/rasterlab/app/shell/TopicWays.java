@@ -1,17 +1,16 @@
 package rasterlab.app.shell;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.coordinates.CoordinatesLabModel;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
-import rasterlab.app.coordinates.list.PointList;
 import rasterlab.app.light.LightLabModel;
 import rasterlab.app.line.LineLabModel;
 import rasterlab.app.line.LineMode;
@@ -28,11 +27,8 @@ import rasterlab.engine.geometry.meeting.PlaneAndLines;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.spline.CurveTask;
 import rasterlab.engine.spline.SplineProblem;
-import rasterlab.engine.transform.axis.AxisTurn;
-import rasterlab.engine.transform.chain.Chain;
 import rasterlab.engine.transform.matrix.MatrixCall;
 import rasterlab.engine.transform.rotate.Turns;
-import rasterlab.engine.transform.view.Look;
 import rasterlab.engine.visibility.faces.Body;
 import rasterlab.engine.visibility.hidden.SurfaceView;
 import rasterlab.engine.visibility.order.Sight;
@@ -155,19 +151,19 @@ final class TopicWays {
                     lab.meeting().show((PlaneAndLines) input);
                 },
                 lab.meeting()::chooseMethod);
-        points("transform", lab, input -> PointList.of((Chain) input));
-        points("view", lab, input -> PointList.of((Look) input));
-        points("rotate-axis", lab, input -> PointList.of((AxisTurn) input));
+        for (String topic : List.of("transform", "view", "rotate-axis")) points(topic, lab);
     }
 
-    /** Points that go through matrices, which the lab knows no other methods for. */
-    private void points(String topic, CoordinatesLabModel lab, Function<Object, PointList> list) {
-        Consumer<Object> show =
-                input -> {
-                    lab.show(CoordinatesMode.TRANSFORMATIONS);
-                    lab.transformations().show(list.apply(input));
-                };
-        put(topic, "coordinates", show, method -> {});
+    /** Points of space, beside what the method makes of them. */
+    private void points(String topic, CoordinatesLabModel lab) {
+        ways.put(
+                topic,
+                TopicWay.whole(
+                        "coordinates",
+                        (input, method) -> {
+                            lab.show(CoordinatesMode.TRANSFORMATIONS);
+                            lab.transformations().show(topic, input.hazard(), method);
+                        }));
     }
 
     private void visibility(VisibilityLabModel lab) {

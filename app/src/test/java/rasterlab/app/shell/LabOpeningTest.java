@@ -36,11 +36,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.Unlike;
 import rasterlab.app.canvas.Unshown;
 import rasterlab.app.clip.ClipMode;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
+import rasterlab.app.coordinates.list.Trial;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LineMode;
@@ -269,6 +272,21 @@ class LabOpeningTest {
                 assertEquals(1, tabs.size(), hazard.name() + " " + method.name());
             }
         }
+    }
+
+    @ParameterizedTest(name = "points are shown by another method than the cell''s: {0}")
+    @ValueSource(strings = {"transform", "rotate-axis", "view"})
+    void pointsAreTriedByTheMethodOfTheCell(String name) {
+        Topic<?, ?, ?> topic =
+                topics().filter(each -> each.name().equals(name)).findFirst().orElseThrow();
+        for (Hazard<?> hazard : topic.hazards())
+            for (Method<?> method : topic.methods()) {
+                open(name, hazard.name(), method.name());
+                assertEquals(CoordinatesMode.TRANSFORMATIONS, models.coordinates().mode());
+                assertEquals(
+                        Optional.of(new Trial(name, hazard.name(), method.name())),
+                        models.coordinates().transformations().choice().trial());
+            }
     }
 
     @ParameterizedTest

@@ -45,6 +45,8 @@ final class LabStates {
                     model -> model.show(CoordinatesMode.TRANSFORMATIONS),
                     model -> model.transformations().show(Example.AXIS),
                     model -> model.transformations().show(Example.PROJECTIVE),
+                    model -> tried(model, "rotate-axis", "axis-along-x", "seven-steps-textbook"),
+                    model -> tried(model, "transform", "beyond-float", "float"),
                     model -> model.show(CoordinatesMode.STACK),
                     model -> model.stack().show(StackProgram.LOADED),
                     model -> model.stack().goTo(1),
@@ -93,6 +95,11 @@ final class LabStates {
     }
 
     private LabStates() {}
+
+    private static void tried(
+            CoordinatesLabModel model, String topic, String hazard, String method) {
+        model.transformations().show(topic, hazard, method);
+    }
 
     /** As many rows in the inspector as there can be. */
     private static void showComparison(ClipLabModel clip, ClipMode mode) {

@@ -27,6 +27,7 @@ public final class Box {
         if (mark instanceof Mark.Arrow arrow) return Stream.of(arrow.from(), arrow.to());
         if (mark instanceof Mark.Dot dot) return Stream.of(dot.at());
         if (mark instanceof Mark.Cross cross) return Stream.of(cross.at());
+        if (mark instanceof Mark.Wrong wrong) return Stream.of(wrong.at());
         if (mark instanceof Mark.Beside beside) return Stream.of(beside.at());
         return Stream.of(((Mark.Words) mark).at());
     }

@@ -21,6 +21,7 @@ final class FigurePainter {
     private static final double HEAD = 11;
     private static final double CROSS = 6;
     private static final double DOT = 4;
+    private static final double WRONG = 30;
     private static final Color RED = new Color(0xE02020);
     private static final Color CYAN = new Color(0x00A6B8);
 
@@ -43,6 +44,7 @@ final class FigurePainter {
         else if (mark instanceof Mark.Arrow arrow) arrow(arrow);
         else if (mark instanceof Mark.Dot dot) dot(dot);
         else if (mark instanceof Mark.Cross cross) cross(cross);
+        else if (mark instanceof Mark.Wrong wrong) wrong(wrong);
         else if (mark instanceof Mark.Words words) words(words);
         else if (mark instanceof Mark.Beside beside) beside(beside);
     }
@@ -149,6 +151,11 @@ final class FigurePainter {
         g.draw(new Line2D.Double(x - CROSS, y - CROSS, x + CROSS, y + CROSS));
         g.draw(new Line2D.Double(x - CROSS, y + CROSS, x + CROSS, y - CROSS));
         beside(cross.label(), x, y);
+    }
+
+    private void wrong(Mark.Wrong wrong) {
+        if (wrong.at().isFinite())
+            wrong.kind().paint(g, x(wrong.at()) - WRONG / 2, y(wrong.at()) - WRONG / 2, WRONG);
     }
 
     private void words(Mark.Words words) {

@@ -1,6 +1,7 @@
 package rasterlab.app.coordinates.figure;
 
 import java.util.List;
+import rasterlab.engine.raster.PixelMark;
 
 /** One thing drawn in the plane of the stage. */
 public sealed interface Mark {
@@ -33,6 +34,14 @@ public sealed interface Mark {
 
     /** A cross for a place that is computed, such as a vanishing point. */
     record Cross(Spot at, Ink ink, String label) implements Mark {}
+
+    /** Around a place where a point is missing, or over one where there should be none. */
+    record Wrong(Spot at, PixelMark kind) implements Mark {
+        @Override
+        public Ink ink() {
+            return Ink.WRONG;
+        }
+    }
 
     /** Words whose middle is there. */
     record Words(Spot at, Ink ink, String label) implements Mark {}

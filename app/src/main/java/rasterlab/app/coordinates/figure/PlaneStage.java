@@ -6,6 +6,7 @@ import javax.swing.JPanel;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlaneView;
+import rasterlab.app.canvas.Settling;
 import rasterlab.app.language.Texts;
 
 /** The picture of one plane, y upwards, in which points can be dragged. */
@@ -20,6 +21,14 @@ public abstract class PlaneStage extends JPanel implements AutoCloseable {
      * @param onFailure told what painting threw, on any thread
      */
     protected PlaneStage(ChoiceModel<?> model, Texts texts, Consumer<Throwable> onFailure) {
+        this(model, texts, () -> {}, onFailure);
+    }
+
+    /**
+     * @param source what the scenes come from: waited for before the picture is
+     */
+    protected PlaneStage(
+            ChoiceModel<?> model, Texts texts, Settling source, Consumer<Throwable> onFailure) {
         super(new BorderLayout());
         this.model = model;
         setOpaque(false);
@@ -29,7 +38,7 @@ public abstract class PlaneStage extends JPanel implements AutoCloseable {
                         Texts.of("canvas", texts.language()),
                         texts.text("stage"),
                         new Edits(),
-                        () -> {},
+                        source,
                         onFailure);
         add(view);
     }

@@ -2,6 +2,7 @@ package rasterlab.app.coordinates.list;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import rasterlab.app.coordinates.figure.Viewpoint;
 import rasterlab.app.coordinates.figure.Wire;
 
@@ -12,6 +13,8 @@ import rasterlab.app.coordinates.figure.Wire;
  * @param items as a program writes them
  * @param selected number of an item, from 0; −1 where there is none
  * @param method that writes the matrices down
+ * @param trial a hazard whose points and matrices these are, with the method that is tried on it;
+ *     empty for a list that the user may change
  */
 public record ListChoice(
         Subject subject,
@@ -20,7 +23,8 @@ public record ListChoice(
         int selected,
         Reading reading,
         String method,
-        Viewpoint viewpoint) {
+        Viewpoint viewpoint,
+        Optional<Trial> trial) {
     /** The most matrices of a list. */
     public static final int MOST = 12;
 
@@ -37,7 +41,8 @@ public record ListChoice(
                 1,
                 Reading.OBJECTS,
                 "formula",
-                Viewpoint.FIRST);
+                Viewpoint.FIRST,
+                Optional.empty());
     }
 
     int dimension() {
@@ -48,55 +53,80 @@ public record ListChoice(
         return new Wire(dimension(), points, subject.wire().edges());
     }
 
+    /** Another subject; what is tried ends with every change but that of how it is looked at. */
     ListChoice with(Subject other) {
         boolean same = other.wire().dimension() == dimension();
         List<ListItem> kept = same ? items : Example.of(other.wire().dimension()).items();
-        return new ListChoice(
-                other,
-                other.wire().points(),
-                kept,
-                Math.min(selected, kept.size() - 1),
-                reading,
-                method,
-                viewpoint);
-    }
-
-    ListChoice with(Reading other) {
-        return new ListChoice(subject, points, items, selected, other, method, viewpoint);
+        return changed(
+                other, other.wire().points(), kept, Math.min(selected, kept.size() - 1), method);
     }
 
     ListChoice withMethod(String other) {
-        return new ListChoice(subject, points, items, selected, reading, other, viewpoint);
-    }
-
-    ListChoice with(Viewpoint other) {
-        return new ListChoice(subject, points, items, selected, reading, method, other);
+        return changed(subject, points, items, selected, other);
     }
 
     ListChoice withItems(List<ListItem> others, int chosen) {
-        return new ListChoice(
-                subject,
-                points,
-                others,
-                Math.max(others.isEmpty() ? -1 : 0, Math.min(others.size() - 1, chosen)),
-                reading,
-                method,
-                viewpoint);
-    }
-
-    ListChoice withSelected(int index) {
-        return withItems(items, index);
-    }
-
-    /** Points of space in the place of the subject. */
-    ListChoice with(List<Double> xyz) {
-        return new ListChoice(Subject.POINTS, xyz, items, selected, reading, method, viewpoint);
+        return changed(subject, points, others, inside(others, chosen), method);
     }
 
     ListChoice withPoint(int index, double x, double y) {
         var moved = new ArrayList<>(points);
         moved.set(2 * index, x);
         moved.set(2 * index + 1, y);
-        return new ListChoice(subject, moved, items, selected, reading, method, viewpoint);
+        return changed(subject, moved, items, selected, method);
+    }
+
+    /** The same list, nothing being tried. */
+    ListChoice withoutTrial() {
+        return changed(subject, points, items, selected, method);
+    }
+
+    private ListChoice changed(
+            Subject subject,
+            List<Double> points,
+            List<ListItem> items,
+            int selected,
+            String method) {
+        return new ListChoice(
+                subject, points, items, selected, reading, method, viewpoint, Optional.empty());
+    }
+
+    /** The points and matrices of a hazard, to try a method on. */
+    ListChoice with(PointList list, Trial tried, String formula) {
+        return new ListChoice(
+                Subject.POINTS,
+                list.points(),
+                list.items(),
+                list.items().size() - 1,
+                reading,
+                formula,
+                viewpoint,
+                Optional.of(tried));
+    }
+
+    /** The same hazard by another method. */
+    ListChoice with(Trial tried) {
+        return new ListChoice(
+                subject, points, items, selected, reading, method, viewpoint, Optional.of(tried));
+    }
+
+    ListChoice with(Reading other) {
+        return seen(selected, other, viewpoint);
+    }
+
+    ListChoice with(Viewpoint other) {
+        return seen(selected, reading, other);
+    }
+
+    ListChoice withSelected(int index) {
+        return seen(inside(items, index), reading, viewpoint);
+    }
+
+    private ListChoice seen(int selected, Reading reading, Viewpoint viewpoint) {
+        return new ListChoice(subject, points, items, selected, reading, method, viewpoint, trial);
+    }
+
+    private static int inside(List<ListItem> items, int index) {
+        return Math.max(items.isEmpty() ? -1 : 0, Math.min(items.size() - 1, index));
     }
 }

@@ -10,6 +10,14 @@ import rasterlab.app.coordinates.figure.CallJson;
 final class ListCommand {
     private ListCommand() {}
 
+    /** What is shown of a trial, or of the steps that are done. */
+    static String of(ListLabModel model) {
+        return model.shownTrial()
+                .flatMap(shown -> model.choice().trial())
+                .map(model.trials()::command)
+                .orElseGet(() -> of(model.scene(), model.step()));
+    }
+
     /** Named matrices by their right formula are named, others are given by their cells. */
     static String of(ListScene scene, int step) {
         ListChoice choice = scene.choice();

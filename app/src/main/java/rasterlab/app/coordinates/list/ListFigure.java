@@ -1,36 +1,34 @@
 package rasterlab.app.coordinates.list;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import rasterlab.app.coordinates.figure.Figure;
 import rasterlab.app.coordinates.figure.Ink;
 import rasterlab.app.coordinates.figure.Mark;
 import rasterlab.app.coordinates.figure.Spot;
-import rasterlab.app.coordinates.figure.Viewpoint;
 import rasterlab.app.coordinates.figure.Wire;
-import rasterlab.engine.transform.matrix.MatrixCall;
 
 /** What the stage shows of a list after some of its steps. */
 final class ListFigure {
     /** An axis is so many times as long as the subject reaches. */
     private static final double LONGER = 1.3;
 
-    private static final String[] AXES = {"x", "y", "z"};
     private static final String[] MOVED = {"x′", "y′", "z′"};
 
     private final ListScene scene;
     private final int dimension;
+    private final ListPlaces places;
     private final List<Mark> marks = new ArrayList<>();
 
     private ListFigure(ListScene scene) {
         this.scene = scene;
         dimension = scene.choice().dimension();
+        places = new ListPlaces(scene.choice());
     }
 
     static Figure of(ListScene scene, int step) {
         var figure = new ListFigure(scene);
-        if (dimensionOf(scene) == 3) figure.fixedAxes();
+        if (dimensionOf(scene) == 3) figure.marks.addAll(figure.places.axes(figure.reach()));
         if (!scene.isRefused()) figure.draw(step);
         else figure.wire(scene.choice().wire().numbers(), Ink.OBJECT);
         return new Figure(figure.marks, dimensionOf(scene) == 2);
@@ -48,12 +46,6 @@ final class ListFigure {
         if (scene.choice().reading() == Reading.FRAME) frame(step);
     }
 
-    private List<Spot> places(double[] points) {
-        return dimension == 2
-                ? Viewpoint.spots(points, 2)
-                : scene.choice().viewpoint().places(List.of(MatrixCall.of("ROT3DX", -90)), points);
-    }
-
     private void wire(double[] points, Ink ink) {
         wire(points, ink, new double[0]);
     }
@@ -63,56 +55,29 @@ final class ListFigure {
      *     the eye
      */
     private void wire(double[] points, Ink ink, double[] h) {
-        List<Spot> places = finite(points);
-        if (scene.choice().subject().wire().edges().isEmpty()) dots(places, ink, h);
+        List<Spot> spots = places.of(points);
+        if (scene.choice().subject().wire().edges().isEmpty()) dots(spots, ink, h);
         for (Wire.Edge edge : scene.choice().subject().wire().edges()) {
             boolean right = h.length == 0 || h[edge.from()] > 0 && h[edge.to()] > 0;
             marks.add(
                     new Mark.Line(
-                            places.get(edge.from()),
-                            places.get(edge.to()),
-                            right ? ink : Ink.WRONG));
+                            spots.get(edge.from()), spots.get(edge.to()), right ? ink : Ink.WRONG));
         }
     }
 
-    private void dots(List<Spot> places, Ink ink, double[] h) {
-        for (int i = 0; i < places.size(); i++)
-            marks.add(new Mark.Dot(places.get(i), h.length == 0 || h[i] > 0 ? ink : Ink.WRONG, ""));
+    private void dots(List<Spot> spots, Ink ink, double[] h) {
+        for (int i = 0; i < spots.size(); i++)
+            marks.add(new Mark.Dot(spots.get(i), h.length == 0 || h[i] > 0 ? ink : Ink.WRONG, ""));
     }
 
-    /** Places of points, each one without an image being not finite. */
-    private List<Spot> finite(double[] points) {
-        var spots = new ArrayList<Spot>();
-        for (int at = 0; at < points.length; at += dimension) {
-            var one = Arrays.copyOfRange(points, at, at + dimension);
-            boolean image = Arrays.stream(one).allMatch(Double::isFinite);
-            spots.add(image ? places(one).get(0) : new Spot(Double.NaN, Double.NaN));
-        }
-        return spots;
-    }
-
-    /** The axes that stay, as long as the subject is large. */
-    private void fixedAxes() {
-        double reach = reach();
-        for (int axis = 0; axis < 3; axis++) {
-            var tip = new double[3];
-            tip[axis] = reach;
-            marks.add(
-                    new Mark.Arrow(
-                            places(new double[3]).get(0),
-                            places(tip).get(0),
-                            Ink.HELP,
-                            AXES[axis]));
-        }
-    }
-
+    /** As far as the subject reaches. */
     private double reach() {
         return scene.choice().points().stream().mapToDouble(Math::abs).max().orElse(1);
     }
 
     /** The axes that the steps have moved. */
     private void frame(int step) {
-        List<Spot> ends = finite(scene.frame(step, LONGER * reach()));
+        List<Spot> ends = places.of(scene.frame(step, LONGER * reach()));
         for (int axis = 0; axis < dimension; axis++)
             marks.add(new Mark.Arrow(ends.get(0), ends.get(axis + 1), Ink.axis(axis), MOVED[axis]));
     }

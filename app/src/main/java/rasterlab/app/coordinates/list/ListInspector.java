@@ -13,7 +13,6 @@ import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
-import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.coordinates.figure.NumberTable;
@@ -29,7 +28,7 @@ final class ListInspector {
     private NameChooser example;
     private final NameChooser subject;
     private final NameChooser reading;
-    private final MethodChooser method;
+    private final TrialRows tried;
     private final JList<String> list = new JList<>(new DefaultListModel<>());
     private final JButton remove;
     private final JButton earlier;
@@ -65,7 +64,7 @@ final class ListInspector {
                         "reading",
                         Stream.of(Reading.values()).map(Reading::code).toList(),
                         code -> model.read(Reading.named(code)));
-        method = parts.method(model.methods(), model::chooseMethod);
+        tried = new TrialRows(model, texts, column);
 
         column.heading("heading.list");
         addList();
@@ -126,7 +125,7 @@ final class ListInspector {
         example.show(Example.shown(choice).map(Example::code).orElse(null));
         subject.show(choice.subject().code());
         reading.show(choice.reading().code());
-        method.show(choice.method());
+        tried.refresh();
         showList(choice);
         add.refresh();
         remove.setEnabled(choice.selected() >= 0);
@@ -138,6 +137,11 @@ final class ListInspector {
         done.setText(readings.done());
         error.setText(readings.error());
         formulas.show(readings.formulas());
+        if (model.choice().trial().isPresent()) tried.show(table, about);
+        else showMatrices(readings);
+    }
+
+    private void showMatrices(ListReadings readings) {
         table.show(readings.headings(), readings.rows(), -1);
         about.show(
                 translations,

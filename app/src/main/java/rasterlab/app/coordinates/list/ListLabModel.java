@@ -4,6 +4,9 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.coordinates.figure.ChoiceModel;
 import rasterlab.contract.MatrixFormula;
@@ -19,20 +22,37 @@ import rasterlab.engine.transform.matrix.NamedMatrix;
 /**
  * The lab of lists without its window: which matrices, read how, and how many of them are done. The
  * steps are the matrices.
+ *
+ * <p>Methods are tried on a thread of the model's own; answers and commands all run on the thread
+ * of the executor it is given.
  */
-public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps {
+public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps, AutoCloseable {
     private static final double TURN = 180;
     private static final String FORMULA = "formula";
     private static final String PRINTED = "formula-textbook";
 
     private final MatrixTopic topic = new MatrixTopic();
+    private final Trials trials = new Trials();
+    private final LatestOnly<Trial, TrialScene> tried;
     private ListScene scene;
+    private Optional<Trial> asked = Optional.empty();
+    private Optional<TrialScene> trial = Optional.empty();
     private int step;
 
-    public ListLabModel() {
+    /**
+     * @param events runs what it is given on the one thread that uses this model, in order
+     * @param onFailure told what trying threw, on any thread
+     */
+    public ListLabModel(Executor events, Consumer<Throwable> onFailure) {
         super(ListChoice.first());
         scene = ListScene.of(topic, choice());
         step = scene.last();
+        tried =
+                new LatestOnly<>(
+                        "trial",
+                        (question, cancelled) -> trials.scene(question),
+                        (question, answer) -> events.execute(() -> accept(answer)),
+                        onFailure);
     }
 
     ListScene scene() {
@@ -90,13 +110,77 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
         return next.withItems(List.of(item), 0);
     }
 
-    /** Shows points of space that go through matrices, by the right formula. */
-    public void show(PointList list) {
-        rearrange(
-                choice().with(list.points())
-                        .withItems(list.items(), list.items().size() - 1)
-                        .withMethod(FORMULA));
+    Trials trials() {
+        return trials;
+    }
+
+    /**
+     * Shows a hazard about points of space, and what a method makes of it.
+     *
+     * @throws IllegalArgumentException naming what there is
+     */
+    public void show(Trial next) {
+        rearrange(choice().with(trials.list(next), next, FORMULA));
         goTo(last());
+    }
+
+    /**
+     * The same by the method that was tried last, or the first one where the topic is another.
+     *
+     * @param method "" for none in particular
+     */
+    public void show(String topic, String hazard, String method) {
+        String kept =
+                choice().trial()
+                        .filter(now -> now.topic().equals(topic))
+                        .orElseGet(() -> trials.first(topic))
+                        .method();
+        show(new Trial(topic, hazard, method.isEmpty() ? kept : method));
+    }
+
+    /** Tries another method on the same hazard, where there is one. */
+    void tryMethod(String method) {
+        choice().trial().ifPresent(now -> change(choice().with(now.by(method))));
+    }
+
+    /**
+     * What a method made of the hazard: the method of the choice, or the one before until that has
+     * answered. Empty before the first answer and where nothing is tried.
+     */
+    Optional<TrialScene> trial() {
+        return trial;
+    }
+
+    /** The same where the stage shows it: once all matrices are done. */
+    Optional<TrialScene> shownTrial() {
+        return trial.filter(known -> step == last());
+    }
+
+    /** What was made of the same hazard by another method stays until the answer is there. */
+    private void ask(Optional<Trial> next) {
+        if (next.equals(asked)) return;
+        asked = next;
+        if (next.isEmpty()) tried.cancel();
+        if (next.filter(now -> trial.filter(old -> old.trial().isLike(now)).isPresent()).isEmpty())
+            trial = Optional.empty();
+        next.ifPresent(tried::ask);
+    }
+
+    private void accept(TrialScene answer) {
+        if (choice().trial().filter(answer.trial()::equals).isEmpty()) return;
+        trial = Optional.of(answer);
+        tell();
+    }
+
+    /** Waits until every trial so far is answered or dropped. Any other thread. */
+    public void settle() throws InterruptedException {
+        tried.settle();
+    }
+
+    /** Ends the thread. */
+    @Override
+    public void close() {
+        tried.close();
     }
 
     public void show(Example example) {
@@ -195,8 +279,15 @@ public final class ListLabModel extends ChoiceModel<ListChoice> implements Steps
         return topic.correct(deviation);
     }
 
+    /** Leaves the hazard, if there is one; its points and matrices stay. */
+    void endTrial() {
+        change(choice().withoutTrial());
+    }
+
     @Override
     protected void chosen(ListChoice next) {
+        trials.require(next);
+        ask(next.trial());
         scene = ListScene.of(topic, next);
         step = Math.min(step, scene.last());
     }

@@ -2,16 +2,21 @@ package rasterlab.app.coordinates.list;
 
 import java.util.Optional;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.Chips;
+import rasterlab.app.canvas.ModeRows;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Hazard;
 
 /** The lab of lists as the tab shows it, in one language. */
 public final class ListPanel extends LabCard {
     private static final long serialVersionUID = 1L;
 
+    private final transient ListLabModel model;
+    private final ModeRows<String> chips;
     private final ListStage stage;
     private final transient ListInspector inspector;
 
@@ -25,6 +30,7 @@ public final class ListPanel extends LabCard {
             Consumer<CoordinatesMode> onMode,
             Consumer<Throwable> onFailure) {
         super("transformations", model, language);
+        this.model = model;
         Texts texts = Texts.of("coordinates.list", language);
         stage = new ListStage(model, texts, onFailure);
         inspector =
@@ -36,20 +42,35 @@ public final class ListPanel extends LabCard {
         addCopies(
                 stage::shown,
                 () -> stage.shown().svg(),
-                () -> Optional.of(ListCommand.of(model.scene(), model.step())),
+                () -> Optional.of(ListCommand.of(model)),
                 onFailure);
+        chips = new ModeRows<>(topic -> chips(model, topic, texts));
         play(
-                hazards(
-                        texts,
-                        Texts.of("coordinates.list", "topic", language),
-                        model.hazards(),
-                        model::show),
+                chips,
                 stage,
                 inspector.column(),
                 new StepPlayer(
                         Texts.of("canvas", language),
                         model,
                         () -> texts.text("count", model.step(), model.last())));
+    }
+
+    private static Chips chips(ListLabModel model, String topic, Texts texts) {
+        if (topic.equals(TrialRows.MATRICES))
+            return hazards(
+                    texts,
+                    Texts.of("coordinates.list", "topic", texts.language()),
+                    model.hazards(),
+                    model::show);
+        var chips = new Chips(texts, "hazards");
+        TrialTexts said = model.trials().kind(topic).texts();
+        for (Hazard<?> hazard : model.trials().hazards(topic))
+            chips.add(
+                    hazard.name(),
+                    texts.textOr("hazard." + topic + "." + hazard.name(), hazard.name()),
+                    said.said(hazard, texts.language()),
+                    () -> model.show(topic, hazard.name(), ""));
+        return chips;
     }
 
     @Override
@@ -59,6 +80,7 @@ public final class ListPanel extends LabCard {
 
     @Override
     protected void refreshParts() {
+        chips.show(model.choice().trial().map(Trial::topic).orElse(TrialRows.MATRICES));
         stage.refresh();
         inspector.refresh();
     }

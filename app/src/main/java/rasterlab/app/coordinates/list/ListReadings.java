@@ -1,6 +1,7 @@
 package rasterlab.app.coordinates.list;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -167,12 +168,19 @@ final class ListReadings {
             var row = new ArrayList<String>();
             row.add(String.valueOf(i + 1));
             for (int j = 0; j < dimension; j++) row.add(number(given[i * dimension + j]));
-            for (int j = 0; j < dimension; j++)
-                row.add(number(output.images().coordinates()[i * dimension + j]));
+            double[] image =
+                    Arrays.copyOfRange(
+                            output.images().coordinates(), i * dimension, (i + 1) * dimension);
+            double largest = Arrays.stream(image).map(Math::abs).max().orElse(0);
+            for (double each : image) row.add(beside(each, largest));
             row.add(number(output.h()[i]));
             rows.add(row);
         }
         return rows;
+    }
+
+    private String beside(double value, double largest) {
+        return Double.isFinite(value) ? Shown.beside(value, largest, 2, locale) : "—";
     }
 
     private String number(double value) {

@@ -25,7 +25,7 @@ final class ListStage extends PlaneStage {
     private transient Rectangle2D everything = new Rectangle2D.Double(0, 0, 1, 1);
 
     ListStage(ListLabModel model, Texts texts, Consumer<Throwable> onFailure) {
-        super(model, texts, onFailure);
+        super(model, texts, model::settle, onFailure);
         this.model = model;
         this.texts = texts;
         refresh();
@@ -33,13 +33,24 @@ final class ListStage extends PlaneStage {
 
     @Override
     public void refresh() {
-        Figure figure = ListFigure.of(model.scene(), model.step());
-        everything = Box.around(ListFigure.of(model.scene(), model.last()).marks());
+        Figure figure = figure(model.step());
+        everything = Box.around(figure(model.last()).marks());
         everything.add(Box.around(figure.marks()));
-        shown().show(figure, points(), note(), everything, model.arrangement());
+        int known = model.trial().isPresent() ? 1 : 0;
+        shown().show(figure, points(), note(), everything, 2 * model.arrangement() + known);
+    }
+
+    /** The end of what is tried as the method has it, once that is known. */
+    private Figure figure(int step) {
+        if (model.choice().trial().isEmpty() || step < model.last())
+            return ListFigure.of(model.scene(), step);
+        return model.trial()
+                .map(tried -> TrialFigure.of(tried, model.choice()))
+                .orElseGet(() -> ListFigure.of(model.scene(), 0));
     }
 
     private String note() {
+        if (model.choice().trial().isPresent()) return new TrialReadings(model, texts).note();
         ListScene scene = model.scene();
         if (scene.isRefused()) return ListReadings.refusal(scene, texts);
         return scene.wrong() ? texts.text("note.wrong") : "";

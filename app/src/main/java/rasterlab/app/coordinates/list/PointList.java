@@ -14,8 +14,8 @@ import rasterlab.engine.transform.view.Look;
  * @param items the matrix that the points go through first is the last one
  * @param points coordinates, one point after the other
  */
-public record PointList(List<ListItem> items, List<Double> points) {
-    public PointList {
+record PointList(List<ListItem> items, List<Double> points) {
+    PointList {
         items = List.copyOf(items);
         points = List.copyOf(points);
     }
@@ -23,7 +23,7 @@ public record PointList(List<ListItem> items, List<Double> points) {
     /**
      * @throws IllegalArgumentException for a chain of the plane
      */
-    public static PointList of(Chain chain) {
+    static PointList of(Chain chain) {
         if (chain.dimension() != 3)
             throw new IllegalArgumentException(
                     "dimension must be 3 to be shown in space, got " + chain.dimension());
@@ -33,12 +33,12 @@ public record PointList(List<ListItem> items, List<Double> points) {
         return new PointList(items, list(chain.points()));
     }
 
-    public static PointList of(Look look) {
+    static PointList of(Look look) {
         ListItem view = ListItem.of("VIEW_LEFT", look.theta(), look.phi(), look.rho());
         return new PointList(List.of(view), list(look.points()));
     }
 
-    public static PointList of(AxisTurn turn) {
+    static PointList of(AxisTurn turn) {
         double[] through = turn.through();
         double[] along = turn.direction();
         ListItem axis =

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,7 +14,17 @@ import rasterlab.app.coordinates.Answered;
 /** The copied command computes the very images that the lab shows. */
 @Timeout(60)
 class ListCommandTest {
-    private final ListLabModel model = new ListLabModel();
+    private final ListLabModel model =
+            new ListLabModel(
+                    Runnable::run,
+                    failure -> {
+                        throw new AssertionError(failure);
+                    });
+
+    @AfterEach
+    void close() {
+        model.close();
+    }
 
     @ParameterizedTest(name = "the order or a matrix is lost: {0}")
     @EnumSource(Example.class)

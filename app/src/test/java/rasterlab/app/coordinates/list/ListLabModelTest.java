@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.List;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -18,7 +19,17 @@ import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.matrix.MatrixCall;
 
 class ListLabModelTest {
-    private final ListLabModel model = new ListLabModel();
+    private final ListLabModel model =
+            new ListLabModel(
+                    Runnable::run,
+                    failure -> {
+                        throw new AssertionError(failure);
+                    });
+
+    @AfterEach
+    void close() {
+        model.close();
+    }
 
     private double[] images(int step) {
         return model.scene().images(step, false);

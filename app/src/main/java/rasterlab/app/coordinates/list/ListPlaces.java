@@ -1,0 +1,63 @@
+package rasterlab.app.coordinates.list;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import rasterlab.app.coordinates.figure.Ink;
+import rasterlab.app.coordinates.figure.Mark;
+import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.app.coordinates.figure.Viewpoint;
+import rasterlab.engine.transform.Coordinates;
+import rasterlab.engine.transform.matrix.MatrixCall;
+
+/** Where points of the list's plane or space lie on the stage. */
+final class ListPlaces {
+    private static final String[] AXES = {"x", "y", "z"};
+
+    /** A viewpoint's turns make a coordinate at most so many times as large. */
+    private static final double TURNS = 4;
+
+    private final int dimension;
+    private final Viewpoint viewpoint;
+
+    ListPlaces(ListChoice choice) {
+        dimension = choice.dimension();
+        viewpoint = choice.viewpoint();
+    }
+
+    /** One place each; it is not finite where the point has no image, or is too far to be seen. */
+    List<Spot> of(double[] points) {
+        var spots = new ArrayList<Spot>();
+        for (int at = 0; at < points.length; at += dimension) {
+            var one = Arrays.copyOfRange(points, at, at + dimension);
+            boolean image =
+                    Arrays.stream(one).allMatch(x -> Math.abs(x) <= Coordinates.LARGEST / TURNS);
+            spots.add(image ? place(one) : new Spot(Double.NaN, Double.NaN));
+        }
+        return spots;
+    }
+
+    private Spot place(double[] point) {
+        List<Spot> spots =
+                dimension == 2
+                        ? Viewpoint.spots(point, 2)
+                        : viewpoint.places(List.of(MatrixCall.of("ROT3DX", -90)), point);
+        return spots.get(0);
+    }
+
+    /**
+     * The axes of space, which stay.
+     *
+     * @param reach how long they are
+     */
+    List<Mark> axes(double reach) {
+        var marks = new ArrayList<Mark>();
+        for (int axis = 0; axis < 3; axis++) {
+            var ends = new double[6];
+            ends[3 + axis] = reach;
+            List<Spot> spots = of(ends);
+            marks.add(new Mark.Arrow(spots.get(0), spots.get(1), Ink.HELP, AXES[axis]));
+        }
+        return marks;
+    }
+}

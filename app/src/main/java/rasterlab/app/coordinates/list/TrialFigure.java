@@ -1,0 +1,66 @@
+package rasterlab.app.coordinates.list;
+
+import java.util.ArrayList;
+import java.util.List;
+import rasterlab.app.coordinates.figure.Figure;
+import rasterlab.app.coordinates.figure.Ink;
+import rasterlab.app.coordinates.figure.Mark;
+import rasterlab.app.coordinates.figure.Spot;
+import rasterlab.engine.raster.PixelMark;
+
+/**
+ * Where a hazard's points belong, as crosses, and where the method has them, as dots of its colour.
+ * A ring is around a point that the method misses, a saltire over one that has no image, and a
+ * dashed line leads to one that is elsewhere.
+ */
+final class TrialFigure {
+    private final TrialScene scene;
+    private final ListPlaces places;
+    private final List<Mark> marks = new ArrayList<>();
+
+    private TrialFigure(TrialScene scene, ListChoice choice) {
+        this.scene = scene;
+        places = new ListPlaces(choice);
+    }
+
+    /**
+     * @param choice from where space is looked at
+     */
+    static Figure of(TrialScene scene, ListChoice choice) {
+        var figure = new TrialFigure(scene, choice);
+        figure.marks.addAll(figure.places.axes(scene.reach()));
+        figure.given();
+        scene.made().ifPresent(figure::made);
+        for (Spot spot : figure.places.of(scene.exact().points()))
+            if (spot.isFinite()) figure.marks.add(new Mark.Cross(spot, Ink.OBJECT, ""));
+        return new Figure(figure.marks, false);
+    }
+
+    private void given() {
+        List<Spot> spots = places.of(scene.given());
+        for (int i = 0; i < spots.size(); i++)
+            if (scene.inReach(scene.given(), i))
+                marks.add(new Mark.Dot(spots.get(i), Ink.GHOST, ""));
+    }
+
+    private void made(TrialScene.Placed made) {
+        List<Spot> right = places.of(scene.exact().points());
+        List<Spot> spots = places.of(made.points());
+        Ink ink = Ink.method(scene.trial().method());
+        boolean named = false;
+        for (int i = 0; i < scene.fates().size(); i++) {
+            TrialScene.Fate fate = scene.fates().get(i);
+            boolean shown = spots.get(i).isFinite() && scene.inReach(made.points(), i);
+            if (fate == TrialScene.Fate.MISSING)
+                marks.add(new Mark.Wrong(right.get(i), PixelMark.MISSING));
+            if (!shown) continue;
+            if (fate == TrialScene.Fate.WRONG)
+                marks.add(new Mark.Line(right.get(i), spots.get(i), Ink.PRINTED));
+            boolean label = !named && fate != TrialScene.Fate.RIGHT;
+            named |= label;
+            marks.add(new Mark.Dot(spots.get(i), ink, label ? scene.trial().method() : ""));
+            if (fate == TrialScene.Fate.EXTRA)
+                marks.add(new Mark.Wrong(spots.get(i), PixelMark.EXTRA));
+        }
+    }
+}

@@ -1,0 +1,113 @@
+package rasterlab.app.coordinates.list;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.engine.naming.Named;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.HazardTrial;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.transform.Images;
+
+/**
+ * How a topic's inputs and outputs look as points of space.
+ *
+ * @param <C> contract of the topic's methods
+ * @param <I> its input
+ * @param <O> its output
+ */
+abstract class TrialKind<C, I, O> {
+    private static final Duration LONGEST = Duration.ofSeconds(5);
+
+    private final Topic<C, I, O> topic;
+    private final TrialTexts texts;
+
+    /**
+     * @param texts what its methods and hazards are in the window's language
+     */
+    TrialKind(Topic<C, I, O> topic, TrialTexts texts) {
+        this.topic = topic;
+        this.texts = texts;
+    }
+
+    final Topic<C, I, O> topic() {
+        return topic;
+    }
+
+    final TrialTexts texts() {
+        return texts;
+    }
+
+    /** The points, and matrices that do what the topic's methods should. */
+    abstract PointList list(I input);
+
+    abstract Images images(O output);
+
+    /** H of each point; empty for a topic that divides by none. */
+    abstract Optional<double[]> h(O output);
+
+    /** The input with that point alone. */
+    abstract I only(I input, int point);
+
+    /** The output for that point alone. */
+    abstract O outputOf(O output, int point);
+
+    static double[] xyz(double[] all, int point) {
+        return Arrays.copyOfRange(all, 3 * point, 3 * point + 3);
+    }
+
+    /** The input as {@code ./lab run} reads it. */
+    abstract String json(I input);
+
+    /**
+     * @throws IllegalArgumentException naming the hazards there are
+     */
+    final Hazard<I> hazard(String name) {
+        return Named.find("hazard", name, topic.hazards(), Hazard::name);
+    }
+
+    final PointList list(String hazard) {
+        return list(hazard(hazard).input());
+    }
+
+    final String json(String hazard) {
+        return json(hazard(hazard).input());
+    }
+
+    /** Tries the method; takes as long as the method does. */
+    final TrialScene scene(Trial trial) {
+        I input = hazard(trial.hazard()).input();
+        var tried = HazardTrial.tried(topic, topic.method(trial.method()), input, LONGEST);
+        O exact = tried.exact();
+        int points = images(exact).size();
+        Optional<O> made = tried.made().filter(output -> images(output).size() == points);
+        return new TrialScene(
+                trial,
+                list(input).points().stream().mapToDouble(Double::doubleValue).toArray(),
+                placed(exact),
+                made.map(this::placed),
+                made.map(output -> fates(input, exact, output)).orElse(List.of()),
+                tried.verdict());
+    }
+
+    private TrialScene.Placed placed(O output) {
+        return new TrialScene.Placed(images(output).coordinates(), h(output));
+    }
+
+    private List<TrialScene.Fate> fates(I input, O exact, O made) {
+        var fates = new ArrayList<TrialScene.Fate>();
+        for (int i = 0; i < images(exact).size(); i++)
+            fates.add(
+                    TrialScene.Fate.of(
+                            images(exact).has(i),
+                            images(made).has(i),
+                            topic.correct(
+                                    topic.compare(
+                                            only(input, i),
+                                            outputOf(exact, i),
+                                            outputOf(made, i)))));
+        return fates;
+    }
+}
