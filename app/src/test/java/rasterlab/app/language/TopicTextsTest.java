@@ -29,6 +29,9 @@ import rasterlab.engine.color.ColorTopic;
 import rasterlab.engine.fill.FillTopic;
 import rasterlab.engine.fill.TracedFill;
 import rasterlab.engine.geometry.meeting.LinePlaneTopic;
+import rasterlab.engine.light.face.FaceTopic;
+import rasterlab.engine.light.normals.NormalsTopic;
+import rasterlab.engine.light.shade.ShadeTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
@@ -50,12 +53,17 @@ import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.texture.filter.FilterTopic;
 import rasterlab.engine.texture.mapping.MappingTopic;
+import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.chain.TransformTopic;
 import rasterlab.engine.transform.matrix.MatrixTopic;
 import rasterlab.engine.transform.matrix.NamedMatrices;
 import rasterlab.engine.transform.matrix.NamedMatrix;
 import rasterlab.engine.transform.rotate.RotateTopic;
+import rasterlab.engine.transform.view.ViewTopic;
 import rasterlab.engine.visibility.depth.DepthBufferTopic;
+import rasterlab.engine.visibility.faces.VisibleFacesTopic;
+import rasterlab.engine.visibility.hidden.HiddenSurfacesTopic;
+import rasterlab.engine.visibility.order.DepthOrderTopic;
 
 /** The Russian of what the engine says in English about methods and hazards. */
 class TopicTextsTest {
@@ -123,8 +131,10 @@ class TopicTextsTest {
         for (Language language : Language.values())
             for (String lab : List.of("list", "turn", "meeting")) {
                 Texts labels = Texts.of("coordinates." + lab, language);
+                var said = new TreeMap<>(english("coordinates/" + lab));
+                if (lab.equals("list")) prefixed(Map.of("transform", new TransformTopic()), said);
                 List<String> nameless =
-                        english("coordinates/" + lab).keySet().stream()
+                        said.keySet().stream()
                                 .filter(key -> key.startsWith("hazard.") && !labels.has(key))
                                 .toList();
                 assertEquals(List.of(), nameless, lab + " " + language);
@@ -150,13 +160,20 @@ class TopicTextsTest {
                                 ? new ColorTopic().methods().stream()
                                 : Renderer.visibilityMethods().stream();
         methods.forEach(method -> about(method, said));
-        if (topic.equals("line")) prefixed(ARCS, said);
+        prefixed(BESIDE.getOrDefault(topic, Map.of()), said);
+        if (topic.equals("light")) hazards(new ColorTopic(), said);
+        if (topic.equals("visibility")) hazards(new HiddenSurfacesTopic(), said);
         if (topic.equals("line"))
             for (Hazard<Segment> hazard : new LineTopic().hazards()) {
                 said.put("hazard." + hazard.name(), hazard.description());
                 refusals(hazard.input(), said);
             }
         return said;
+    }
+
+    private static void hazards(Topic<?, ?, ?> topic, Map<String, String> said) {
+        for (Hazard<?> hazard : topic.hazards())
+            said.put("hazard." + hazard.name(), hazard.description());
     }
 
     private static final Map<String, Topic<?, ?, ?>> OF_POLYGONS =
@@ -174,6 +191,24 @@ class TopicTextsTest {
 
     private static final Map<String, Topic<?, ?, ?>> ARCS =
             Map.of("circle", new CircleTopic(), "ellipse", new EllipseTopic());
+
+    /** Topics beside the one that a lab is about. */
+    private static final Map<String, Map<String, Topic<?, ?, ?>>> BESIDE =
+            Map.of(
+                    "line", ARCS,
+                    "visibility",
+                            Map.of(
+                                    "faces",
+                                    new VisibleFacesTopic(),
+                                    "order",
+                                    new DepthOrderTopic()),
+                    "light",
+                            Map.of(
+                                    "shade", new ShadeTopic(),
+                                    "face", new FaceTopic(),
+                                    "normals", new NormalsTopic()),
+                    "coordinates/list",
+                            Map.of("rotate-axis", new AxisTopic(), "view", new ViewTopic()));
 
     private static Map<String, String> prefixed(
             Map<String, Topic<?, ?, ?>> topics, Map<String, String> said) {
@@ -244,7 +279,7 @@ class TopicTextsTest {
                     default -> new RotateTopic();
                 };
         topic.methods().forEach(method -> about(method, said));
-        if (topic instanceof TransformTopic) return said;
+        prefixed(BESIDE.getOrDefault(lab, Map.of()), said);
         for (Hazard<?> hazard : topic.hazards())
             said.put("hazard." + hazard.name(), hazard.description());
         if (topic instanceof MatrixTopic)

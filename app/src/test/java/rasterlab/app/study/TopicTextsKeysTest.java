@@ -7,31 +7,32 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.engine.Topics;
+import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 
 /** Which topics Speed &amp; accuracy explains in Russian. */
 class TopicTextsKeysTest {
-    /** Of whose methods no lab has texts. */
-    private static final List<String> ENGLISH_ONLY =
-            List.of(
-                    "depth-order",
-                    "rotate-axis",
-                    "shade",
-                    "shade-face",
-                    "vertex-normals",
-                    "view",
-                    "visible-faces");
-
     @Test
-    void methodsOfEveryTopicWithTextsAreFound() {
+    void methodsOfEveryTopicHaveTexts() {
         var english = new TreeSet<String>();
         for (Topic<?, ?, ?> topic : Topics.all())
             for (Method<?> method : topic.methods())
                 if (TopicTexts.of(topic.name(), Language.RUSSIAN)
                         .filter(found -> found.texts().has(found.key(method) + ".formula"))
-                        .isEmpty()) english.add(topic.name());
-        assertEquals(new TreeSet<>(ENGLISH_ONLY), english);
+                        .isEmpty()) english.add(topic.name() + " " + method.name());
+        assertEquals(new TreeSet<>(), english);
+    }
+
+    @Test
+    void hazardsOfEveryTopicHaveTexts() {
+        var english = new TreeSet<String>();
+        for (Topic<?, ?, ?> topic : Topics.all())
+            for (Hazard<?> hazard : topic.hazards())
+                if (TopicTexts.of(topic.name(), Language.RUSSIAN)
+                        .flatMap(found -> found.hazard(hazard))
+                        .isEmpty()) english.add(topic.name() + " " + hazard.name());
+        assertEquals(new TreeSet<>(), english);
     }
 
     @Test
