@@ -22,6 +22,9 @@ public final class DistantLight implements VertexColors, PixelColors {
     /** Far above 1 over any cosine that a float can tell from 0 in a picture. */
     private static final float LIT = 1e6f;
 
+    /** 2, and so much more that rounding leaves nothing below 0. */
+    private static final float ROOM = 2 + 0x1p-19f;
+
     private static final Set<VertexQuantity> WANTS =
             EnumSet.range(VertexQuantity.X, VertexQuantity.NORMAL_Z);
 
@@ -76,10 +79,15 @@ public final class DistantLight implements VertexColors, PixelColors {
     }
 
     @Override
+    public Set<VertexQuantity> directions() {
+        return WANTS;
+    }
+
+    @Override
     public void color(VertexBlock block) {
         int n = block.count;
-        halfway(n, block.x, block.y, block.z, block.red);
-        cosines(n, block.x, block.y, block.z, block.nx, block.ny, block.nz, block.red);
+        cosines(
+                n, block.x, block.y, block.z, block.nx, block.ny, block.nz, block.red, block.green);
         power(n, block.ny, block.nz);
         channel(n, 0, block.nx, block.nz, block.red);
         channel(n, 1, block.nx, block.nz, block.green);
@@ -95,8 +103,7 @@ public final class DistantLight implements VertexColors, PixelColors {
         float[] halfway = batch.values(VertexQuantity.NORMAL_Y);
         float[] highlight = batch.values(VertexQuantity.NORMAL_Z);
         int n = batch.count;
-        halfway(n, x, y, z, batch.nearness);
-        cosines(n, x, y, z, diffuse, halfway, highlight, batch.nearness);
+        cosines(n, x, y, z, diffuse, halfway, highlight, batch.weightB, batch.weightC);
         power(n, halfway, highlight);
         channel(n, 0, diffuse, highlight, x);
         channel(n, 1, diffuse, highlight, y);
@@ -104,43 +111,41 @@ public final class DistantLight implements VertexColors, PixelColors {
         batch.pack(x, y, z);
     }
 
-    /** Replaces places by the vectors h, not of length 1. */
-    private void halfway(int n, float[] x, float[] y, float[] z, float[] perLength) {
-        invertLengths(n, x, y, z, perLength);
-        halfway(n, x, lightX, perLength);
-        halfway(n, y, lightY, perLength);
-        halfway(n, z, lightZ, perLength);
-    }
-
-    private static void halfway(int n, float[] place, float toLight, float[] perLength) {
-        for (int i = 0; i < n; i++) place[i] = toLight - place[i] * perLength[i];
-    }
-
-    private static void invertLengths(int n, float[] x, float[] y, float[] z, float[] out) {
-        for (int i = 0; i < n; i++)
-            out[i] = 1 / (float) Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-    }
-
-    /** Replaces nx by max(0, n·l) and ny by max(0, n·h), or 0 where n·l is 0; h is lost. */
+    /**
+     * Replaces nx by max(0, n·l) and ny by max(0, n·h), or 0 where n·l is 0; all else is lost.
+     *
+     * <p>With p the place, {@code h = l − p/|p|}, so {@code |h|²·p² = 2p² − 2(p·l)|p|} and {@code
+     * n·h·|p| = (n·l)|p| − n·p}: h itself is not needed, and one division does for both cosines.
+     */
     private void cosines(
             int n,
-            float[] hx,
-            float[] hy,
-            float[] hz,
+            float[] x,
+            float[] y,
+            float[] z,
             float[] nx,
             float[] ny,
             float[] nz,
-            float[] perLength) {
-        invertLengths(n, hx, hy, hz, perLength);
-        for (int i = 0; i < n; i++)
-            hx[i] = (nx[i] * hx[i] + ny[i] * hy[i] + nz[i] * hz[i]) * perLength[i];
-        invertLengths(n, nx, ny, nz, perLength);
-        for (int i = 0; i < n; i++)
-            nx[i] = (nx[i] * lightX + ny[i] * lightY + nz[i] * lightZ) * perLength[i];
-        for (int i = 0; i < n; i++) nx[i] = Math.max(0, nx[i]);
-        for (int i = 0; i < n; i++) ny[i] = Math.max(0, hx[i] * perLength[i]);
+            float[] far,
+            float[] along) {
+        lengths(n, x, y, z, far);
+        for (int i = 0; i < n; i++) along[i] = nx[i] * x[i] + ny[i] * y[i] + nz[i] * z[i];
+        for (int i = 0; i < n; i++) {
+            float twice = 2 * (lightX * x[i] + lightY * y[i] + lightZ * z[i]);
+            x[i] = (float) Math.sqrt(far[i] * (ROOM * far[i] - twice));
+        }
+        for (int i = 0; i < n; i++) z[i] = nx[i] * lightX + ny[i] * lightY + nz[i] * lightZ;
+        lengths(n, nx, ny, nz, y);
+        for (int i = 0; i < n; i++) along[i] = z[i] * far[i] - along[i];
+        for (int i = 0; i < n; i++) far[i] = 1 / (x[i] * y[i]);
+        for (int i = 0; i < n; i++) nx[i] = Math.max(0, z[i] * x[i] * far[i]);
+        for (int i = 0; i < n; i++) ny[i] = Math.max(0, along[i] * far[i]);
         // 0 where no light falls, else 1 but for a sliver of angles: a step without a branch.
         for (int i = 0; i < n; i++) ny[i] *= Math.min(1, nx[i] * LIT);
+    }
+
+    private static void lengths(int n, float[] x, float[] y, float[] z, float[] out) {
+        for (int i = 0; i < n; i++)
+            out[i] = (float) Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
     }
 
     /** result = cosine to the power of the shininess; the cosines are lost. */

@@ -23,6 +23,14 @@ public interface PixelColors {
     }
 
     /**
+     * Those that are only directions: each pixel's may come all of them times the same number above
+     * 0. They want no slopes.
+     */
+    default Set<VertexQuantity> directions() {
+        return Set.of();
+    }
+
+    /**
      * Writes {@code argb} of the batch's pixels. Called by several threads at once, each with a
      * batch of its own.
      */

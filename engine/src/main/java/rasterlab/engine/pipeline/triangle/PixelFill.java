@@ -19,11 +19,15 @@ final class PixelFill {
     private final PixelSlopes slopes;
     private final float[][] values = new float[Frame.QUANTITIES.length][];
     private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
+    private final boolean[] divided = new boolean[Frame.QUANTITIES.length];
     private DepthRaster out;
     private PixelColors colors;
     private Blending blending;
     private int count;
     private int firstFlat;
+
+    /** Whether any value is divided by 1/w. */
+    private boolean divides;
 
     /** Whether an alpha is wanted that counts for nothing. */
     private boolean opaque;
@@ -51,11 +55,14 @@ final class PixelFill {
         opaque = blending.early() && colors.wants().contains(VertexQuantity.ALPHA);
         count = frame.attributeCount;
         firstFlat = count;
+        divides = false;
         for (int k = count - 1; k >= 0; k--) {
             VertexQuantity quantity = frame.attribute[k];
             values[k] = batch.values(quantity);
             affine[k] = colors.affine().contains(quantity);
+            divided[k] = !affine[k] && !colors.directions().contains(quantity);
             if (frame.flatColors && Frame.isColor(quantity)) firstFlat = k;
+            else divides |= divided[k];
         }
     }
 
@@ -132,7 +139,7 @@ final class PixelFill {
         float qa = v.nearness[scan.a];
         float qb = v.nearness[scan.b];
         float qc = v.nearness[scan.c];
-        between(batch.nearness, first, qa, qb - qa, qc - qa);
+        if (divides) between(batch.nearness, first, qa, qb - qa, qc - qa);
         if (fromBehind || scan.fromBehind) {
             fromBehind = true;
             Arrays.fill(batch.fromBehind, first, batch.count, scan.fromBehind);
@@ -160,15 +167,19 @@ final class PixelFill {
     void flush() {
         int n = batch.count;
         if (n == 0) return;
-        float[] w = batch.nearness;
-        for (int i = 0; i < n; i++) w[i] = 1 / w[i];
-        for (int k = 0; k < firstFlat; k++) if (!affine[k]) multiply(values[k], w, n);
-        slopes.divide(values, n);
+        if (divides) divide(n);
         if (opaque) Arrays.fill(batch.values(VertexQuantity.ALPHA), 0, n, 1);
         colors.color(batch);
         if (blending.early()) write(n);
         else blend(n);
         batch.count = 0;
+    }
+
+    private void divide(int n) {
+        float[] w = batch.nearness;
+        for (int i = 0; i < n; i++) w[i] = 1 / w[i];
+        for (int k = 0; k < firstFlat; k++) if (divided[k]) multiply(values[k], w, n);
+        slopes.divide(values, n);
     }
 
     private static void multiply(float[] values, float[] w, int n) {
