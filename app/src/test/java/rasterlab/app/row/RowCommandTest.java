@@ -61,10 +61,11 @@ class RowCommandTest {
             Topic<C, I, O> topic, Hazard<I> hazard, Method<C> method) throws IOException {
         RowLabModel model =
                 topic instanceof DepthBufferTopic
-                        ? RowLabModel.ofDepths()
-                        : RowLabModel.ofTextures();
+                        ? RowLabModel.ofDepths(Runnable::run, RowCommandTest::fail)
+                        : RowLabModel.ofTextures(Runnable::run, RowCommandTest::fail);
         model.show(topic.name(), hazard.name(), method.name());
         String command = model.command();
+        model.end();
         String end = "./lab run " + topic.name() + " " + method.name();
         assertTrue(command.endsWith(end), command);
         JsonNode answer = Answered.by(command);
@@ -73,6 +74,10 @@ class RowCommandTest {
                 DoubleStream.of(right).boxed().toList(),
                 found(answer).boxed().toList(),
                 hazard.name() + " " + method.name());
+    }
+
+    private static void fail(Throwable failure) {
+        throw new AssertionError(failure);
     }
 
     private static DoubleStream found(JsonNode answer) {
