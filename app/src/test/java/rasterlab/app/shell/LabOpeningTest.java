@@ -2,7 +2,6 @@ package rasterlab.app.shell;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static rasterlab.app.canvas.Unlike.Kind.COLOUR_CUT;
 import static rasterlab.app.canvas.Unlike.Kind.CORNER_MOVED;
@@ -28,7 +27,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -47,22 +45,13 @@ import rasterlab.app.coordinates.list.Trial;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.line.LineMode;
-import rasterlab.app.line.Tried;
 import rasterlab.app.spline.SplineMode;
 import rasterlab.engine.Topics;
 import rasterlab.engine.line.Segment;
-import rasterlab.engine.raster.PixelRecording;
-import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
-import rasterlab.exercises.Exercise;
-import rasterlab.exercises.TopicGrading;
-import rasterlab.exercises.catalogue.Catalogue;
-import rasterlab.exercises.scene.MethodCase;
-import rasterlab.exercises.scene.SceneFile;
-import rasterlab.exercises.topic.TopicGradings;
 
 class LabOpeningTest {
     /** What a tab shows otherwise than it is, by some method, and in what. */
@@ -104,9 +93,6 @@ class LabOpeningTest {
                     Map.entry("shade outside-the-cone", EnumSet.of(POINT_ASIDE)),
                     Map.entry("color brighter-than-white", EnumSet.of(COLOUR_CUT)),
                     Map.entry("color outside-the-cube", EnumSet.of(COLOUR_CUT)));
-
-    /** Draws the generated cases. */
-    private static final long SEED = 7;
 
     /** What is drawn in the background comes to nobody: an older answer would undo a choice. */
     private final LabModels models =
@@ -330,84 +316,5 @@ class LabOpeningTest {
 
     private String spline() {
         return models.spline().function().hazards().get(0).name();
-    }
-
-    @Test
-    void inputOfLinesIsReadWithItsWindow() {
-        shown().showInput(
-                        "line",
-                        "{\"from\":[1,2],\"to\":[-3,4],\"window\":[0,0,9,9]}",
-                        "bresenham",
-                        Optional.empty());
-        assertEquals(
-                new Segment(1, 2, -3, 4).in(new PixelWindow(0, 0, 9, 9)),
-                models.line().state().choice().segment());
-    }
-
-    @Test
-    void casesProgramIsShownBesideTheRightLine() throws InterruptedException {
-        var answers = new ConcurrentLinkedQueue<Runnable>();
-        var drawn = new PixelRecording(1);
-        drawn.plot(1, 2);
-        try (LabModels others =
-                LabModels.first(
-                        answers::add,
-                        failure -> {
-                            throw new AssertionError(failure);
-                        })) {
-            new LabOpening(others, work -> {}, answers::add, failure -> {})
-                    .showInput(
-                            "line",
-                            "{\"from\":[1,2],\"to\":[3,4]}",
-                            "bresenham",
-                            Optional.of(drawn));
-            others.line().settle();
-            answers.forEach(Runnable::run);
-            Tried tried = others.line().state().drawings().tried().orElseThrow();
-            assertEquals(new Tried(new Segment(1, 2, 3, 4), Optional.of(drawn)), tried);
-        }
-    }
-
-    @Test
-    void brokenInputIsRefusedWithItsPlaceAndNoTabIsShown() {
-        var refused =
-                assertThrows(
-                        IllegalArgumentException.class,
-                        () ->
-                                shown().showInput(
-                                                "line",
-                                                "{\"from\":[1,2],\"to\":[3]}",
-                                                "",
-                                                Optional.empty()));
-        assertTrue(refused.getMessage().contains("'to'"), refused.getMessage());
-        assertEquals(List.of(), tabs);
-    }
-
-    @Test
-    void casesOfEveryExerciseAreShown() {
-        shown();
-        for (Exercise exercise : Catalogue.builtIn().all()) {
-            TopicGrading grading = TopicGradings.named(exercise.topic());
-            assertEquals(Optional.empty(), opening.obstacleToInputs(exercise.topic()));
-            for (Exercise.Case one : exercise.cases())
-                for (var call : grading.calls(one, exercise.tolerance(), SEED)) {
-                    var scene = (MethodCase) SceneFile.read(call.scene());
-                    tabs.clear();
-                    opening.showInput(
-                            scene.topic(),
-                            scene.input(),
-                            scene.method().orElse(""),
-                            scene.recording());
-                    assertEquals(1, tabs.size(), exercise.id() + " " + one.name());
-                }
-        }
-    }
-
-    @Test
-    void casesOfATopicWithoutExercisesAreRefused() {
-        assertEquals(Optional.of(Unshown.NO_READER), opening.obstacleToInputs("matrix"));
-        assertThrows(
-                IllegalArgumentException.class,
-                () -> shown().showInput("matrix", "{}", "formula", Optional.empty()));
     }
 }

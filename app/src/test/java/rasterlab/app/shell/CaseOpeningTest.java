@@ -1,0 +1,122 @@
+package rasterlab.app.shell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.canvas.Unshown;
+import rasterlab.app.line.Tried;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelWindow;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.TopicGrading;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.scene.MethodCase;
+import rasterlab.exercises.scene.SceneFile;
+import rasterlab.exercises.topic.TopicGradings;
+
+/** Cases of exercises, as their tabs show them. */
+class CaseOpeningTest {
+    /** Draws the generated cases. */
+    private static final long SEED = 7;
+
+    private final LabModels models = LabModels.first(answer -> {}, CaseOpeningTest::fail);
+    private final LabOpening opening =
+            new LabOpening(models, work -> {}, Runnable::run, CaseOpeningTest::fail);
+    private final List<String> tabs = new ArrayList<>();
+
+    private static void fail(Throwable failure) {
+        throw new AssertionError(failure);
+    }
+
+    @AfterEach
+    void close() {
+        models.close();
+    }
+
+    private LabOpening shown() {
+        opening.showTabsBy(tabs::add);
+        return opening;
+    }
+
+    @Test
+    void inputOfLinesIsReadWithItsWindow() {
+        shown().showInput(
+                        "line",
+                        "{\"from\":[1,2],\"to\":[-3,4],\"window\":[0,0,9,9]}",
+                        "bresenham",
+                        Optional.empty());
+        assertEquals(
+                new Segment(1, 2, -3, 4).in(new PixelWindow(0, 0, 9, 9)),
+                models.line().state().choice().segment());
+    }
+
+    @Test
+    void casesProgramIsShownBesideTheRightLine() throws InterruptedException {
+        var answers = new ConcurrentLinkedQueue<Runnable>();
+        var drawn = new PixelRecording(1);
+        drawn.plot(1, 2);
+        try (LabModels others = LabModels.first(answers::add, CaseOpeningTest::fail)) {
+            new LabOpening(others, work -> {}, answers::add, CaseOpeningTest::fail)
+                    .showInput(
+                            "line",
+                            "{\"from\":[1,2],\"to\":[3,4]}",
+                            "bresenham",
+                            Optional.of(drawn));
+            others.line().settle();
+            answers.forEach(Runnable::run);
+            Tried tried = others.line().state().drawings().tried().orElseThrow();
+            assertEquals(new Tried(new Segment(1, 2, 3, 4), Optional.of(drawn)), tried);
+        }
+    }
+
+    @Test
+    void brokenInputIsRefusedWithItsPlaceAndNoTabIsShown() {
+        var refused =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () ->
+                                shown().showInput(
+                                                "line",
+                                                "{\"from\":[1,2],\"to\":[3]}",
+                                                "",
+                                                Optional.empty()));
+        assertTrue(refused.getMessage().contains("'to'"), refused.getMessage());
+        assertEquals(List.of(), tabs);
+    }
+
+    @Test
+    void casesOfEveryExerciseAreShown() {
+        shown();
+        for (Exercise exercise : Catalogue.builtIn().all()) {
+            TopicGrading grading = TopicGradings.named(exercise.topic());
+            assertEquals(Optional.empty(), opening.obstacleToInputs(exercise.topic()));
+            for (Exercise.Case one : exercise.cases())
+                for (var call : grading.calls(one, exercise.tolerance(), SEED)) {
+                    var scene = (MethodCase) SceneFile.read(call.scene());
+                    tabs.clear();
+                    opening.showInput(
+                            scene.topic(),
+                            scene.input(),
+                            scene.method().orElse(""),
+                            scene.recording());
+                    assertEquals(1, tabs.size(), exercise.id() + " " + one.name());
+                }
+        }
+    }
+
+    @Test
+    void casesOfATopicWithoutExercisesAreRefused() {
+        assertEquals(Optional.of(Unshown.NO_READER), opening.obstacleToInputs("matrix"));
+        assertThrows(
+                IllegalArgumentException.class,
+                () -> shown().showInput("matrix", "{}", "formula", Optional.empty()));
+    }
+}
