@@ -135,18 +135,14 @@ abstract class WindowHarness {
 
     /** The colours, as opaque RGB, of what the display shows of a component. */
     Set<Integer> colours(String name) {
-        BufferedImage picture = seen(name);
+        Component shown = window.robot().finder().findByName(frame, name);
+        var place = new Rectangle(shown.getLocationOnScreen(), shown.getSize());
+        BufferedImage picture = captured(place);
         var colours = new HashSet<Integer>();
         for (int y = 0; y < picture.getHeight(); y++)
             for (int x = 0; x < picture.getWidth(); x++)
                 colours.add(0xFF000000 | picture.getRGB(x, y));
         return colours;
-    }
-
-    /** The component of that name as the screen shows it. */
-    BufferedImage seen(String name) {
-        Component shown = window.robot().finder().findByName(frame, name);
-        return captured(new Rectangle(shown.getLocationOnScreen(), shown.getSize()));
     }
 
     private static BufferedImage captured(Rectangle place) {
