@@ -11,6 +11,7 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.JList;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
@@ -27,6 +28,7 @@ import rasterlab.app.coordinates.list.ListChoice;
 import rasterlab.app.coordinates.list.ListItem;
 import rasterlab.app.coordinates.list.Reading;
 import rasterlab.app.coordinates.list.Subject;
+import rasterlab.app.coordinates.list.Trial;
 import rasterlab.app.coordinates.stack.StackOp;
 import rasterlab.app.coordinates.view.Stereoscopy;
 import rasterlab.app.coordinates.view.ViewChoice;
@@ -194,6 +196,29 @@ class WindowCoordinatesTest extends WindowHarness {
         assertFalse(colours("stage").contains(wrong), "marked unasked");
         window.button("chip.axis").click();
         await("the printed matrix is marked", () -> colours("stage").contains(wrong));
+    }
+
+    @Test
+    void hazardOfPointsIsTriedByTheChosenMethodUntilTheListIsChanged() {
+        choose(CoordinatesMode.TRANSFORMATIONS);
+        window.comboBox("topic").selectItem("turn about a line");
+        window.button("chip.axis-along-x").click();
+        window.comboBox("method").selectItem("seven-steps-textbook");
+        await("the method's verdict is said", () -> verdict().equals("wrong"));
+        window.comboBox("method").selectItem("rodrigues");
+        await("another method is tried", () -> verdict().equals("exact"));
+        assertEquals(
+                Optional.of(new Trial("rotate-axis", "axis-along-x", "rodrigues")), list().trial());
+        window.button("undo").click();
+        await("the method before is back", () -> verdict().equals("wrong"));
+        window.button("remove").click();
+        robot.waitForIdle();
+        assertEquals(Optional.empty(), list().trial());
+        window.button("chip.axis").requireVisible();
+    }
+
+    private String verdict() {
+        return window.label("trial.verdict.value").text();
     }
 
     @Test

@@ -104,6 +104,9 @@ class MnemonicsTest {
                             models.coordinates().show(mode);
                             check.accept(mode.code(), shown(content));
                         }
+                        models.coordinates().show(CoordinatesMode.TRANSFORMATIONS);
+                        models.coordinates().transformations().show("view", "pole", "");
+                        check.accept("trial", shown(content));
                         models.coordinates().views().choose(ViewKind.SPHERICAL_LEFT);
                         models.coordinates().show(CoordinatesMode.VIEWS);
                         check.accept("spherical view", shown(content));

@@ -36,11 +36,15 @@ final class TrialFigure {
         return new Figure(figure.marks, false);
     }
 
+    /** A dotted line leads from where a point is given to where it belongs. */
     private void given() {
         List<Spot> spots = places.of(scene.given());
-        for (int i = 0; i < spots.size(); i++)
-            if (scene.inReach(scene.given(), i))
-                marks.add(new Mark.Dot(spots.get(i), Ink.GHOST, ""));
+        List<Spot> right = places.of(scene.exact().points());
+        for (int i = 0; i < spots.size(); i++) {
+            if (!scene.inReach(scene.given(), i)) continue;
+            marks.add(new Mark.Line(spots.get(i), right.get(i), Ink.GHOST));
+            marks.add(new Mark.Dot(spots.get(i), Ink.GHOST, ""));
+        }
     }
 
     private void made(TrialScene.Placed made) {

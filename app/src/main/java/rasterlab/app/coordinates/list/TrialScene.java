@@ -109,7 +109,8 @@ record TrialScene(
     List<Unlike> unlike() {
         var unlike = new ArrayList<Unlike>();
         if (any(i -> !exact.has(i) && !isMade(i))) unlike.add(Unlike.of(Unlike.Kind.NO_IMAGE));
-        if (any(this::isHidden)) unlike.add(Unlike.of(Unlike.Kind.POINTS_TOGETHER));
+        long hidden = IntStream.range(0, size()).filter(this::isHidden).count();
+        if (hidden > 0) unlike.add(Unlike.of(Unlike.Kind.POINTS_TOGETHER, hidden, off()));
         if (any(i -> isMade(i) && !inReach(made.orElseThrow().points(), i)))
             unlike.add(Unlike.of(Unlike.Kind.POINT_BEYOND));
         return unlike;

@@ -328,6 +328,17 @@ class ListTrialTest {
     }
 
     @Test
+    @DisplayName("points seen apart are said to lie on each other")
+    void hiddenPointsAreCountedAmongTheWrongOnes() {
+        TrialScene scene =
+                tried(new Trial("rotate-axis", "axis-through-far-point", "seven-steps-textbook"));
+        assertEquals(2, scene.off());
+        assertEquals(List.of(Unlike.of(POINTS_TOGETHER, 1L, 2)), scene.unlike());
+        String note = new TrialReadings(model, texts(Language.ENGLISH)).note();
+        assertTrue(note.contains("1 of 2 wrong points"), note);
+    }
+
+    @Test
     @DisplayName("a point far away makes the others one")
     void pointThatIsFarAwayIsLeftOutAndSaidToBe() {
         var near = new TrialScene.Placed(new double[] {1, 2, 3}, Optional.empty());
