@@ -11,7 +11,7 @@ class ComplaintsTest {
     /** What no file says; all patterns are tried. */
     private static final String UNKNOWN = "a sentence of the operating system";
 
-    /** Bytes; looking through all patterns takes a tenth, compiling them four times as much. */
+    /** Bytes; compiling all patterns takes twice as many. */
     private static final long MOST = 400_000;
 
     @Test

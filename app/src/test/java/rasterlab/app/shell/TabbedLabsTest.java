@@ -115,8 +115,11 @@ class TabbedLabsTest {
     }
 
     private LabPanel failAtFirst() {
-        if (failures.isEmpty()) throw new IllegalStateException("not made");
-        return new Lab("faulty");
+        return failures.isEmpty() ? notMade() : new Lab("faulty");
+    }
+
+    private static LabPanel notMade() {
+        throw new IllegalStateException("not made");
     }
 
     private void choose(String... names) throws Exception {
@@ -274,7 +277,8 @@ class TabbedLabsTest {
     void windowOpensThoughTheFirstPanelCannotBeMade() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
-                    var faulty = new LabTab("f", "f", Optional.empty(), () -> this::failAtFirst);
+                    var faulty =
+                            new LabTab("f", "f", Optional.empty(), () -> TabbedLabsTest::notMade);
                     var opened =
                             new TabbedLabs(
                                     List.of(faulty),
