@@ -86,8 +86,7 @@ public final class DistantLight implements VertexColors, PixelColors {
     @Override
     public void color(VertexBlock block) {
         int n = block.count;
-        cosines(
-                n, block.x, block.y, block.z, block.nx, block.ny, block.nz, block.red, block.green);
+        cosines(n, block.x, block.y, block.z, block.nx, block.ny, block.nz, block.red, block.green);
         power(n, block.ny, block.nz);
         channel(n, 0, block.nx, block.nz, block.red);
         channel(n, 1, block.nx, block.nz, block.green);
