@@ -132,7 +132,9 @@ public final class HazardTrial {
     }
 
     private static <C, I, O> Tried<O> compared(Topic<C, I, O> topic, I input, O exact, O actual) {
-        return new Tried<>(exact, Optional.of(actual), verdict(topic, input, exact, actual));
+        // A method that somebody wrote may answer with null, which the comparison judges.
+        Verdict verdict = verdict(topic, input, exact, actual);
+        return new Tried<>(exact, Optional.ofNullable(actual), verdict);
     }
 
     private static <C, I, O> Verdict verdict(Topic<C, I, O> topic, I input, O exact, O actual) {
