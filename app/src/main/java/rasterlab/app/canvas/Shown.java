@@ -11,6 +11,9 @@ public final class Shown {
     /** What some thousand roundings of a double leave of a number. */
     private static final double ROUNDING = 1e-12;
 
+    /** What is larger is no rounding of a number that is read without a power of ten. */
+    private static final double SMALL = 1e-6;
+
     private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
     private Shown() {}
@@ -37,14 +40,15 @@ public final class Shown {
     }
 
     /**
-     * A coordinate, or a part of a direction, beside others: rounding reads as 0.
+     * A coordinate, or a part of a direction, beside others: rounding reads as 0. What is no small
+     * number by itself stays: 5 beside 10³⁰ may be given.
      *
      * @param largest of all that stand there, in magnitude
      * @param decimals at most so many
      */
     public static String beside(double value, double largest, int decimals, Locale locale) {
         double rest = Double.isFinite(largest) ? ROUNDING * Math.abs(largest) : 0;
-        boolean rounding = Math.abs(value) <= rest;
+        boolean rounding = Math.abs(value) <= Math.min(rest, SMALL);
         return number(rounding ? 0 : value, decimals, locale);
     }
 

@@ -162,7 +162,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
      * @param drawn what it plotted, in order; empty where that was right or is not known
      */
     public void showTried(Optional<PixelRecording> drawn) {
-        tried = Optional.of(new Tried(state.choice().segment(), drawn));
+        tried = Optional.of(new Tried(state.choice().segment(), state.choice().method(), drawn));
         LineChoice next = state.choice().withComparison("");
         if (!next.equals(state.choice())) history.remember();
         draw(next, state.arrangement());

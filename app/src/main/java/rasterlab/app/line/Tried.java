@@ -8,15 +8,16 @@ import rasterlab.engine.raster.PixelRecording;
 /**
  * A segment that a program of the user's was tried on.
  *
+ * @param right the method that draws the right line, beside which it belongs
  * @param drawn what it plotted, in order; empty where that was right or is not known
  */
-public record Tried(Segment segment, Optional<PixelRecording> drawn) {
+public record Tried(Segment segment, String right, Optional<PixelRecording> drawn) {
     /** Stands in place of a method's name. */
     static final String NAME = "tried";
 
-    /** Whether it belongs beside what is shown: nothing else is compared on that segment. */
+    /** Whether it belongs beside what is shown: the right line of that segment alone. */
     boolean fits(LineChoice choice) {
-        return choice.segment().equals(segment) && choice.comparison().isEmpty();
+        return choice.equals(new LineChoice(segment, right, ""));
     }
 
     /** A method that plots the same on that segment. */

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JTextArea;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.text.DefaultCaret;
 import rasterlab.app.canvas.Inspector;
@@ -82,7 +83,8 @@ final class OpenGlInspector {
     }
 
     private void chooseImage() {
-        ImageChooser.ask(column, texts).ifPresentOrElse(model::open, this::refresh);
+        ImageChooser.ask(SwingUtilities.getWindowAncestor(column), texts)
+                .ifPresentOrElse(model::open, this::refresh);
     }
 
     private JTextArea area(String name, boolean program) {

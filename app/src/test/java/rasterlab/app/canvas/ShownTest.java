@@ -36,6 +36,7 @@ class ShownTest {
         "rounding of the other sign is shown, -5.55e-17, -1, 0",
         "small number that is no rounding is hidden, 1.2e-7, 1, 1.2·10⁻⁷",
         "small number among small ones is hidden, 3e-200, 4e-200, 3·10⁻²⁰⁰",
+        "number given beside a huge one is hidden, 5, 1e30, 5",
         "number beside infinity is hidden, 2, Infinity, 2",
         "infinity is hidden, Infinity, Infinity, Infinity",
     })

@@ -321,6 +321,10 @@ class LineLabModelTest {
         model.history().undo();
         settle();
         assertTrue(model.state().other().isPresent());
+        model.chooseMethod("naive-textbook");
+        settle();
+        assertTrue(model.state().other().isEmpty(), "pixels beside a line that is not right");
+        model.chooseMethod("bresenham");
         model.compareWith("dda");
         settle();
         assertEquals("dda", model.state().other().orElseThrow().method());

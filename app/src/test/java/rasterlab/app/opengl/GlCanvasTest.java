@@ -40,6 +40,8 @@ class GlCanvasTest {
                     model.set(Setting.DISPLAY_LIST, "on");
                     canvas = new GlCanvas(model, () -> unusable = true);
                     frame = new JFrame();
+                    // Another process may test keys on this display.
+                    frame.setFocusableWindowState(false);
                     frame.setSize(200, 150);
                     frame.add(canvas, BorderLayout.CENTER);
                     frame.setVisible(true);

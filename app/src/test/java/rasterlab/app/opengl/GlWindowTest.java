@@ -47,6 +47,8 @@ class GlWindowTest {
                 () -> {
                     model = new OpenGlLabModel(EventQueue::invokeLater, failures::add);
                     frame = new JFrame();
+                    // Another process may test keys on this display.
+                    frame.setFocusableWindowState(false);
                     frame.setContentPane(place);
                     frame.setSize(200, 150);
                     frame.setVisible(true);

@@ -73,7 +73,8 @@ class CaseOpeningTest {
             others.line().settle();
             answers.forEach(Runnable::run);
             Tried tried = others.line().state().drawings().tried().orElseThrow();
-            assertEquals(new Tried(new Segment(1, 2, 3, 4), Optional.of(drawn)), tried);
+            assertEquals(
+                    new Tried(new Segment(1, 2, 3, 4), "bresenham", Optional.of(drawn)), tried);
         }
     }
 

@@ -33,7 +33,8 @@ final class TrialReadings {
     }
 
     /** What the chosen method came to; empty until that is known. */
-    private Optional<TrialScene> known() {
+    /** What the chosen method made of the hazard; empty until that is found. */
+    Optional<TrialScene> known() {
         return model.trial()
                 .filter(scene -> model.choice().trial().equals(Optional.of(scene.trial())));
     }

@@ -97,7 +97,8 @@ final class TrialRows {
 
     /** What the method says to the hazard, where it says that it cannot. */
     private String refusal() {
-        return model.trial()
+        return new TrialReadings(model, texts)
+                .known()
                 .map(TrialScene::verdict)
                 .filter(said -> said.kind() == Verdict.Kind.REFUSED)
                 .map(said -> Complaints.said(texts.language(), said.detail()))
