@@ -147,15 +147,21 @@ public final class LabsFile {
         save(choices(models));
     }
 
-    /** Keeps what the labs showed, whole or not at all. On any thread. */
-    synchronized void save(Map<String, Object> choices) {
+    /**
+     * Keeps what the labs showed, whole or not at all. On any thread.
+     *
+     * @return whether it is kept
+     */
+    synchronized boolean save(Map<String, Object> choices) {
         ObjectNode root = JSON.createObjectNode();
         choices.forEach((name, choice) -> root.set(name, JSON.valueToTree(choice)));
         try {
             WholeFile.requireFolder(file.toAbsolutePath().getParent());
             WholeFile.write(file, JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root));
+            return true;
         } catch (IOException | Complaint e) {
             problem.accept(Problem.of("labs.notKept", reason(e)));
+            return false;
         }
     }
 

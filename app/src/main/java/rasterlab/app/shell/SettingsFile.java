@@ -86,13 +86,19 @@ public final class SettingsFile {
         return otherwise;
     }
 
-    /** Keeps the settings, whole or not at all. On any thread. */
-    public synchronized void save(LabSettings settings) {
+    /**
+     * Keeps the settings, whole or not at all. On any thread.
+     *
+     * @return whether they are kept
+     */
+    public synchronized boolean save(LabSettings settings) {
         try {
             WholeFile.requireFolder(folder());
             WholeFile.write(file, SettingsText.write(settings).getBytes(StandardCharsets.UTF_8));
+            return true;
         } catch (Complaint e) {
             tell(Problem.of("settings.notKept", e.getMessage()));
+            return false;
         }
     }
 

@@ -38,6 +38,8 @@ final class StateKeeper implements AutoCloseable {
                         thread.setDaemon(true);
                         return thread;
                     });
+    private volatile boolean settingsKept = true;
+    private volatile boolean choicesKept = true;
     private LabSettings lastSettings;
     private Map<String, Object> lastChoices;
 
@@ -64,14 +66,19 @@ final class StateKeeper implements AutoCloseable {
     /** Has what changed since the last look written. On the event thread. */
     void look() {
         LabSettings nowSettings = settings.get();
-        if (!nowSettings.equals(lastSettings)) writer.execute(() -> file.save(nowSettings));
+        if (!nowSettings.equals(lastSettings))
+            writer.execute(() -> settingsKept = file.save(nowSettings));
         lastSettings = nowSettings;
         Map<String, Object> nowChoices = LabsFile.choices(models);
-        if (!nowChoices.equals(lastChoices)) writer.execute(() -> labsFile.save(nowChoices));
+        if (!nowChoices.equals(lastChoices))
+            writer.execute(() -> choicesKept = labsFile.save(nowChoices));
         lastChoices = nowChoices;
     }
 
-    /** Writes what changed since the last look and looks no more. On the event thread. */
+    /**
+     * Writes what changed since the last look, and what could not be written then; looks no more.
+     * On the event thread.
+     */
     @Override
     public void close() {
         timer.stop();
@@ -82,6 +89,8 @@ final class StateKeeper implements AutoCloseable {
         }
         look();
         finishWriting();
+        if (!settingsKept) file.save(lastSettings);
+        if (!choicesKept) labsFile.save(lastChoices);
     }
 
     private void endOfProgram() {

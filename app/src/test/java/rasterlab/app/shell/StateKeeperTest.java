@@ -3,11 +3,14 @@ package rasterlab.app.shell;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -27,6 +30,10 @@ class StateKeeperTest {
 
     /** A window's life between its first look and its last. */
     private void live(Consumer<LabModels> during) throws InterruptedException {
+        live((models, keeper) -> during.accept(models));
+    }
+
+    private void live(BiConsumer<LabModels, StateKeeper> during) throws InterruptedException {
         OffscreenPainter.onEventThread(
                 () -> {
                     try (LabModels models =
@@ -39,7 +46,7 @@ class StateKeeperTest {
                                 new LabsFile(labs(), problem -> problems.add(problem.toString()));
                         labsFile.load(models);
                         var keeper = new StateKeeper(file, labsFile, () -> FIRST, models);
-                        during.accept(models);
+                        during.accept(models, keeper);
                         keeper.close();
                     }
                 });
@@ -67,6 +74,30 @@ class StateKeeperTest {
         live(models -> models.line().chooseMethod("dda"));
         assertTrue(Files.readString(labs()).contains("dda"), Files.readString(labs()));
         assertEquals(List.of(), problems);
+    }
+
+    @Test
+    void whatCouldNotBeWrittenIsWrittenAtTheEnd() throws Exception {
+        live(
+                (models, keeper) -> {
+                    models.line().chooseMethod("dda");
+                    inTheWay(keeper::look);
+                });
+        assertTrue(Files.readString(labs()).contains("dda"), Files.readString(labs()));
+        assertEquals(1, problems.size(), problems.toString());
+    }
+
+    /** A folder stands in the file's place until that is told. */
+    private void inTheWay(Runnable look) {
+        try {
+            Path inside = Files.createDirectories(labs().resolve("folder"));
+            look.run();
+            while (problems.isEmpty()) Thread.onSpinWait();
+            Files.delete(inside);
+            Files.delete(labs());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     @Test
