@@ -103,10 +103,11 @@ final class RowInspector {
                 read.headings().stream().map(key -> texts.text("column." + key)).toList(),
                 read.lines().stream().map(this::line).toList(),
                 -1);
-        verdict.setText(verdicts.text("verdict." + scene.verdict().kind().code()));
+        boolean newest = shown.choice().at(0).equals(model.choice().at(0));
+        verdict.setText(newest ? verdicts.text("verdict." + scene.verdict().kind().code()) : "—");
         wrong.setText(
-                scene.errors().length == 0
-                        ? "–"
+                !newest || scene.errors().length == 0
+                        ? "—"
                         : texts.text("pixel.of", scene.wrongPixels(), scene.pixels()));
     }
 

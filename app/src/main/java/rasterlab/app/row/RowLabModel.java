@@ -103,12 +103,7 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
 
     /** Finds the right answers of all hazards; on any other thread. */
     void prepare() {
-        hazards().forEach(each -> prepare(each.topic(), each.hazard().name()));
-    }
-
-    /** Finds a hazard's right answer, so that it is shown without delay; on any other thread. */
-    public void prepare(String topic, String hazard) {
-        kind(topic).prepare(hazard);
+        hazards().forEach(each -> kind(each.topic()).prepare(each.hazard().name()));
     }
 
     /**

@@ -77,13 +77,12 @@ final class LabOpening implements OpenInLab {
         TopicInput input = input(topic, hazard);
         TopicWay way = way(topic, method);
         int mine = ++asked;
-        if (way.atOnce()) show(way, input, method);
-        else background.execute(() -> prepareAndShow(way, input, method, mine));
+        if (way.notes().isEmpty()) show(way, input, method);
+        else background.execute(() -> tryAndShow(way, input, method, mine));
     }
 
-    private void prepareAndShow(TopicWay way, TopicInput input, String method, int mine) {
+    private void tryAndShow(TopicWay way, TopicInput input, String method, int mine) {
         try {
-            way.prepare().ifPresent(prepare -> prepare.accept(input));
             Runnable note = note(way, input, method);
             events.execute(
                     () -> {

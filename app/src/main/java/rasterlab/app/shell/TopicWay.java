@@ -14,16 +14,10 @@ import rasterlab.app.canvas.Unlike;
  *
  * @param tab its name
  * @param show shows an input by a method of the topic, "" for the tab's own
- * @param prepare finds what showing an input would wait for, on any thread; empty for a tab that
- *     shows inputs at once
  * @param notes what is said of inputs that the tab cannot show as they are; empty for a tab that
  *     can
  */
-record TopicWay(
-        String tab,
-        BiConsumer<TopicInput, String> show,
-        Optional<Consumer<TopicInput>> prepare,
-        Optional<Notes> notes) {
+record TopicWay(String tab, BiConsumer<TopicInput, String> show, Optional<Notes> notes) {
     /**
      * What is said beside a picture.
      *
@@ -38,11 +32,6 @@ record TopicWay(
 
     /** A tab that shows every input of the topic as it is. */
     static TopicWay whole(String tab, BiConsumer<TopicInput, String> show) {
-        return new TopicWay(tab, show, Optional.empty(), Optional.empty());
-    }
-
-    /** Whether nothing has to be found before an input is shown. */
-    boolean atOnce() {
-        return prepare.isEmpty() && notes.isEmpty();
+        return new TopicWay(tab, show, Optional.empty());
     }
 }

@@ -197,7 +197,6 @@ final class TopicWays {
                             lab.rows().close();
                             lab.choose(view.apply(input, method)::shown);
                         },
-                        Optional.empty(),
                         Optional.of(
                                 new TopicWay.Notes(
                                         (input, method) -> view.apply(input, method).unlike(),
@@ -209,11 +208,8 @@ final class TopicWays {
         for (String topic : lab.topics())
             ways.put(
                     topic,
-                    new TopicWay(
-                            tab,
-                            (input, method) -> lab.show(topic, input.hazard(), method),
-                            Optional.of(input -> lab.prepare(topic, input.hazard())),
-                            Optional.empty()));
+                    TopicWay.whole(
+                            tab, (input, method) -> lab.show(topic, input.hazard(), method)));
     }
 
     private void light(LightLabModel lab) {
@@ -226,7 +222,6 @@ final class TopicWays {
                                 lab.rows().close();
                                 lab.show(topic, input.hazard(), input.input(), method);
                             },
-                            Optional.empty(),
                             Optional.of(
                                     new TopicWay.Notes(
                                             (input, method) -> lab.unlike(input.input(), method),

@@ -22,13 +22,16 @@ final class DiskFiles {
     private DiskFiles() {}
 
     /**
-     * The folder's sub-folders by name; its other files are passed over.
+     * The folder's sub-folders by name; its other files are passed over, and whatever has a name
+     * that begins with a dot, such as an editor's lock, which is a link to nothing.
      *
      * @throws CatalogueException naming what cannot be read, in one line
      */
     static List<Path> subFolders(Path folder) {
         List<Path> found = new ArrayList<>();
-        for (Path entry : entries(folder)) if (attributes(entry).isDirectory()) found.add(entry);
+        for (Path entry : entries(folder))
+            if (!entry.getFileName().toString().startsWith(".") && attributes(entry).isDirectory())
+                found.add(entry);
         return found;
     }
 

@@ -54,6 +54,16 @@ class DiskFilesTest {
     }
 
     @Test
+    @DisplayName("an editor's lock, a link to nothing, stops the server")
+    void passesOverNamesThatBeginWithADot() throws IOException {
+        Files.delete(mine);
+        Files.createSymbolicLink(folder.resolve(".#statement.md"), Path.of("user@host.1"));
+        assertEquals(
+                Catalogue.builtIn().all().size(),
+                Catalogue.builtIn().withFolder(folder).all().size());
+    }
+
+    @Test
     @DisplayName("a pipe is waited for")
     void tellsAPipe() throws Exception {
         Path maker = Path.of("/usr/bin/mkfifo");
