@@ -4,7 +4,8 @@ package rasterlab.engine.spline;
  * The largest distance of one polyline's points from another polyline.
  *
  * <p>Both run from start to end of one curve, so the nearest segment is looked for a little ahead
- * of the last one first; only where that is farther than allowed, all segments are tried.
+ * of the last one first; only where that is farther than allowed, and than the worst so far, all
+ * segments are tried.
  */
 final class PolylineDistance {
     private static final int AHEAD = 4;
@@ -34,14 +35,15 @@ final class PolylineDistance {
                 near = i;
             }
         }
-        if (nearest > allowed) nearest = nearestOfAll(x, y, last);
+        if (nearest > Math.max(allowed, worst)) nearest = nearestOfAll(x, y, last);
         worst = Math.max(worst, nearest);
         return worst;
     }
 
+    /** The least distance, or any that is no larger than the worst one so far. */
     private double nearestOfAll(double x, double y, int last) {
         double nearest = Double.POSITIVE_INFINITY;
-        for (int i = 0; i <= last; i++) {
+        for (int i = 0; i <= last && nearest > worst; i++) {
             double distance = fromSegment(x, y, i);
             if (distance < nearest) {
                 nearest = distance;
