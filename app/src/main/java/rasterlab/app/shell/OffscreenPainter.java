@@ -3,10 +3,12 @@ package rasterlab.app.shell;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.lang.reflect.InvocationTargetException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
@@ -58,14 +60,23 @@ public final class OffscreenPainter {
 
     private static void layOut(JComponent component, int width, int height) {
         component.setSize(width, height);
-        for (int i = 0; i < LAYOUTS; i++) layOut(component);
+        int layouts = 0;
+        while (layouts < LAYOUTS && hasMovedParts(component)) layouts++;
     }
 
-    private static void layOut(Container container) {
+    /** Lays out once; whether that has moved anything, so that once more may move more. */
+    private static boolean hasMovedParts(Container container) {
+        List<Rectangle> before = places(container);
         container.invalidate();
         container.doLayout();
+        boolean moved = !before.equals(places(container));
         for (Component child : container.getComponents())
-            if (child instanceof Container inner) layOut(inner);
+            if (child instanceof Container inner) moved |= hasMovedParts(inner);
+        return moved;
+    }
+
+    private static List<Rectangle> places(Container container) {
+        return Stream.of(container.getComponents()).map(Component::getBounds).toList();
     }
 
     private static List<Settling> settling(Container container) {
