@@ -11,3 +11,5 @@ dependencies {
     runtimeOnly(libs.jlatexmath.font.cyrillic)
     implementation(libs.xmlgraphics.commons)
 }
+
+tasks.test { maxParallelForks = 2 }
