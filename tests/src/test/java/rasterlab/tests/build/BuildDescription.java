@@ -29,8 +29,9 @@ record BuildDescription(
     /**
      * @param dependencies {@code group:artifact} (a module of ours: its name) to version and scope
      * @param mainClass empty where the module has none
+     * @param testProcesses how many share its tests
      */
-    record Module(Map<String, Dependency> dependencies, String mainClass) {}
+    record Module(Map<String, Dependency> dependencies, String mainClass, String testProcesses) {}
 
     /**
      * @param scope {@code compile}, {@code provided} (while compiling only), {@code runtime} or
@@ -51,6 +52,11 @@ record BuildDescription(
             var mine = modules.get(name);
             var theirs = other.modules.get(name);
             compare(name + ": main class", mine.mainClass, theirs.mainClass, differences);
+            compare(
+                    name + ": test processes",
+                    mine.testProcesses,
+                    theirs.testProcesses,
+                    differences);
             for (var key : all(mine.dependencies, theirs.dependencies))
                 compare(
                         name + ": dependency " + key,

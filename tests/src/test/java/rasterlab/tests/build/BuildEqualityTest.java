@@ -107,6 +107,12 @@ class BuildEqualityTest {
                         "app.Start",
                         "app: main class"),
                 argumentSet(
+                        "the processes of tests differ",
+                        "exercises/build.gradle.kts",
+                        "maxParallelForks = 2",
+                        "maxParallelForks = 3",
+                        "exercises: test processes"),
+                argumentSet(
                         "the Java level differs",
                         "pom.xml",
                         "<maven.compiler.release>17",

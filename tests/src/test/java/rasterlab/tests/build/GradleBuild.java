@@ -89,8 +89,11 @@ final class GradleBuild {
         var dependencies = new TreeMap<String, BuildDescription.Dependency>();
         addDependencies(common, dependencies);
         addDependencies(script(name), dependencies);
+        var processes = find("maxParallelForks = (\\d+)", script(name));
         return new BuildDescription.Module(
-                dependencies, find("mainClass\\.set\\(\"([^\"]+)\"\\)", script(name)));
+                dependencies,
+                find("mainClass\\.set\\(\"([^\"]+)\"\\)", script(name)),
+                processes.isEmpty() ? "1" : processes);
     }
 
     private void addDependencies(

@@ -58,14 +58,19 @@ final class MavenBuild {
         for (var holder : List.of(parent, pom))
             for (var dependency : children(only(holder, "dependencies")))
                 dependencies.put(key(dependency), dependency(dependency));
-        var own = children(pom).stream().filter(e -> e.getTagName().equals("properties"));
-        var mainClass =
-                own.flatMap(e -> children(e).stream())
-                        .filter(e -> e.getTagName().equals("main.class"))
-                        .map(Element::getTextContent)
-                        .findFirst()
-                        .orElse("");
-        return new BuildDescription.Module(dependencies, mainClass);
+        return new BuildDescription.Module(
+                dependencies, property(pom, "main.class"), property(pom, "test.processes"));
+    }
+
+    /** The module's own value, else that of all modules. */
+    private String property(Element pom, String name) {
+        return children(pom).stream()
+                .filter(e -> e.getTagName().equals("properties"))
+                .flatMap(e -> children(e).stream())
+                .filter(e -> e.getTagName().equals(name))
+                .map(Element::getTextContent)
+                .findFirst()
+                .orElse(properties.get(name));
     }
 
     private BuildDescription.Dependency dependency(Element element) {
