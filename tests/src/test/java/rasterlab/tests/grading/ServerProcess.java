@@ -51,7 +51,9 @@ public record ServerProcess(Process process, URI address, String token, Path log
         var classPath =
                 System.getProperty(
                         "surefire.test.class.path", System.getProperty("java.class.path"));
-        command.addAll(List.of("-Xmx400m", "-cp", classPath, "rasterlab.grader.MainKt"));
+        // It lives for seconds, in which the second compiler would only cost time.
+        command.addAll(List.of("-Xmx400m", "-XX:TieredStopAtLevel=1"));
+        command.addAll(List.of("-cp", classPath, "rasterlab.grader.MainKt"));
         command.addAll(List.of("serve", "--data", data.toString()));
         command.addAll(List.of(options));
         return command;
