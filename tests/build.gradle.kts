@@ -28,3 +28,5 @@ dependencies {
 application {
     mainClass.set("rasterlab.tests.bench.Bench")
 }
+
+tasks.test { maxParallelForks = 2 }

@@ -12,6 +12,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.timing.Condition;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabFrame;
@@ -22,6 +23,7 @@ import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.LabsFile;
 import rasterlab.app.shell.SettingsFile;
 
+@ExtendWith(OwnDisplay.class)
 class ClosedWindowTest {
     @TempDir Path folder;
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();

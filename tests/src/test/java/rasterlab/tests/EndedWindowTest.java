@@ -15,6 +15,7 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabSettings;
@@ -23,6 +24,7 @@ import rasterlab.app.shell.SettingsFile;
 
 /** What is left of a window whose process is ended from outside. */
 @Timeout(120)
+@ExtendWith(OwnDisplay.class)
 class EndedWindowTest {
     @TempDir Path folder;
     private final List<String> problems = new ArrayList<>();

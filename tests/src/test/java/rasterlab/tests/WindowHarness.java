@@ -26,6 +26,7 @@ import org.assertj.swing.timing.Pause;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabFrame;
@@ -39,7 +40,11 @@ import rasterlab.engine.line.Segment;
 
 /** The lab's window, open on a real display while a test runs; its failures fail the test. */
 @Timeout(180)
+@ExtendWith(OwnDisplay.class)
 abstract class WindowHarness {
+    /** So long may a slow machine that does something else besides need for what is awaited. */
+    private static final long LIMIT_MILLIS = 100_000;
+
     @TempDir Path folder;
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     final List<String> problems = new CopyOnWriteArrayList<>();
@@ -130,14 +135,13 @@ abstract class WindowHarness {
                     public boolean test() {
                         return held.getAsBoolean();
                     }
-                });
+                },
+                LIMIT_MILLIS);
     }
 
     /** The colours, as opaque RGB, of what the display shows of a component. */
     Set<Integer> colours(String name) {
-        Component shown = window.robot().finder().findByName(frame, name);
-        var place = new Rectangle(shown.getLocationOnScreen(), shown.getSize());
-        BufferedImage picture = captured(place);
+        BufferedImage picture = captured(name);
         var colours = new HashSet<Integer>();
         for (int y = 0; y < picture.getHeight(); y++)
             for (int x = 0; x < picture.getWidth(); x++)
@@ -145,7 +149,10 @@ abstract class WindowHarness {
         return colours;
     }
 
-    private static BufferedImage captured(Rectangle place) {
+    /** What the display shows of a component. */
+    BufferedImage captured(String name) {
+        Component shown = window.robot().finder().findByName(frame, name);
+        var place = new Rectangle(shown.getLocationOnScreen(), shown.getSize());
         try {
             return new java.awt.Robot().createScreenCapture(place);
         } catch (java.awt.AWTException e) {

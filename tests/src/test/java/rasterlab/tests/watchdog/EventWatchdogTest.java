@@ -35,9 +35,11 @@ import rasterlab.app.opengl.software.SoftwarePainter;
 import rasterlab.app.opengl.state.GlChoice;
 import rasterlab.app.opengl.state.GlFrame;
 import rasterlab.app.opengl.state.Images;
+import rasterlab.tests.OwnDisplay;
 
 /** Each event here lasts until the watchdog has seen what it does. */
 @Timeout(60)
+@ExtendWith(OwnDisplay.class)
 class EventWatchdogTest {
     private static final long LIMIT_NANOS = TimeUnit.SECONDS.toNanos(20);
 

@@ -12,7 +12,10 @@ import java.util.List;
 import javax.swing.RepaintManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import rasterlab.tests.OwnDisplay;
 
+@ExtendWith(OwnDisplay.class)
 class WindowBenchTest {
     @AfterEach
     void paintAsUsual() {
