@@ -39,8 +39,7 @@ final class BandStage {
         int second = triangles[at + 1];
         int third = triangles[at + 2];
         if (tiny.load(vertices, first, second, third, frame.out, top)) {
-            tiny.look(frame.out.width());
-            if (tiny.count > 0) fillTiny(frame, vertices, third);
+            fillTiny(frame, vertices, third);
             return;
         }
         scan.load(vertices, first, second, third, frame.out, top);
@@ -68,8 +67,13 @@ final class BandStage {
     }
 
     private void fillTiny(Frame frame, ScreenVertices vertices, int third) {
-        if (frame.surface instanceof Surface.Smooth) TinyFill.smooth(frame.out, tiny, vertices);
-        else if (frame.surface instanceof Surface.PerPixel) pixels.fill(tiny, vertices, third);
+        if (frame.surface instanceof Surface.Smooth) {
+            loops.smooth(frame.out, tiny, vertices);
+            return;
+        }
+        tiny.look(frame.out.width());
+        if (tiny.count == 0) return;
+        if (frame.surface instanceof Surface.PerPixel) pixels.fill(tiny, vertices, third);
         else TinyFill.flat(frame.out, tiny, vertices, FlatFill.argb(vertices.attributes, third));
     }
 }

@@ -17,13 +17,13 @@ final class FlatFill {
         int[] argb = out.raster().argb();
         float[] depth = out.depth();
         weights.load(scan, v);
-        float stepZ = weights.stepZ;
+        float stepZ = weights.depth.stepZ;
         for (int row = 0; row < scan.rows; row++) {
             int from = scan.cell(row);
             int to = from + scan.count[row];
             weights.at(scan, row);
-            float z = weights.z;
-            float k = 0;
+            float z = weights.depth.z;
+            float k = weights.depth.first;
             for (int i = from; i < to; i++) {
                 float here = z + k * stepZ;
                 if (here < depth[i]) {

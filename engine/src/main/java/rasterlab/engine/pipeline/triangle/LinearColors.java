@@ -24,12 +24,11 @@ final class LinearColors {
     /** Added to a number below 2⁵¹ it leaves the nearest whole one in the sum's lowest bits. */
     static final double ROUND = 0x1.8p52;
 
-    /** At corner a, and what the weights of b and c add. */
-    double za;
+    final RowDepth depth = new RowDepth();
 
-    double zb;
-    double zc;
+    /** At corner a, and what the weights of b and c add. */
     double ra;
+
     double rb;
     double rc;
     double ga;
@@ -40,16 +39,23 @@ final class LinearColors {
     double bc;
 
     /** What each grows by from a pixel to the next on its right. */
-    float stepZ;
-
     int stepRed;
+
     int stepGreen;
     int stepBlue;
 
-    /** At the pixel that {@link #at} was asked for. */
-    float z;
+    /** At the corner of a compact triangle's box, and what each grows by to the next row. */
+    int cornerRed;
 
+    int cornerGreen;
+    int cornerBlue;
+    int downRed;
+    int downGreen;
+    int downBlue;
+
+    /** At the first pixel of the row that {@link #at} was asked for. */
     int red;
+
     int green;
     int blue;
 
@@ -82,9 +88,7 @@ final class LinearColors {
         float[] reds = v.attributes[0];
         float[] greens = v.attributes[1];
         float[] blues = v.attributes[2];
-        za = v.depth[a];
-        zb = v.depth[b] - za;
-        zc = v.depth[c] - za;
+        depth.load(scan, v);
         ra = reds[a] * ONE + HALF;
         rb = (reds[b] - reds[a]) * ONE;
         rc = (reds[c] - reds[a]) * ONE;
@@ -94,12 +98,25 @@ final class LinearColors {
         ba = blues[a] * ONE + HALF;
         bb = (blues[b] - blues[a]) * ONE;
         bc = (blues[c] - blues[a]) * ONE;
-        float toB = scan.stepB * scan.inverseArea;
-        float toC = scan.stepC * scan.inverseArea;
-        stepZ = (float) (toB * zb + toC * zc);
+        double inverseArea = scan.inverseArea;
+        double toB = scan.stepB * inverseArea;
+        double toC = scan.stepC * inverseArea;
         stepRed = whole(toB * rb + toC * rc);
         stepGreen = whole(toB * gb + toC * gc);
         stepBlue = whole(toB * bb + toC * bc);
+        if (!depth.compact) return;
+        toCorner(scan.cornerB() * inverseArea, scan.cornerC() * inverseArea);
+        double downB = scan.downB * inverseArea;
+        double downC = scan.downC * inverseArea;
+        downRed = whole(downB * rb + downC * rc);
+        downGreen = whole(downB * gb + downC * gc);
+        downBlue = whole(downB * bb + downC * bc);
+    }
+
+    private void toCorner(double weightB, double weightC) {
+        cornerRed = whole(weightB * rb + ra + weightC * rc);
+        cornerGreen = whole(weightB * gb + ga + weightC * gc);
+        cornerBlue = whole(weightB * bb + ba + weightC * bc);
     }
 
     /** The nearest whole number, or its lowest bits where that is no int. */
@@ -107,11 +124,20 @@ final class LinearColors {
         return (int) Double.doubleToRawLongBits(value + ROUND);
     }
 
-    /** Finds depth and colours at the first pixel of a row. */
+    /** Finds depth and colours where a row begins. */
     void at(TriangleScan scan, int row) {
-        double weightB = scan.edgeB[row] * scan.inverseArea;
-        double weightC = scan.edgeC[row] * scan.inverseArea;
-        z = (float) (weightB * zb + za + weightC * zc);
+        depth.at(scan, row);
+        if (depth.compact) countFromCorner(row, depth.first);
+        else weigh(scan.edgeB[row] * scan.inverseArea, scan.edgeC[row] * scan.inverseArea);
+    }
+
+    private void countFromCorner(int row, int column) {
+        red = cornerRed + row * downRed + column * stepRed;
+        green = cornerGreen + row * downGreen + column * stepGreen;
+        blue = cornerBlue + row * downBlue + column * stepBlue;
+    }
+
+    private void weigh(double weightB, double weightC) {
         red = whole(weightB * rb + ra + weightC * rc);
         green = whole(weightB * gb + ga + weightC * gc);
         blue = whole(weightB * bb + ba + weightC * bc);

@@ -5,6 +5,8 @@ import rasterlab.engine.lanes.Lanes;
 
 /** One pixel after the other. */
 final class PlainLoops implements RowLoops {
+    private final SmoothCorners corners = new SmoothCorners();
+
     @Override
     public Lanes lanes() {
         return Lanes.ONE;
@@ -13,6 +15,14 @@ final class PlainLoops implements RowLoops {
     @Override
     public void scan(TriangleScan scan) {
         scan.scan();
+    }
+
+    @Override
+    public void smooth(DepthRaster out, TinyScan scan, ScreenVertices v) {
+        scan.look(out.width());
+        if (scan.count == 0) return;
+        corners.load(scan, v);
+        TinyFill.smooth(out, scan, corners);
     }
 
     @Override
@@ -26,19 +36,19 @@ final class PlainLoops implements RowLoops {
         }
     }
 
-    /** n pixels of a row, at whose first one the colours are. */
+    /** n pixels of a row, where the colours are. */
     static void linear(DepthRaster out, LinearColors colors, int from, int n) {
         int[] argb = out.raster().argb();
         float[] depth = out.depth();
-        float stepZ = colors.stepZ;
+        float stepZ = colors.depth.stepZ;
         int stepRed = colors.stepRed;
         int stepGreen = colors.stepGreen;
         int stepBlue = colors.stepBlue;
-        float z = colors.z;
+        float z = colors.depth.z;
         int red = colors.red;
         int green = colors.green;
         int blue = colors.blue;
-        float k = 0;
+        float k = colors.depth.first;
         for (int i = from; i < from + n; i++) {
             float here = z + k * stepZ;
             if (here < depth[i]) {
@@ -74,10 +84,13 @@ final class PlainLoops implements RowLoops {
             boolean early,
             PixelBatch batch) {
         int kept = batch.count;
+        float z = weights.depth.z;
+        float stepZ = weights.depth.stepZ;
+        float start = weights.depth.first;
         float k = first - 1;
         for (int cell = from; cell < from + n; cell++) {
             k += 1;
-            float here = weights.z + k * weights.stepZ;
+            float here = z + (start + k) * stepZ;
             if (!(here < depth[cell])) continue;
             if (early) depth[cell] = here;
             else batch.depth[kept] = here;

@@ -18,6 +18,9 @@ interface RowLoops {
     /** Finds each row's pixels, as {@link TriangleScan#scan} does. */
     void scan(TriangleScan scan);
 
+    /** Finds the pixels of a small triangle and draws them, with a division for each. */
+    void smooth(DepthRaster out, TinyScan scan, ScreenVertices v);
+
     /** Draws a triangle whose depth and colours are linear. */
     void linear(DepthRaster out, TriangleScan scan, LinearColors colors);
 

@@ -31,15 +31,16 @@ final class SmoothFill {
         weights.load(scan, v);
         float toB = weights.toB;
         float toC = weights.toC;
-        float stepZ = weights.stepZ;
+        float stepZ = weights.depth.stepZ;
         for (int row = 0; row < scan.rows; row++) {
             weights.at(scan, row);
-            float z = weights.z;
+            float z = weights.depth.z;
+            int first = weights.depth.first;
             float rowB = weights.rowB;
             float rowC = weights.rowC;
             int from = scan.cell(row);
             for (int k = 0; k < scan.count[row]; k++) {
-                float here = z + k * stepZ;
+                float here = z + (first + k) * stepZ;
                 if (!(here < depth[from + k])) continue;
                 depth[from + k] = here;
                 float weightB = rowB + k * toB;

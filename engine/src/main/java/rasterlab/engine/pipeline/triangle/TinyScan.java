@@ -4,20 +4,23 @@ package rasterlab.engine.pipeline.triangle;
  * The centres of pixels that a small triangle owns, found by asking each in its box.
  *
  * <p>The edge functions and the rule are those of {@link TriangleScan}. In a box of {@value #SIDE}
- * pixels they stay below 2²³: they fit an int, and a float holds them exactly. A centre is written
- * whether it is owned or not, and counted only if it is: no branch, which nobody could foresee.
+ * pixels they stay below 2²³, and within {@value #SIDE} columns from its left below 2²⁴: they fit
+ * an int, and a float holds them exactly. A centre is written whether it is owned or not, and
+ * counted only if it is: no branch, which nobody could foresee.
  */
 final class TinyScan extends Scan {
     /** The widest and highest box, in pixels. */
-    static final int SIDE = 7;
+    static final int SIDE = 8;
 
     /** The most centres in a box. */
-    static final int MOST = 24;
+    static final int MOST = SIDE * SIDE;
 
-    private static final int WIDEST = SIDE * Subpixels.ONE;
+    private static final int WIDEST = SIDE * Subpixels.ONE - 1;
 
-    /** The box: the cell of its first pixel, its sides in pixels. */
+    /** The box: the cell of its first pixel, its first column, its sides in pixels. */
     int at;
+
+    int left;
 
     int columns;
     int rows;
@@ -62,11 +65,10 @@ final class TinyScan extends Scan {
         int minY = Math.min(0, Math.min(by, cy));
         int maxY = Math.max(0, Math.max(by, cy));
         if (maxX - minX > WIDEST || maxY - minY > WIDEST) return false;
-        int left = Math.max(0, Subpixels.firstPixel(ax + minX));
+        left = Math.max(0, Subpixels.firstPixel(ax + minX));
         columns = Math.min(out.width(), Subpixels.endPixel(ax + maxX)) - left;
         int highest = Subpixels.firstPixel(ay + minY);
         int lowest = Subpixels.endPixel(ay + maxY);
-        if (columns * (lowest - highest) > MOST) return false;
         int top = Math.max(bandTop, highest);
         rows = Math.min(Math.min(bandTop + TriangleScan.ROWS, out.height()), lowest) - top;
         int area = bx * cy - by * cx;

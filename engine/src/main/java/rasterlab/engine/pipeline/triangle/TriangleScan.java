@@ -95,6 +95,16 @@ final class TriangleScan extends Scan {
         downA = (long) (cx - bx) << Subpixels.BITS;
     }
 
+    /** eB at the box's first pixel. */
+    long cornerB() {
+        return rowB - ownB;
+    }
+
+    /** eC there. */
+    long cornerC() {
+        return rowC - ownC;
+    }
+
     /** The cell of a row's first pixel. */
     int cell(int row) {
         return (top + row) * pictureWidth + left[row];

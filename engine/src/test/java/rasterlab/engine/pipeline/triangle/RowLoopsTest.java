@@ -2,6 +2,7 @@ package rasterlab.engine.pipeline.triangle;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.Random;
@@ -86,8 +87,9 @@ class RowLoopsTest {
 
     private RowWeights weights() {
         var weights = new RowWeights();
-        weights.z = random.nextFloat();
-        weights.stepZ = (random.nextFloat() - 0.5f) / 20;
+        weights.depth.z = random.nextFloat();
+        weights.depth.first = random.nextInt(9);
+        weights.depth.stepZ = (random.nextFloat() - 0.5f) / 20;
         weights.rowB = random.nextFloat();
         weights.rowC = random.nextFloat();
         weights.toB = random.nextFloat() / 30;
@@ -111,6 +113,64 @@ class RowLoopsTest {
             eight.linear(actual, scan, colors);
             EightLanes.assertSame(expected, actual, "seed %d, %d after".formatted(seed, after));
         }
+    }
+
+    /** Small triangles in a narrow picture, across its sides and across two bands. */
+    @RepeatedTest(40)
+    void drawTheSameSmallTriangles() {
+        var expected = new DepthRaster(WIDTH, 2 * TriangleScan.ROWS);
+        var actual = new DepthRaster(WIDTH, 2 * TriangleScan.ROWS);
+        var tiny = new TinyScan();
+        for (int round = 0; round < 200; round++) {
+            var v = triangle(WIDTH, 2 * TriangleScan.ROWS, TinyScan.SIDE, TinyScan.SIDE);
+            for (int top : new int[] {0, TriangleScan.ROWS}) {
+                if (!tiny.load(v, 0, 1, 2, expected, top)) continue;
+                one.smooth(expected, tiny, v);
+                eight.smooth(actual, tiny, v);
+            }
+        }
+        EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
+    }
+
+    /** Narrow triangles of every height, up to where their edge functions are no ints. */
+    @RepeatedTest(40)
+    void drawTheSameNarrowTriangles() {
+        int height = 4096;
+        var expected = new DepthRaster(WIDTH, height);
+        var actual = new DepthRaster(WIDTH, height);
+        var scan = new TriangleScan();
+        var colors = new LinearColors();
+        int compact = 0;
+        for (int round = 0; round < 400; round++) {
+            int tall = 1 << random.nextInt(13);
+            var v = triangle(WIDTH, height, RowDepth.WIDEST, tall);
+            int middle = v.y[0] / Subpixels.ONE / TriangleScan.ROWS * TriangleScan.ROWS;
+            if (middle < 0 || middle >= height) continue;
+            scan.load(v, 0, 1, 2, expected, middle);
+            if (scan.rows <= 0 || scan.boxLeft >= scan.boxRight) continue;
+            colors.load(scan, v);
+            if (colors.depth.compact) compact++;
+            one.linear(expected, scan, colors);
+            eight.linear(actual, scan, colors);
+        }
+        assertTrue(compact > 20, compact + " compact triangles of seed " + seed);
+        EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
+    }
+
+    /** Corners within so many pixels, the first of them in the picture or beside it. */
+    private ScreenVertices triangle(int width, int height, int columns, int rows) {
+        var v = new ScreenVertices();
+        v.ensure(3, 3);
+        int left = random.nextInt(width + columns) - columns;
+        int top = random.nextInt(height + rows) - rows;
+        for (int k = 0; k < 3; k++) {
+            v.x[k] = left * Subpixels.ONE + random.nextInt(columns * Subpixels.ONE);
+            v.y[k] = top * Subpixels.ONE + random.nextInt(rows * Subpixels.ONE);
+            v.depth[k] = random.nextFloat();
+            v.nearness[k] = 0.5f + random.nextFloat();
+            for (float[] channel : v.attributes) channel[k] = random.nextInt(256);
+        }
+        return v;
     }
 
     /** A triangle with a right angle in the band's last row, left of a column. */

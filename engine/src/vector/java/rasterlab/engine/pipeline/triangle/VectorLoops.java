@@ -25,6 +25,9 @@ final class VectorLoops implements RowLoops {
             IntVector.fromArray(INTS, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
 
     private final VectorRows rows = new VectorRows();
+    private final VectorTiny tiny = new VectorTiny();
+    private final VectorCompact compact = new VectorCompact();
+    private final PlainLoops plain = new PlainLoops();
 
     @Override
     public Lanes lanes() {
@@ -37,7 +40,22 @@ final class VectorLoops implements RowLoops {
     }
 
     @Override
+    public void smooth(DepthRaster out, TinyScan scan, ScreenVertices v) {
+        if (scan.left + LANES > out.width()) plain.smooth(out, scan, v);
+        else tiny.draw(out, scan, v);
+    }
+
+    @Override
     public void linear(DepthRaster out, TriangleScan scan, LinearColors colors) {
+        int blocks = (scan.boxRight - scan.boxLeft + LANES - 1) / LANES;
+        if (!colors.depth.compact) drawRows(out, scan, colors);
+        else if (scan.boxLeft + blocks * LANES > out.width()) plain.linear(out, scan, colors);
+        else
+            for (int block = 0; block < blocks; block++)
+                compact.draw(out, scan, colors, block * LANES);
+    }
+
+    private void drawRows(DepthRaster out, TriangleScan scan, LinearColors colors) {
         IntVector reds = WHOLE_NUMBERS.mul(colors.stepRed);
         IntVector greens = WHOLE_NUMBERS.mul(colors.stepGreen);
         IntVector blues = WHOLE_NUMBERS.mul(colors.stepBlue);
@@ -45,6 +63,7 @@ final class VectorLoops implements RowLoops {
         float[] depth = out.depth();
         rows.scan(scan);
         rows.start(scan, colors);
+        float stepZ = colors.depth.stepZ;
         for (int row = 0; row < scan.rows; row++) {
             int n = scan.count[row];
             if (n == 0) continue;
@@ -60,7 +79,7 @@ final class VectorLoops implements RowLoops {
             }
             for (int done = 0; done < n; done += LANES) {
                 FloatVector k = NUMBERS.add(done);
-                FloatVector here = k.mul(colors.stepZ).add(z);
+                FloatVector here = k.mul(stepZ).add(z);
                 FloatVector there = FloatVector.fromArray(FLOATS, depth, from + done);
                 VectorMask<Float> nearer =
                         here.compare(VectorOperators.LT, there)
@@ -94,10 +113,11 @@ final class VectorLoops implements RowLoops {
             PlainLoops.collect(depth, weights, cell, first, n, early, batch);
             return;
         }
+        RowDepth at = weights.depth;
         for (int done = 0; done < n; done += LANES) {
             int left = Math.min(LANES, n - done);
             FloatVector k = NUMBERS.add(first + done);
-            FloatVector here = k.mul(weights.stepZ).add(weights.z);
+            FloatVector here = k.add(at.first).mul(at.stepZ).add(at.z);
             FloatVector there = FloatVector.fromArray(FLOATS, depth, cell + done);
             VectorMask<Float> nearer =
                     here.compare(VectorOperators.LT, there)

@@ -83,10 +83,11 @@ final class VectorRows {
     /** Finds what {@link LinearColors#at} finds, for all rows. */
     void start(TriangleScan s, LinearColors c) {
         double inverse = s.inverseArea;
+        RowDepth d = c.depth;
         for (int row = 0; row < s.rows; row += FOUR.length()) {
             DoubleVector weightB = DoubleVector.fromArray(FOUR, s.edgeB, row).mul(inverse);
             DoubleVector weightC = DoubleVector.fromArray(FOUR, s.edgeC, row).mul(inverse);
-            weightB.mul(c.zb).add(c.za).add(weightC.mul(c.zc)).intoArray(z, row);
+            weightB.mul(d.zb).add(d.za).add(weightC.mul(d.zc)).intoArray(z, row);
             whole(weightB.mul(c.rb).add(c.ra).add(weightC.mul(c.rc))).intoArray(red, row);
             whole(weightB.mul(c.gb).add(c.ga).add(weightC.mul(c.gc))).intoArray(green, row);
             whole(weightB.mul(c.bb).add(c.ba).add(weightC.mul(c.bc))).intoArray(blue, row);

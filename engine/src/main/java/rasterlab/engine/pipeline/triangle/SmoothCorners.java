@@ -1,0 +1,55 @@
+package rasterlab.engine.pipeline.triangle;
+
+/**
+ * Depth, 1/w and colours of a triangle's corners: a's, and what b and c have more. One per thread.
+ */
+final class SmoothCorners {
+    float inverseArea;
+    float za;
+    float zb;
+    float zc;
+    float qa;
+    float qb;
+    float qc;
+    float ra;
+    float rb;
+    float rc;
+    float ga;
+    float gb;
+    float gc;
+    float ba;
+    float bb;
+    float bc;
+
+    /** 1/w of b and c themselves. */
+    float ofB;
+
+    float ofC;
+
+    void load(Scan scan, ScreenVertices v) {
+        int a = scan.a;
+        int b = scan.b;
+        int c = scan.c;
+        inverseArea = scan.inverseArea;
+        za = v.depth[a];
+        zb = v.depth[b] - za;
+        zc = v.depth[c] - za;
+        ofB = v.nearness[b];
+        ofC = v.nearness[c];
+        qa = v.nearness[a];
+        qb = ofB - qa;
+        qc = ofC - qa;
+        float[] reds = v.attributes[0];
+        float[] greens = v.attributes[1];
+        float[] blues = v.attributes[2];
+        ra = reds[a];
+        rb = reds[b] - ra;
+        rc = reds[c] - ra;
+        ga = greens[a];
+        gb = greens[b] - ga;
+        gc = greens[c] - ga;
+        ba = blues[a];
+        bb = blues[b] - ba;
+        bc = blues[c] - ba;
+    }
+}
