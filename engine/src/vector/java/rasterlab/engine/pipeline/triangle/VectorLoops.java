@@ -45,14 +45,15 @@ final class VectorLoops implements RowLoops {
         else tiny.draw(out, scan, v);
     }
 
+    /** Slivers are so few that their loops in lanes would hardly ever be compiled well. */
     @Override
     public void linear(DepthRaster out, TriangleScan scan, LinearColors colors) {
         int blocks = (scan.boxRight - scan.boxLeft + LANES - 1) / LANES;
-        if (!colors.depth.compact) drawRows(out, scan, colors);
-        else if (scan.boxLeft + blocks * LANES > out.width()) plain.linear(out, scan, colors);
-        else
+        if (colors.depth.compact && scan.boxLeft + blocks * LANES <= out.width())
             for (int block = 0; block < blocks; block++)
                 compact.draw(out, scan, colors, block * LANES);
+        else if (blocks * LANES > RowDepth.WIDEST) drawRows(out, scan, colors);
+        else plain.linear(out, scan, colors);
     }
 
     private void drawRows(DepthRaster out, TriangleScan scan, LinearColors colors) {
