@@ -1,7 +1,6 @@
 package rasterlab.app.cli;
 
 import java.io.IOException;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -10,6 +9,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.study.HazardMatrix;
+import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Topic;
 
 /** The method × hazard table. */
@@ -28,8 +28,6 @@ import rasterlab.engine.study.Topic;
         },
         footer = {"", "Example: ./lab hazards line"})
 final class HazardsCommand implements Callable<Integer> {
-    private static final Duration LONGEST = Duration.ofSeconds(5);
-
     private final Console console;
 
     @Parameters(arity = "0..1", paramLabel = "TOPIC", description = "only this one")
@@ -46,7 +44,7 @@ final class HazardsCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         List<HazardMatrix> matrices = new ArrayList<>();
         for (Topic<?, ?, ?> chosen : TopicChoice.of(topic))
-            matrices.add(HazardMatrix.judged(chosen, LONGEST));
+            matrices.add(HazardMatrix.judged(chosen, HazardTrial.WALL_LIMIT));
         if (json) HazardMatrix.writeJson(matrices, console.out());
         else matrices.forEach(matrix -> HazardText.print(matrix, console.out()));
         boolean asRecorded = matrices.stream().allMatch(HazardMatrix::asRecorded);

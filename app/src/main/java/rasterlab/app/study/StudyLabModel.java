@@ -29,8 +29,6 @@ import rasterlab.engine.study.Topic;
  * executor it is given. What was measured of a topic stays until it is measured again.
  */
 public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoCloseable {
-    private static final Duration LONGEST = Duration.ofSeconds(5);
-
     /** Longer, and what the user sees of a measurement would cost it time. */
     private static final Duration BETWEEN_NEWS = Duration.ofMillis(50);
 
@@ -199,7 +197,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                     List<Cell> all =
                             HazardTrial.table(
                                     topic,
-                                    LONGEST,
+                                    HazardTrial.WALL_LIMIT,
                                     cell -> {
                                         judged.add(cell);
                                         news.accept(List.copyOf(judged));

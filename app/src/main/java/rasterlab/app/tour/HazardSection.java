@@ -1,17 +1,15 @@
 package rasterlab.app.tour;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.engine.Topics;
+import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Topic;
 
 /** Every topic's method × hazard table. */
 final class HazardSection implements TourPart {
-    private static final Duration LONGEST = Duration.ofSeconds(5);
-
     @Override
     public String key() {
         return "hazards";
@@ -23,7 +21,7 @@ final class HazardSection implements TourPart {
     }
 
     private static void make(TourPage page, Topic<?, ?, ?> topic) {
-        HazardMatrix matrix = HazardMatrix.judged(topic, LONGEST);
+        HazardMatrix matrix = HazardMatrix.judged(topic, HazardTrial.WALL_LIMIT);
         page.heading(page.texts().text("topic", topic.name()));
         List<String> heads = new ArrayList<>(List.of(page.texts().text("hazards.hazard")));
         heads.addAll(matrix.methods());

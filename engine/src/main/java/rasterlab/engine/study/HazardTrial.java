@@ -16,6 +16,9 @@ import java.util.function.Consumer;
  * the wall limit.
  */
 public final class HazardTrial {
+    /** The wall limit where somebody waits for the verdict: no right method comes near it. */
+    public static final Duration WALL_LIMIT = Duration.ofSeconds(5);
+
     private HazardTrial() {}
 
     /**

@@ -1,6 +1,5 @@
 package rasterlab.app.coordinates.list;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -19,8 +18,6 @@ import rasterlab.engine.transform.Images;
  * @param <O> its output
  */
 abstract class TrialKind<C, I, O> {
-    private static final Duration LONGEST = Duration.ofSeconds(5);
-
     private final Topic<C, I, O> topic;
     private final TrialTexts texts;
 
@@ -79,7 +76,9 @@ abstract class TrialKind<C, I, O> {
     /** Tries the method; takes as long as the method does. */
     final TrialScene scene(Trial trial) {
         I input = hazard(trial.hazard()).input();
-        var tried = HazardTrial.tried(topic, topic.method(trial.method()), input, LONGEST);
+        var tried =
+                HazardTrial.tried(
+                        topic, topic.method(trial.method()), input, HazardTrial.WALL_LIMIT);
         O exact = tried.exact();
         int points = images(exact).size();
         Optional<O> made = tried.made().filter(output -> images(output).size() == points);
