@@ -36,9 +36,6 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     /** View units that an arrow key moves a point, about. */
     private static final double KEY = 4;
 
-    /** Height of two lines of a note, about. */
-    private static final int NOTE = 36;
-
     private static final PlanePicture NOTHING = (g, map, colours, cancelled) -> {};
 
     private final PlaneAxes axes;
@@ -193,13 +190,8 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         return chosen.orElseGet(() -> PlaneMap.fitting(framed, besideTheNote(), axes));
     }
 
-    /** What rulers and note leave of the stage. */
     private Rectangle besideTheNote() {
-        Rectangle inside = Rulers.inside(getSize());
-        int height = note.isEmpty() ? 0 : Math.min(UIScale.scale(NOTE), inside.height / 2);
-        inside.y += height;
-        inside.height -= height;
-        return inside;
+        return Plates.below(note, this, UIManager.getFont("Label.font"));
     }
 
     /**
