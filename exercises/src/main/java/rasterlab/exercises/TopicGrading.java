@@ -5,7 +5,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.Plotted;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.score.Answer;
@@ -63,7 +63,7 @@ public interface TopicGrading {
         /**
          * The same with what a student's method plotted, which the lab shows beside the right one.
          */
-        String scene(Optional<PixelRecording> drawn);
+        String scene(Optional<Plotted> drawn);
     }
 
     /** A batch of inputs that are drawn into a sink which sums up. */

@@ -1,7 +1,7 @@
 package rasterlab.app.canvas;
 
 import java.util.Optional;
-import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.Plotted;
 
 /** Shows an input in the tab of its topic, wherever in the window that is asked for. */
 public interface OpenInLab {
@@ -33,5 +33,5 @@ public interface OpenInLab {
      * @throws IllegalArgumentException if there is no such method, an obstacle, or naming the place
      *     where the input cannot be read
      */
-    void showInput(String topic, String json, String method, Optional<PixelRecording> drawn);
+    void showInput(String topic, String json, String method, Optional<Plotted> drawn);
 }

@@ -259,8 +259,7 @@ final class ResultPane extends JPanel {
     private void openChosen(Consumer<Throwable> onFailure) {
         MethodCase scene = table.chosen().flatMap(ResultPane::scene).orElseThrow();
         try {
-            lab.showInput(
-                    scene.topic(), scene.input(), scene.method().orElse(""), scene.recording());
+            lab.showInput(scene.topic(), scene.input(), scene.method().orElse(""), scene.plotted());
         } catch (IllegalArgumentException e) {
             onFailure.accept(e);
         }

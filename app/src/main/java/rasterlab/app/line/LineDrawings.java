@@ -68,11 +68,32 @@ public record LineDrawings(
         requireUse(cancelled);
         Optional<LineDrawing> other =
                 choice.comparison().isEmpty()
-                        ? tried.flatMap(Tried::method)
-                                .map(by -> LineDrawing.of(topic, Tried.NAME, by, segment, exact))
+                        ? tried.flatMap(program -> drawn(program, topic, exact))
                         : Optional.of(LineDrawing.of(topic, choice.comparison(), segment, exact));
         return new LineDrawings(
-                choice, exact, drawing, tried, other, other.flatMap(drawing::differenceFrom));
+                choice,
+                exact,
+                drawing,
+                tried,
+                other,
+                other.flatMap(second -> apart(drawing, second, tried)));
+    }
+
+    private static Optional<LineDrawing> drawn(
+            Tried program,
+            Topic<LineRasterizer, Segment, PixelRecording> topic,
+            PixelRecording exact) {
+        PixelRecording known = program.comparable(exact);
+        return program.method()
+                .map(by -> LineDrawing.of(topic, Tried.NAME, by, program.segment(), known));
+    }
+
+    private static Optional<PixelDifference> apart(
+            LineDrawing drawing, LineDrawing other, Optional<Tried> tried) {
+        Optional<Tried> cut = tried.filter(program -> program.first().isPresent());
+        if (cut.isEmpty()) return drawing.differenceFrom(other);
+        PixelRecording known = cut.get().comparable(drawing.trace().pixels());
+        return Optional.of(PixelDifference.of(other.trace().pixels(), known));
     }
 
     private static void requireUse(BooleanSupplier cancelled) {

@@ -70,7 +70,6 @@ final class LineInspector {
         other = column.value("other");
         tried = column.value("tried");
         apart = column.value("apart");
-        apart.setToolTipText(texts.text("apart.hint"));
 
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
@@ -106,6 +105,7 @@ final class LineInspector {
         tried.setText(readings.other());
         column.showRow(apart, state.drawings().apart().isPresent());
         apart.setText(readings.apart());
+        apart.setToolTipText(texts.text(program ? "apart.hint.tried" : "apart.hint"));
         explain(state);
     }
 

@@ -12,6 +12,7 @@ import rasterlab.app.canvas.Steps;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -29,9 +30,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     private final Topic<LineRasterizer, Segment, PixelRecording> topic;
     private final LineChoice first;
     private final LatestOnly<Question, LineDrawings> drawings;
-    private final History<LineChoice> history =
-            new History<>(
-                    () -> state().choice(), choice -> draw(choice, state().arrangement() + 1));
+    private final History<Remembered> history = new History<>(this::present, this::bring);
     private final List<Consumer<LineLabState>> listeners = new ArrayList<>();
     private final FigureLabModel figures;
     private final List<Consumer<LineMode>> modeListeners = new ArrayList<>();
@@ -65,6 +64,9 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
      * @param shown what is drawn already and may serve again
      */
     private record Question(LineChoice choice, Optional<Tried> tried, LineDrawings shown) {}
+
+    /** What undo brings back. */
+    private record Remembered(LineChoice choice, Optional<Tried> tried) {}
 
     public LineLabState state() {
         return state;
@@ -132,7 +134,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
      * for undo.
      */
     public void moveEnd(End end, int x, int y) {
-        change(state.choice().with(end.moved(state.choice().segment(), x, y)), false);
+        change(state.choice().with(end.moved(state.choice().segment(), x, y)));
     }
 
     /** Moves an end by whole pixels; stops at the ends of the int range. */
@@ -151,28 +153,29 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     }
 
     public void show(Segment segment) {
-        tried = Optional.empty();
-        change(state.choice().with(segment), true);
+        change(new Remembered(state.choice().with(segment), Optional.empty()), true);
     }
 
     /**
-     * Shows beside the present segment, as long as it and nothing else is compared, what a program
-     * of the user's did with it.
+     * Shows a segment and beside it, as long as nothing else is compared, what a program of the
+     * user's did with it; one change for undo.
      *
-     * @param drawn what it plotted, in order; empty where that was right or is not known
+     * @param method that draws it rightly; "" for the chosen one
+     * @param drawn what the program plotted; empty where that was right or is not known
+     * @throws IllegalArgumentException naming the methods there are
      */
-    public void showTried(Optional<PixelRecording> drawn) {
-        tried = Optional.of(new Tried(state.choice().segment(), state.choice().method(), drawn));
-        LineChoice next = state.choice().withComparison("");
-        if (!next.equals(state.choice())) history.remember();
-        draw(next, state.arrangement());
+    public void showTried(Segment segment, String method, Optional<Plotted> drawn) {
+        String right = method.isEmpty() ? state.choice().method() : topic.method(method).name();
+        chooseMode(LineMode.SEGMENT);
+        var program = new Tried(segment, right, drawn);
+        change(new Remembered(new LineChoice(segment, right, ""), Optional.of(program)), true);
     }
 
     /**
      * @throws IllegalArgumentException naming the methods there are
      */
     public void chooseMethod(String method) {
-        change(state.choice().withMethod(topic.method(method).name()), false);
+        change(state.choice().withMethod(topic.method(method).name()));
     }
 
     /**
@@ -181,17 +184,17 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
      */
     public void compareWith(String method) {
         if (!method.isEmpty()) topic.method(method);
-        change(state.choice().withComparison(method), false);
+        change(state.choice().withComparison(method));
     }
 
     /** What can be undone and redone. */
-    public History<LineChoice> history() {
+    public History<?> history() {
         return history;
     }
 
     /** Back to the first segment and method; can be undone. */
     public void reset() {
-        change(first, true);
+        change(new Remembered(first, Optional.empty()), true);
     }
 
     @Override
@@ -249,10 +252,25 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         return false;
     }
 
-    private void change(LineChoice next, boolean arrange) {
-        if (next.equals(state.choice()) && !arrange) return;
-        if (!next.equals(state.choice())) history.remember();
-        draw(next, state.arrangement() + (arrange ? 1 : 0));
+    private Remembered present() {
+        return new Remembered(state.choice(), tried);
+    }
+
+    private void change(LineChoice next) {
+        change(new Remembered(next, tried), false);
+    }
+
+    private void change(Remembered next, boolean arrange) {
+        boolean same = next.equals(present());
+        if (same && !arrange) return;
+        if (!same) history.remember();
+        tried = next.tried();
+        draw(next.choice(), state.arrangement() + (arrange ? 1 : 0));
+    }
+
+    private void bring(Remembered earlier) {
+        tried = earlier.tried();
+        draw(earlier.choice(), state.arrangement() + 1);
     }
 
     private void draw(LineChoice choice, int arrangement) {

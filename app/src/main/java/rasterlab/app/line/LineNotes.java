@@ -14,13 +14,8 @@ final class LineNotes {
             case ENDED ->
                     drawing.pixels() == 0
                             ? Optional.of(texts.text("note.nothing", method))
-                            : drawings.tried().map(tried -> texts.text(whose(tried), method));
-            case CUT ->
-                    Optional.of(
-                            texts.text(
-                                    "note.cut",
-                                    drawings.choice().segment().steps() + 1,
-                                    LineDrawing.LIMIT));
+                            : drawings.tried().map(tried -> whose(tried, method, texts));
+            case CUT -> Optional.of(cut(drawings, texts));
             case ENDLESS -> Optional.of(texts.text("note.endless", method, LineDrawing.LIMIT));
             case REFUSED -> Optional.of(texts.text("note.refused", method));
             case CRASHED ->
@@ -28,9 +23,21 @@ final class LineNotes {
         };
     }
 
-    /** Key of the sentence that says whose pixels are seen. */
-    private static String whose(Tried tried) {
-        if (tried.drawn().isEmpty()) return "note.tried.right";
-        return tried.drawn().get().size() == 0 ? "note.tried.nothing" : "note.tried";
+    private static String cut(LineDrawings drawings, Texts texts) {
+        long pixels = drawings.choice().segment().steps() + 1;
+        return drawings.tried()
+                .map(tried -> whose(tried, drawings.drawing().method(), texts))
+                .map(whose -> texts.text("note.cut.tried", pixels, LineDrawing.LIMIT, whose))
+                .orElseGet(() -> texts.text("note.cut", pixels, LineDrawing.LIMIT));
+    }
+
+    /** Says whose pixels are seen, and how many of the program's are known where not all are. */
+    private static String whose(Tried tried, String method, Texts texts) {
+        if (tried.drawn().isEmpty()) return texts.text("note.tried.right", method);
+        if (tried.drawn().get().pixels().size() == 0)
+            return texts.text("note.tried.nothing", method);
+        return tried.first().isEmpty()
+                ? texts.text("note.tried", method)
+                : texts.text("note.tried.first", method, tried.first().getAsInt());
     }
 }

@@ -2,6 +2,7 @@ package rasterlab.app.line;
 
 import java.text.NumberFormat;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
@@ -94,14 +95,17 @@ final class LineReadings {
 
     /** The wrong pixels of a second method or of a program in one line; "" when there is none. */
     String other() {
-        return state.other()
-                .map(
-                        other ->
-                                texts.text(
-                                        "other.wrong",
-                                        other.difference().missing().size(),
-                                        other.difference().extra().size()))
-                .orElse("");
+        return state.other().map(other -> wrong(other.difference())).orElse("");
+    }
+
+    /** Of a program that was cut only the first pixels are compared. */
+    private String wrong(PixelDifference difference) {
+        int missing = difference.missing().size();
+        int extra = difference.extra().size();
+        OptionalInt first = state.drawings().tried().map(Tried::first).orElse(OptionalInt.empty());
+        return first.isEmpty()
+                ? texts.text("other.wrong", missing, extra)
+                : texts.text("tried.wrong", missing, extra, first.getAsInt());
     }
 
     private String worst(LineDrawing drawing) {

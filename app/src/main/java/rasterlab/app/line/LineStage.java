@@ -22,8 +22,8 @@ import javax.swing.UIManager;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.PixelGrid;
+import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.ReadOut;
-import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.Shown;
@@ -140,7 +140,15 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     }
 
     private PixelGrid grid() {
-        return chosen.orElseGet(() -> LineFraming.of(model.state(), Rulers.inside(getSize())));
+        return chosen.orElseGet(
+                () ->
+                        LineFraming.of(
+                                model.state(),
+                                Plates.below(note(), this, UIManager.getFont("Label.font"))));
+    }
+
+    private String note() {
+        return LineNotes.about(model.state().drawings(), texts).orElse("");
     }
 
     /**
@@ -179,7 +187,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                 DevicePixels.scale(this),
                 StageColours.now(),
                 UIManager.getFont("Label.font"),
-                LineNotes.about(state.drawings(), texts).orElse(""),
+                note(),
                 texts.locale());
     }
 

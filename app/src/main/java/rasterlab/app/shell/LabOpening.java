@@ -1,6 +1,5 @@
 package rasterlab.app.shell;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -15,8 +14,9 @@ import rasterlab.app.canvas.Unlike;
 import rasterlab.app.canvas.Unshown;
 import rasterlab.app.line.LineInput;
 import rasterlab.engine.Topics;
+import rasterlab.engine.line.Segment;
 import rasterlab.engine.naming.Named;
-import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Topic;
@@ -24,7 +24,10 @@ import rasterlab.engine.study.Verdict;
 
 /** Opens inputs of topics in their tabs, hazards and cases of exercises by the same ways. */
 final class LabOpening implements OpenInLab {
-    private static final Duration LONGEST = Duration.ofSeconds(5);
+    /** Shows an input of its topic, beside it what the user's program plotted. */
+    private interface ShowTried {
+        void show(Object input, String method, Optional<Plotted> drawn);
+    }
 
     private final Map<String, Topic<?, ?, ?>> topics = new TreeMap<>();
     private final TopicWays ways;
@@ -32,8 +35,8 @@ final class LabOpening implements OpenInLab {
     /** What makes an input of a topic from JSON, for the topics of exercises. */
     private final Map<String, Function<String, Object>> readers = Map.of("line", LineInput::read);
 
-    /** What shows pixels of the user's program beside an input, for the same topics. */
-    private final Map<String, Consumer<Optional<PixelRecording>>> tried;
+    /** What shows an input and what the user's program plotted, for the same topics. */
+    private final Map<String, ShowTried> tried;
 
     private final Executor background;
     private final Executor events;
@@ -52,7 +55,11 @@ final class LabOpening implements OpenInLab {
             LabModels models, Executor background, Executor events, Consumer<Throwable> onFailure) {
         for (Topic<?, ?, ?> topic : Topics.all()) topics.put(topic.name(), topic);
         ways = new TopicWays(models);
-        tried = Map.of("line", models.line()::showTried);
+        tried =
+                Map.of(
+                        "line",
+                        (input, method, drawn) ->
+                                models.line().showTried((Segment) input, method, drawn));
         this.background = background;
         this.events = events;
         this.onFailure = onFailure;
@@ -111,7 +118,7 @@ final class LabOpening implements OpenInLab {
     /** What the method does with the hazard's own numbers. */
     static <C, I, O> Verdict verdict(Topic<C, I, O> topic, String hazard, String method) {
         Hazard<I> found = Named.find("hazard", hazard, topic.hazards(), Hazard::name);
-        return HazardTrial.judge(topic, topic.method(method), found, LONGEST);
+        return HazardTrial.judge(topic, topic.method(method), found, HazardTrial.WALL_LIMIT);
     }
 
     @Override
@@ -120,8 +127,7 @@ final class LabOpening implements OpenInLab {
     }
 
     @Override
-    public void showInput(
-            String topic, String json, String method, Optional<PixelRecording> drawn) {
+    public void showInput(String topic, String json, String method, Optional<Plotted> drawn) {
         var reader =
                 Named.find(
                                 "reader of topic",
@@ -129,9 +135,10 @@ final class LabOpening implements OpenInLab {
                                 List.copyOf(readers.entrySet()),
                                 Map.Entry::getKey)
                         .getValue();
+        TopicWay way = way(topic, method);
         asked++;
-        show(way(topic, method), new TopicInput(topic, "", reader.apply(json)), method);
-        tried.get(topic).accept(drawn);
+        tried.get(topic).show(reader.apply(json), method, drawn);
+        showTab.accept(way.tab());
     }
 
     private TopicInput input(String topic, String hazard) {

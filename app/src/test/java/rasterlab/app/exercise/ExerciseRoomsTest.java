@@ -26,7 +26,7 @@ import rasterlab.app.canvas.Unshown;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
-import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.Plotted;
 import rasterlab.exercises.catalogue.Catalogue;
 
 /** Exercises after a check of the starter, which draws nearly every case wrong. */
@@ -55,7 +55,7 @@ class ExerciseRoomsTest {
 
                 @Override
                 public void showInput(
-                        String topic, String json, String method, Optional<PixelRecording> drawn) {}
+                        String topic, String json, String method, Optional<Plotted> drawn) {}
             };
 
     @BeforeAll

@@ -7,9 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
@@ -18,15 +16,11 @@ import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.LineWalk;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.line.SteppedLine;
-import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelWindow;
 import rasterlab.engine.study.Method;
@@ -294,63 +288,5 @@ class LineLabModelTest {
             for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
             assertEquals(599, counted.state().drawings().choice().segment().x1());
         }
-    }
-
-    private static PixelRecording pixels(int... xy) {
-        var pixels = new PixelRecording(9);
-        for (int i = 0; i < xy.length; i += 2) pixels.plot(xy[i], xy[i + 1]);
-        return pixels;
-    }
-
-    @Test
-    void programsPixelsStandBesideTheRightOnesOfTheirSegmentAlone() {
-        var segment = new Segment(0, 0, 2, 0);
-        model.show(segment);
-        model.showTried(Optional.of(pixels(0, 0, 1, 1)));
-        settle();
-        LineDrawing program = model.state().other().orElseThrow();
-        assertEquals(2, program.difference().missing().size());
-        assertEquals(1, program.difference().extra().size());
-        assertEquals(0, model.state().drawing().difference().missing().size());
-        PixelDifference apart = model.state().drawings().apart().orElseThrow();
-        assertEquals(2, apart.extra().size(), "of the right line alone");
-        assertEquals(1, apart.missing().size(), "of the program alone");
-        model.moveEnd(End.B, 3, 0);
-        settle();
-        assertTrue(model.state().other().isEmpty(), "pixels of another segment");
-        model.history().undo();
-        settle();
-        assertTrue(model.state().other().isPresent());
-        model.chooseMethod("naive-textbook");
-        settle();
-        assertTrue(model.state().other().isEmpty(), "pixels beside a line that is not right");
-        model.chooseMethod("bresenham");
-        model.compareWith("dda");
-        settle();
-        assertEquals("dda", model.state().other().orElseThrow().method());
-        model.show(segment);
-        model.compareWith("");
-        settle();
-        assertTrue(model.state().other().isEmpty(), "pixels of an earlier case");
-    }
-
-    @ParameterizedTest(name = "nobody says whose line is seen: {0}")
-    @EnumSource(Language.class)
-    void stageSaysWhoseLineIsSeen(Language language) {
-        Texts texts = Texts.of("line", language);
-        List<Optional<PixelRecording>> programs =
-                List.of(Optional.of(pixels(0, 0)), Optional.of(pixels()), Optional.empty());
-        var said = new HashSet<String>();
-        for (Optional<PixelRecording> drawn : programs) {
-            model.showTried(drawn);
-            settle();
-            String note = LineNotes.about(model.state().drawings(), texts).orElseThrow();
-            assertTrue(note.contains("bresenham"), note);
-            said.add(note);
-        }
-        assertEquals(programs.size(), said.size(), said.toString());
-        model.show(model.state().choice().segment());
-        settle();
-        assertEquals(Optional.empty(), LineNotes.about(model.state().drawings(), texts));
     }
 }

@@ -15,6 +15,7 @@ import rasterlab.app.line.Tried;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelWindow;
+import rasterlab.engine.raster.Plotted;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -69,12 +70,16 @@ class CaseOpeningTest {
                             "line",
                             "{\"from\":[1,2],\"to\":[3,4]}",
                             "bresenham",
-                            Optional.of(drawn));
+                            Optional.of(Plotted.whole(drawn)));
             others.line().settle();
             answers.forEach(Runnable::run);
             Tried tried = others.line().state().drawings().tried().orElseThrow();
             assertEquals(
-                    new Tried(new Segment(1, 2, 3, 4), "bresenham", Optional.of(drawn)), tried);
+                    new Tried(
+                            new Segment(1, 2, 3, 4),
+                            "bresenham",
+                            Optional.of(Plotted.whole(drawn))),
+                    tried);
         }
     }
 
@@ -107,7 +112,7 @@ class CaseOpeningTest {
                             scene.topic(),
                             scene.input(),
                             scene.method().orElse(""),
-                            scene.recording());
+                            scene.plotted());
                     assertEquals(1, tabs.size(), exercise.id() + " " + one.name());
                 }
         }

@@ -8,7 +8,7 @@ import java.util.Random;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.BresenhamLine;
 import rasterlab.engine.line.Segment;
-import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.Plotted;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading;
@@ -84,7 +84,7 @@ public final class LineGrading implements TopicGrading {
         }
 
         @Override
-        public String scene(Optional<PixelRecording> drawn) {
+        public String scene(Optional<Plotted> drawn) {
             return LineJudge.scene(segment, drawn);
         }
     }

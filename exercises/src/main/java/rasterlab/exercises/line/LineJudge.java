@@ -8,6 +8,7 @@ import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -49,10 +50,10 @@ public final class LineJudge {
                     GradingVerdict.OUTPUT_LIMIT,
                     Message.of("still-plotting", actual.size(), wanted.size()),
                     wanted,
-                    actual);
+                    answer);
         Message wrong = difference(segment, wanted, actual);
         if (wrong.isEmpty()) return Finding.OK;
-        return shown(GradingVerdict.WRONG, wrong.and(knownFault(segment, actual)), wanted, actual);
+        return shown(GradingVerdict.WRONG, wrong.and(knownFault(segment, actual)), wanted, answer);
     }
 
     private Finding thrown(Answer answer) {
@@ -98,12 +99,13 @@ public final class LineJudge {
     }
 
     private static Finding shown(
-            GradingVerdict verdict, Message said, PixelRecording wanted, PixelRecording actual) {
+            GradingVerdict verdict, Message said, PixelRecording wanted, Answer answer) {
+        PixelRecording actual = answer.pixels();
         return new Finding(
                 verdict,
                 said,
                 CasePictures.of(PixelDifference.of(wanted, actual)),
-                Optional.of(actual));
+                Optional.of(new Plotted(actual, answer.ending() == Answer.Ending.CUT)));
     }
 
     /**
@@ -111,7 +113,7 @@ public final class LineJudge {
      *
      * @param drawn by the student's method, where it is kept
      */
-    public static String scene(Segment segment, Optional<PixelRecording> drawn) {
+    public static String scene(Segment segment, Optional<Plotted> drawn) {
         ObjectNode input = MAPPER.createObjectNode();
         input.putArray("from").add(segment.x0()).add(segment.y0());
         input.putArray("to").add(segment.x1()).add(segment.y1());
@@ -119,7 +121,7 @@ public final class LineJudge {
                         "line",
                         Optional.of(REFERENCE),
                         input.toString(),
-                        drawn.map(MethodCase.Pixel::first))
+                        drawn.map(MethodCase.Drawn::of))
                 .write();
     }
 }

@@ -4,6 +4,8 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.databind.util.RawValue;
 import java.util.List;
+import java.util.Optional;
+import rasterlab.exercises.scene.MethodCase.Drawn;
 import rasterlab.exercises.scene.MethodCase.Pixel;
 
 /** Cases as JSON. */
@@ -11,13 +13,21 @@ final class CaseJson {
     private CaseJson() {}
 
     static MethodCase read(Place file) {
-        file.object("version", "topic", "method", "input", "drawn");
+        file.object("version", "topic", "method", "input", "drawn", "drawnCut");
         file.at("version").integer(SceneFile.VERSION, SceneFile.VERSION);
         return new MethodCase(
                 file.at("topic").text(),
                 file.optional("method").map(Place::text),
                 file.at("input").json(),
-                file.optional("drawn").map(CaseJson::pixels));
+                drawn(file));
+    }
+
+    private static Optional<Drawn> drawn(Place file) {
+        Optional<Place> cut = file.optional("drawnCut");
+        if (cut.isPresent() && !file.has("drawn"))
+            throw cut.get().wrong("must stand beside \"drawn\", which there is not");
+        return file.optional("drawn")
+                .map(pixels -> new Drawn(pixels(pixels), cut.map(Place::flag).orElse(false)));
     }
 
     private static List<Pixel> pixels(Place drawn) {
@@ -45,11 +55,13 @@ final class CaseJson {
         file.put("topic", one.topic());
         one.method().ifPresent(method -> file.put("method", method));
         file.putRawValue("input", new RawValue(one.input()));
-        one.drawn().ifPresent(pixels -> write(pixels, file.putArray("drawn")));
+        one.drawn().ifPresent(drawn -> write(drawn, file));
         return file.toString();
     }
 
-    private static void write(List<Pixel> pixels, ArrayNode drawn) {
-        for (Pixel one : pixels) drawn.addArray().add(one.x()).add(one.y());
+    private static void write(Drawn drawn, ObjectNode file) {
+        ArrayNode pixels = file.putArray("drawn");
+        for (Pixel one : drawn.pixels()) pixels.addArray().add(one.x()).add(one.y());
+        if (drawn.cut()) file.put("drawnCut", true);
     }
 }

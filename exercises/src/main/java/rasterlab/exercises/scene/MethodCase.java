@@ -1,9 +1,10 @@
 package rasterlab.exercises.scene;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.Plotted;
 
 /**
  * An input of a topic's methods, exactly as {@code ./lab run} takes it.
@@ -11,33 +12,50 @@ import rasterlab.engine.raster.PixelRecording;
  * @param topic such as "line"
  * @param method that was called; empty where it was a student's own
  * @param input a JSON object
- * @param drawn what a student's own method plotted, in order, at most {@link #MOST_DRAWN} pixels;
- *     empty where it is not kept
+ * @param drawn what a student's own method plotted; empty where it is not kept
  */
-public record MethodCase(
-        String topic, Optional<String> method, String input, Optional<List<Pixel>> drawn)
+public record MethodCase(String topic, Optional<String> method, String input, Optional<Drawn> drawn)
         implements SceneFile {
     /** The most pixels that are kept of what was plotted. */
     public static final int MOST_DRAWN = 4096;
 
     /** A column and a row. */
-    public record Pixel(int x, int y) {
-        /** The first {@link #MOST_DRAWN} of a recording. */
-        public static List<Pixel> first(PixelRecording drawn) {
-            List<Pixel> pixels = new ArrayList<>();
-            for (int i = 0; i < Math.min(MOST_DRAWN, drawn.size()); i++)
-                pixels.add(new Pixel(drawn.x(i), drawn.y(i)));
-            return pixels;
+    public record Pixel(int x, int y) {}
+
+    /**
+     * Pixels in the order in which they were plotted.
+     *
+     * @param pixels at most {@link #MOST_DRAWN}
+     * @param cut whether more were plotted, or would have been
+     */
+    public record Drawn(List<Pixel> pixels, boolean cut) {
+        public Drawn {
+            pixels = List.copyOf(pixels);
+            if (pixels.size() > MOST_DRAWN)
+                throw new IllegalArgumentException(
+                        "drawn must have at most %d pixels, got %d"
+                                .formatted(MOST_DRAWN, pixels.size()));
+        }
+
+        /** The first {@link #MOST_DRAWN} pixels. */
+        public static Drawn of(Plotted plotted) {
+            PixelRecording all = plotted.pixels();
+            List<Pixel> first =
+                    IntStream.range(0, Math.min(MOST_DRAWN, all.size()))
+                            .mapToObj(i -> new Pixel(all.x(i), all.y(i)))
+                            .toList();
+            return new Drawn(first, plotted.cut() || first.size() < all.size());
+        }
+
+        private Plotted plotted() {
+            var recording = new PixelRecording(MOST_DRAWN);
+            for (Pixel one : pixels) recording.plot(one.x(), one.y());
+            return new Plotted(recording, cut);
         }
     }
 
     public MethodCase {
         Place.root(input).object();
-        drawn = drawn.map(List::copyOf);
-        if (drawn.filter(pixels -> pixels.size() > MOST_DRAWN).isPresent())
-            throw new IllegalArgumentException(
-                    "drawn must have at most %d pixels, got %d"
-                            .formatted(MOST_DRAWN, drawn.get().size()));
     }
 
     /** An input without anything drawn for it. */
@@ -46,13 +64,8 @@ public record MethodCase(
     }
 
     /** What was plotted, as a method would have left it. */
-    public Optional<PixelRecording> recording() {
-        return drawn.map(
-                pixels -> {
-                    var recording = new PixelRecording(MOST_DRAWN);
-                    for (Pixel one : pixels) recording.plot(one.x(), one.y());
-                    return recording;
-                });
+    public Optional<Plotted> plotted() {
+        return drawn.map(Drawn::plotted);
     }
 
     @Override

@@ -4,10 +4,11 @@ package rasterlab.exercises.scene;
  * What a scene file holds.
  *
  * <p>{@code {"version": 1, "topic": "line", "method": "bresenham", "input": {…}}} is a {@link
- * MethodCase}, which may have {@code "drawn"}, the pixels of a student's method; {@code {"version":
- * 1, "scene": "vase", "camera": {…}, "look": {…}}} is a {@link SceneView}. Both are read strictly:
- * an unknown field, a wrong type and a value out of range are refused with the path of the place,
- * such as {@code $.scene.faces[2].corners[0]}.
+ * MethodCase}, which may have {@code "drawn"}, the pixels of a student's method, and {@code
+ * "drawnCut"}, true where those are only the first; {@code {"version": 1, "scene": "vase",
+ * "camera": {…}, "look": {…}}} is a {@link SceneView}. Both are read strictly: an unknown field, a
+ * wrong type and a value out of range are refused with the path of the place, such as {@code
+ * $.scene.faces[2].corners[0]}.
  */
 public sealed interface SceneFile permits MethodCase, SceneView {
     /** What some editors begin a text in UTF-8 with. */

@@ -1,7 +1,7 @@
 package rasterlab.exercises.score;
 
 import java.util.Optional;
-import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.Plotted;
 
 /**
  * What is to be said about one answer.
@@ -14,7 +14,7 @@ public record Finding(
         GradingVerdict verdict,
         Message said,
         Optional<CasePictures> pictures,
-        Optional<PixelRecording> drawn) {
+        Optional<Plotted> drawn) {
     public static final Finding OK = of(GradingVerdict.OK, Message.NONE);
 
     /** A finding without pictures. */

@@ -244,6 +244,19 @@ class LineExerciseTest {
     }
 
     @Test
+    void theSceneSaysWhereWhatWasDrawnWasCut() {
+        Segment segment = new Segment(0, 0, 9, 0);
+        PixelRecording wrong = new PixelRecording(1);
+        wrong.plot(0, -1);
+        LineCase demand = new LineCase(List.of(segment), false, false, 1, false);
+        Finding finding =
+                new LineJudge(demand, true)
+                        .judge(segment, new Answer(Answer.Ending.CUT, wrong, "", "", ""));
+        String scene = LineJudge.scene(segment, finding.drawn());
+        assertTrue(scene.endsWith(",\"drawn\":[[0,-1]],\"drawnCut\":true}"), scene);
+    }
+
+    @Test
     void aPixelPlottedTwiceIsWrong() {
         Segment segment = new Segment(0, 0, 1, 0);
         PixelRecording twice = new PixelRecording(3);

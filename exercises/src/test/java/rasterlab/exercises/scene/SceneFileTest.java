@@ -1,6 +1,7 @@
 package rasterlab.exercises.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
@@ -22,11 +23,14 @@ import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.TextureMode;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.scene.Finish;
 import rasterlab.engine.scene.Scene;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.Projection;
 import rasterlab.engine.transform.SphericalView;
+import rasterlab.exercises.scene.MethodCase.Drawn;
 import rasterlab.exercises.scene.MethodCase.Pixel;
 
 class SceneFileTest {
@@ -65,8 +69,31 @@ class SceneFileTest {
                         "line",
                         Optional.empty(),
                         "{\"from\":[0,0],\"to\":[5,2]}",
-                        Optional.of(List.of(new Pixel(-1, Integer.MAX_VALUE), new Pixel(-1, 7))));
+                        Optional.of(
+                                new Drawn(
+                                        List.of(new Pixel(-1, Integer.MAX_VALUE), new Pixel(-1, 7)),
+                                        true)));
         assertEquals(drawn, SceneFile.read(drawn.write()));
+    }
+
+    @Test
+    @DisplayName("pixels beyond the limit are left out without a word")
+    void pixelsThatAreNotKeptAreACut() {
+        var plotted = new PixelRecording(MethodCase.MOST_DRAWN + 1);
+        for (int x = 0; x < MethodCase.MOST_DRAWN; x++) plotted.plot(x, 0);
+        assertFalse(Drawn.of(Plotted.whole(plotted)).cut());
+        plotted.plot(0, 1);
+        Drawn kept = Drawn.of(Plotted.whole(plotted));
+        assertTrue(kept.cut());
+        assertEquals(MethodCase.MOST_DRAWN, kept.pixels().size());
+    }
+
+    @Test
+    @DisplayName("a cut is told of nothing")
+    void aCutNeedsPixels() {
+        String file = "{\"version\":1,\"topic\":\"line\",\"input\":{},\"drawnCut\":true}";
+        var refusal = assertThrows(IllegalArgumentException.class, () -> SceneFile.read(file));
+        assertTrue(refusal.getMessage().startsWith("$.drawnCut: must"), refusal.getMessage());
     }
 
     @ParameterizedTest(name = "{1} is taken for pixels")
