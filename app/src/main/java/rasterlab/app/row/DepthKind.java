@@ -7,6 +7,7 @@ import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 import rasterlab.app.coordinates.figure.CallJson;
 import rasterlab.contract.DepthFormat;
+import rasterlab.engine.study.Topic;
 import rasterlab.engine.visibility.depth.DepthBufferTopic;
 import rasterlab.engine.visibility.depth.DepthRows;
 import rasterlab.engine.visibility.depth.StoredDepths;
@@ -21,7 +22,11 @@ final class DepthKind extends RowKind<DepthFormat, DepthRows, StoredDepths> {
     };
 
     DepthKind() {
-        super(new DepthBufferTopic());
+        this(new DepthBufferTopic());
+    }
+
+    DepthKind(Topic<DepthFormat, DepthRows, StoredDepths> topic) {
+        super(topic);
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
+import rasterlab.engine.study.Verdict;
 
 /**
  * What is right for a topic's rows and what methods answer; finding either takes longer than a
@@ -22,11 +23,9 @@ final class RowAnswers<C, I, O> {
     private final Map<String, O> rights = new ConcurrentHashMap<>();
 
     /**
-     * @param actual empty where the method refused
-     * @param deviation of what it answered
-     * @param refusal why it refused; else empty
+     * @param actual empty where the method refused or crashed, of which the verdict tells why
      */
-    record Answer<O>(O exact, Optional<O> actual, Deviation deviation, String refusal) {}
+    record Answer<O>(O exact, Optional<O> actual, Verdict verdict) {}
 
     RowAnswers(Topic<C, I, O> topic) {
         this.topic = topic;
@@ -47,9 +46,23 @@ final class RowAnswers<C, I, O> {
         try {
             O actual = topic.record(implementation, hazard.input(), Integer.MAX_VALUE);
             Deviation deviation = topic.compare(hazard.input(), exact, actual);
-            return new Answer<>(exact, Optional.of(actual), deviation, "");
+            return new Answer<>(exact, Optional.of(actual), verdict(deviation));
         } catch (IllegalArgumentException refusal) {
-            return new Answer<>(exact, Optional.empty(), Deviation.NONE, refusal.getMessage());
+            return without(exact, Verdict.Kind.REFUSED, refusal.getMessage());
+        } catch (RuntimeException crash) {
+            return without(exact, Verdict.Kind.CRASHED, crash.toString());
         }
+    }
+
+    private static <O> Answer<O> without(O exact, Verdict.Kind kind, String detail) {
+        return new Answer<>(exact, Optional.empty(), new Verdict(kind, Deviation.NONE, detail));
+    }
+
+    private Verdict verdict(Deviation deviation) {
+        Verdict.Kind kind =
+                topic.correct(deviation)
+                        ? Verdict.Kind.EXACT
+                        : topic.usable(deviation) ? Verdict.Kind.DEGRADED : Verdict.Kind.WRONG;
+        return new Verdict(kind, deviation, deviation.first());
     }
 }

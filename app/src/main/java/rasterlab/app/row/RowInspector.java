@@ -1,9 +1,11 @@
 package rasterlab.app.row;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import javax.swing.JLabel;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
@@ -17,6 +19,7 @@ import rasterlab.engine.study.Topic;
 
 /** The method, what is special about the row, the chosen pixel's numbers and the verdict. */
 final class RowInspector {
+    private static final String UNKNOWN = "—";
     private static final int DIGITS = 9;
 
     /** The same where there are many columns. */
@@ -35,6 +38,9 @@ final class RowInspector {
     private final JLabel verdict;
     private final JLabel wrong;
     private final AboutText about;
+
+    /** The numbers that were shown last. */
+    private RowScene.Numbers read = new RowScene.Numbers(List.of(), List.of());
 
     /**
      * @param modes of the tab, the labs' names in its texts
@@ -91,24 +97,39 @@ final class RowInspector {
         description.show(
                 translations.textOr("hazard." + choice.hazard(), model.hazard().description()));
         pixel.setText(texts.text("pixel.number", choice.pixel(), model.pixels() - 1));
-        model.shown().ifPresent(this::show);
+        model.shown().ifPresentOrElse(this::show, this::showNothing);
         Topic<?, ?, ?> topic = model.topic();
         about.show(translations, topic.method(choice.method()), "", "");
     }
 
-    private void show(RowLabModel.Shown shown) {
-        RowScene scene = shown.scene();
-        RowScene.Numbers read = scene.numbers().apply(shown.choice().pixel());
+    private void show(RowScene scene) {
+        read = scene.numbers().apply(model.choice().pixel());
+        showNumbers(this::line);
+        verdict.setText(verdicts.text("verdict." + scene.verdict().kind().code()));
+        wrong.setText(
+                scene.errors().length == 0
+                        ? UNKNOWN
+                        : texts.text("pixel.of", scene.wrongPixels(), scene.pixels()));
+    }
+
+    /** Nothing is said of a scene that is not there; the table keeps its size meanwhile. */
+    private void showNothing() {
+        showNumbers(RowInspector::unknown);
+        verdict.setText(UNKNOWN);
+        wrong.setText(UNKNOWN);
+    }
+
+    private void showNumbers(Function<RowScene.Line, List<String>> cells) {
         numbers.show(
                 read.headings().stream().map(key -> texts.text("column." + key)).toList(),
-                read.lines().stream().map(this::line).toList(),
+                read.lines().stream().map(cells).toList(),
                 -1);
-        boolean newest = shown.choice().at(0).equals(model.choice().at(0));
-        verdict.setText(newest ? verdicts.text("verdict." + scene.verdict().kind().code()) : "—");
-        wrong.setText(
-                !newest || scene.errors().length == 0
-                        ? "—"
-                        : texts.text("pixel.of", scene.wrongPixels(), scene.pixels()));
+    }
+
+    private static List<String> unknown(RowScene.Line line) {
+        var cells = new ArrayList<>(Collections.nCopies(line.values().length + 1, UNKNOWN));
+        cells.set(0, line.name());
+        return cells;
     }
 
     private List<String> line(RowScene.Line line) {

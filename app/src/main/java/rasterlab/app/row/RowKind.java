@@ -4,10 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.naming.Named;
-import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
-import rasterlab.engine.study.Verdict;
 
 /**
  * How a topic's inputs and outputs look as rows.
@@ -63,7 +61,7 @@ abstract class RowKind<C, I, O> {
         RowAnswers.Answer<O> answer = answers.answer(hazard, choice.method());
         return answer.actual()
                 .map(actual -> scene(hazard.input(), actual, answer))
-                .orElseGet(() -> refused(hazard.input(), answer));
+                .orElseGet(() -> without(hazard.input(), answer));
     }
 
     final int pixels(String hazard) {
@@ -105,25 +103,17 @@ abstract class RowKind<C, I, O> {
                 bands,
                 wrong,
                 errors,
-                verdict(answer.deviation()),
+                answer.verdict(),
                 pixel -> numbers(input, exact, Optional.of(actual), pixel),
                 image(input));
     }
 
-    private Verdict verdict(Deviation deviation) {
-        Verdict.Kind kind =
-                topic.correct(deviation)
-                        ? Verdict.Kind.EXACT
-                        : topic.usable(deviation) ? Verdict.Kind.DEGRADED : Verdict.Kind.WRONG;
-        return new Verdict(kind, deviation, deviation.first());
-    }
-
-    private RowScene refused(I input, RowAnswers.Answer<O> answer) {
+    private RowScene without(I input, RowAnswers.Answer<O> answer) {
         return new RowScene(
                 right(input, answer.exact()),
                 new boolean[0],
                 new double[0],
-                new Verdict(Verdict.Kind.REFUSED, Deviation.NONE, answer.refusal()),
+                answer.verdict(),
                 pixel -> numbers(input, answer.exact(), Optional.empty(), pixel),
                 image(input));
     }

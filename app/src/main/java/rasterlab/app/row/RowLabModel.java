@@ -1,7 +1,10 @@
 package rasterlab.app.row;
 
+import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -28,17 +31,20 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
     /** The choice, at its first pixel, whose scene was asked for last. */
     private Optional<RowChoice> asked = Optional.empty();
 
-    /** The choice whose first wrong pixel is to be chosen once it is known. */
-    private Optional<RowChoice> sought = Optional.empty();
+    /** Choices whose first wrong pixel is to be chosen once it is known; redo may bring them. */
+    private final Set<RowChoice> sought = new HashSet<>();
 
-    private Optional<Shown> shown = Optional.empty();
+    private Optional<Found> newest = Optional.empty();
+
+    /** What waits for the scene of the present choice. */
+    private final List<Runnable> waiting = new ArrayList<>();
+
     private boolean open;
 
-    /** A scene and the choice that it is of, which may be an earlier one than the present. */
-    record Shown(RowChoice choice, RowScene scene) {}
+    /** A scene and the choice, at its first pixel, that it is of. */
+    private record Found(RowChoice choice, RowScene scene) {}
 
-    private RowLabModel(
-            List<RowKind<?, ?, ?>> kinds, Executor events, Consumer<Throwable> onFailure) {
+    RowLabModel(List<RowKind<?, ?, ?>> kinds, Executor events, Consumer<Throwable> onFailure) {
         super(first(kinds.get(0).topic()));
         this.kinds = kinds;
         answers =
@@ -120,9 +126,9 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
         kind(topic).require(next);
         open = true;
         if (isShown(next)) {
-            rearrange(next.at(firstWrong(shown.orElseThrow().scene())));
+            rearrange(next.at(firstWrong(newest.orElseThrow().scene())));
         } else {
-            sought = Optional.of(next);
+            sought.add(next);
             rearrange(next);
         }
         tell();
@@ -140,31 +146,38 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
         change(choice().withMethod(topic().method(method).name()));
     }
 
-    /** The newest scene there is, and asks for the present choice's; empty before the first. */
-    Optional<Shown> shown() {
+    /** The present choice's scene; empty until it is found, which this asks for. */
+    Optional<RowScene> shown() {
         RowChoice wanted = choice().at(0);
         if (asked.filter(wanted::equals).isEmpty()) {
             asked = Optional.of(wanted);
             answers.ask(wanted);
         }
-        return shown.map(
-                last -> {
-                    int pixel = Math.min(choice().pixel(), last.scene().pixels() - 1);
-                    return new Shown(last.choice().at(pixel), last.scene());
-                });
+        return isShown(wanted) ? newest.map(Found::scene) : Optional.empty();
     }
 
     private boolean isShown(RowChoice wanted) {
-        return shown.filter(last -> last.choice().equals(wanted)).isPresent();
+        return newest.filter(last -> last.choice().equals(wanted)).isPresent();
+    }
+
+    /** Runs it once the present choice's scene is there; not at all if another is chosen before. */
+    void whenShown(Runnable then) {
+        if (shown().isPresent()) then.run();
+        else waiting.add(then);
     }
 
     private void accept(RowChoice answered, RowScene scene) {
         if (asked.filter(answered::equals).isEmpty()) return;
-        shown = Optional.of(new Shown(answered, scene));
-        boolean due = sought.filter(choice()::equals).isPresent();
-        sought = Optional.empty();
-        if (due) choosePixel(firstWrong(scene));
+        if (!choice().at(0).equals(answered)) {
+            asked = Optional.empty();
+            return;
+        }
+        newest = Optional.of(new Found(answered, scene));
+        if (sought.remove(answered)) choosePixel(firstWrong(scene));
         tell();
+        var due = List.copyOf(waiting);
+        waiting.clear();
+        due.forEach(Runnable::run);
     }
 
     /** Waits until the scenes asked for so far are there. Any other thread. */
@@ -262,7 +275,8 @@ public final class RowLabModel extends ChoiceModel<RowChoice> {
     @Override
     protected void chosen(RowChoice next) {
         kind(next).require(next);
-        if (sought.filter(next::equals).isEmpty()) sought = Optional.empty();
+        if (next.pixel() != 0) sought.remove(next.at(0));
+        if (asked.filter(next.at(0)::equals).isEmpty()) waiting.clear();
     }
 
     /** Whether the lab was open, as it is kept between runs, beside the choice. */

@@ -56,7 +56,7 @@ final class RowPainter {
 
     void paint(int width, int height) {
         wide = width - 2.0 * MARGIN;
-        boolean refused = scene.errors().length == 0;
+        boolean answered = scene.errors().length > 0;
         int parts = scene.bands().size() + 1 + (scene.image().isPresent() ? 2 : 0);
         int words = metrics.getHeight() + 4;
         int high = Math.min(HIGHEST, (height - 2 * MARGIN - MARK) / parts - words - GAP);
@@ -73,7 +73,7 @@ final class RowPainter {
             chosen(y, high);
             y += high + GAP;
         }
-        if (refused) y = refusal(y);
+        if (!answered) y = failure(y);
         else {
             marks(y - GAP + 2);
             y = errors(y + MARK, high) + GAP;
@@ -162,10 +162,11 @@ final class RowPainter {
         }
     }
 
-    private int refusal(int y) {
+    /** Why the method has no band. */
+    private int failure(int y) {
         return say(
                 texts.text(
-                        "refused",
+                        scene.verdict().kind().code(),
                         choice.method(),
                         Complaints.said(texts.language(), scene.verdict().detail())),
                 y + MARK);

@@ -69,6 +69,11 @@ public final class RowPanel extends LabCard {
     }
 
     @Override
+    protected void whenDrawn(Runnable copy) {
+        model.whenShown(copy);
+    }
+
+    @Override
     public void focusPicture() {
         stage.requestFocusInWindow();
     }

@@ -10,7 +10,7 @@ import rasterlab.engine.study.Verdict;
  *
  * @param bands what is right, then what the method made of it, if it did not refuse
  * @param wrong of each pixel, whether it is beyond what the topic calls usable
- * @param errors of each pixel, in the topic's unit; none where the method refused
+ * @param errors of each pixel, in the topic's unit; none where the method refused or crashed
  * @param numbers of a pixel
  * @param image what a filter makes smaller or larger; empty for other topics
  */

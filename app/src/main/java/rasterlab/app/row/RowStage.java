@@ -61,8 +61,8 @@ final class RowStage extends SelfDrawn implements Settling {
         g.fillRect(0, 0, getWidth(), getHeight());
         model.shown()
                 .ifPresent(
-                        shown ->
-                                new RowPainter(g, texts, shown.choice(), shown.scene())
+                        scene ->
+                                new RowPainter(g, texts, model.choice(), scene)
                                         .paint(getWidth(), getHeight()));
     }
 

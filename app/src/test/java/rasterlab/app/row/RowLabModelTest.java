@@ -4,10 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
-import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -20,7 +20,11 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
+import rasterlab.engine.texture.filter.FilterTopic;
+import rasterlab.engine.texture.mapping.MappingTopic;
+import rasterlab.engine.visibility.depth.DepthBufferTopic;
 
 class RowLabModelTest {
     private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
@@ -36,23 +40,16 @@ class RowLabModelTest {
     }
 
     static Stream<Arguments> cells() {
-        return Stream.of(
-                        RowLabModel.ofDepths(Runnable::run, failure -> {}),
-                        RowLabModel.ofTextures(Runnable::run, failure -> {}))
+        return Stream.of(new DepthBufferTopic(), new MappingTopic(), new FilterTopic())
+                .flatMap(RowLabModelTest::cells);
+    }
+
+    private static <C, I, O> Stream<Arguments> cells(Topic<C, I, O> topic) {
+        return topic.hazards().stream()
                 .flatMap(
-                        model ->
-                                model.hazards()
-                                        .flatMap(
-                                                each ->
-                                                        model.methods(each.topic()).stream()
-                                                                .map(
-                                                                        method ->
-                                                                                Arguments.of(
-                                                                                        each
-                                                                                                .topic(),
-                                                                                        each
-                                                                                                .hazard(),
-                                                                                        method))));
+                        hazard ->
+                                topic.methods().stream()
+                                        .map(each -> Arguments.of(topic.name(), hazard, each)));
     }
 
     private RowLabModel shown(String topic, String hazard, String method) {
@@ -74,9 +71,7 @@ class RowLabModelTest {
     }
 
     private static RowScene scene(RowLabModel model) {
-        RowLabModel.Shown shown = model.shown().orElseThrow();
-        assertEquals(model.choice(), shown.choice());
-        return shown.scene();
+        return model.shown().orElseThrow();
     }
 
     @ParameterizedTest(name = "{0} {1} {2}")
@@ -158,17 +153,18 @@ class RowLabModelTest {
     }
 
     @Test
-    void eventsThreadIsNotHeldUpWhileAnAnswerIsFound() {
+    void nothingIsShownOfAnotherRowWhileAnAnswerIsFound() {
         textures.show("texture-filter", "turned", "summed-area");
-        assertEquals(Optional.empty(), textures.shown());
+        assertEquals(Optional.empty(), textures.shown(), "the event thread is held up");
         assertEquals("turned", textures.choice().hazard());
         settle(textures);
         RowScene first = scene(textures);
         textures.chooseMethod("linear");
-        assertSame(first, textures.shown().orElseThrow().scene(), "no picture meanwhile");
-        assertEquals("summed-area", textures.shown().orElseThrow().choice().method());
+        assertEquals(Optional.empty(), textures.shown(), "the row of another method");
         settle(textures);
         assertNotSame(first, scene(textures));
+        textures.choosePixel(3);
+        assertTrue(textures.shown().isPresent(), "another pixel is no other row");
     }
 
     @Test
@@ -185,7 +181,57 @@ class RowLabModelTest {
         depths.shown();
         depths.show("depth-buffer", "crossing", "z24");
         settle(depths);
-        assertEquals(depths.choice(), depths.shown().orElseThrow().choice());
+        RowScene scene = scene(depths);
+        assertEquals(depths.pixels(), scene.pixels());
         assertEquals("crossing", depths.choice().hazard());
+    }
+
+    @Test
+    void redoneRowIsShownFromItsFirstWrongPixel() {
+        depths.show("depth-buffer", "drift-8192", "incremental-float");
+        depths.history().undo();
+        settle(depths);
+        depths.history().redo();
+        settle(depths);
+        assertEquals("drift-8192", depths.choice().hazard());
+        assertTrue(scene(depths).wrong()[depths.choice().pixel()], "before its answer was there");
+        int found = depths.choice().pixel();
+        depths.history().undo();
+        settle(depths);
+        depths.history().redo();
+        settle(depths);
+        assertEquals(found, depths.choice().pixel());
+    }
+
+    @Test
+    void copyWaitsForTheRowItIsOf() {
+        var copied = new ArrayList<RowScene>();
+        depths.show("depth-buffer", "drift-8192", "z16");
+        depths.whenShown(() -> copied.add(scene(depths)));
+        depths.show("depth-buffer", "crossing", "z24");
+        depths.whenShown(() -> copied.add(scene(depths)));
+        assertEquals(List.of(), copied, "before the answer");
+        settle(depths);
+        assertEquals(List.of(scene(depths)), copied, "the present row alone");
+        depths.whenShown(() -> copied.add(scene(depths)));
+        assertEquals(2, copied.size());
+    }
+
+    @Test
+    void methodThatCrashesIsSaidToAndTheNextRowIsShown() {
+        var kind = new DepthKind(new CrashingDepths("z24"));
+        var model = new RowLabModel(List.of(kind), events::add, failures::add);
+        try {
+            model.show("depth-buffer", "crossing", "z24");
+            settle(model);
+            assertEquals(Verdict.Kind.CRASHED, scene(model).verdict().kind());
+            assertTrue(scene(model).verdict().detail().contains("broken"));
+            assertEquals(1, scene(model).bands().size(), "what is right");
+            model.chooseMethod("z16");
+            settle(model);
+            assertEquals(3, scene(model).bands().size());
+        } finally {
+            model.end();
+        }
     }
 }

@@ -14,6 +14,7 @@ import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.StepPlayer;
+import rasterlab.app.canvas.Steps;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
@@ -49,11 +50,17 @@ public abstract class LabCard extends LabPanel {
             Supplier<String> svg,
             Supplier<Optional<String>> command,
             Consumer<Throwable> onFailure) {
-        actions.add("copyPicture", () -> Copying.picture(picture.get(), onFailure));
-        actions.add("copySvg", () -> Copying.svg(svg.get(), onFailure));
+        actions.add(
+                "copyPicture", () -> whenDrawn(() -> Copying.picture(picture.get(), onFailure)));
+        actions.add("copySvg", () -> whenDrawn(() -> Copying.svg(svg.get(), onFailure)));
         actions.add(
                 "copyCommand",
                 () -> command.get().ifPresent(text -> Copying.text(text, onFailure)));
+    }
+
+    /** Runs it as soon as the picture is that of the present choice. */
+    protected void whenDrawn(Runnable copy) {
+        copy.run();
     }
 
     protected final Actions actions() {
@@ -66,6 +73,17 @@ public abstract class LabCard extends LabPanel {
         player = Optional.of(steps);
         steps.bindKeys(stage);
         arrange(chips, stage, inspector, steps);
+    }
+
+    /** The same where the steps are counted, as the lab's texts say. */
+    protected final void play(
+            JComponent chips, JComponent stage, Inspector inspector, Steps steps, Texts texts) {
+        var counted =
+                new StepPlayer(
+                        Texts.of("canvas", texts.language()),
+                        steps,
+                        () -> texts.text("count", steps.step(), steps.last()));
+        play(chips, stage, inspector, counted);
     }
 
     /** Puts the parts together and shows the model from now on. */
@@ -119,12 +137,14 @@ public abstract class LabCard extends LabPanel {
         return chips;
     }
 
-    /** A row that leads to the other labs; in this one it always shows this one's name. */
-    protected static void modeRow(
-            Inspector column,
-            CoordinatesMode own,
-            Language language,
-            Consumer<CoordinatesMode> chosen) {
+    /** Adds a row that leads to the other labs; in this one it always shows this one's name. */
+    protected static Consumer<Inspector> modes(
+            CoordinatesMode own, Language language, Consumer<CoordinatesMode> chosen) {
+        return column -> column.row("mode", chooser(own, language, chosen));
+    }
+
+    private static NameChooser chooser(
+            CoordinatesMode own, Language language, Consumer<CoordinatesMode> chosen) {
         Texts texts = Texts.of("coordinates", language);
         var chooser = new NameChooser[1];
         chooser[0] =
@@ -137,6 +157,6 @@ public abstract class LabCard extends LabPanel {
                             chosen.accept(CoordinatesMode.named(code));
                         });
         chooser[0].show(own.code());
-        column.row("mode", chooser[0]);
+        return chooser[0];
     }
 }

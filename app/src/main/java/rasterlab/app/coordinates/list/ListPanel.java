@@ -4,7 +4,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.ModeRows;
-import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
@@ -35,24 +34,14 @@ public final class ListPanel extends LabCard {
         stage = new ListStage(model, texts, onFailure);
         inspector =
                 new ListInspector(
-                        model,
-                        texts,
-                        column ->
-                                modeRow(column, CoordinatesMode.TRANSFORMATIONS, language, onMode));
+                        model, texts, modes(CoordinatesMode.TRANSFORMATIONS, language, onMode));
         addCopies(
                 stage::shown,
                 () -> stage.shown().svg(),
                 () -> Optional.of(ListCommand.of(model)),
                 onFailure);
         chips = new ModeRows<>(topic -> chips(model, topic, texts));
-        play(
-                chips,
-                stage,
-                inspector.column(),
-                new StepPlayer(
-                        Texts.of("canvas", language),
-                        model,
-                        () -> texts.text("count", model.step(), model.last())));
+        play(chips, stage, inspector.column(), model, texts);
     }
 
     private static Chips chips(ListLabModel model, String topic, Texts texts) {

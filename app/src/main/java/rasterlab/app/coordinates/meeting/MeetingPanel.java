@@ -30,9 +30,7 @@ public final class MeetingPanel extends LabCard {
         stage = new MeetingStage(model, texts, onFailure);
         inspector =
                 new MeetingInspector(
-                        model,
-                        texts,
-                        column -> modeRow(column, CoordinatesMode.MEETING, language, onMode));
+                        model, texts, modes(CoordinatesMode.MEETING, language, onMode));
         addCopies(
                 stage::shown,
                 () -> stage.shown().svg(),

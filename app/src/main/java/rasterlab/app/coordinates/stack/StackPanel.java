@@ -2,7 +2,6 @@ package rasterlab.app.coordinates.stack;
 
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
@@ -31,23 +30,13 @@ public final class StackPanel extends LabCard {
         this.model = model;
         stage = new StackStage(model, texts, onFailure);
         inspector =
-                new StackInspector(
-                        model,
-                        texts,
-                        column -> modeRow(column, CoordinatesMode.STACK, language, onMode));
+                new StackInspector(model, texts, modes(CoordinatesMode.STACK, language, onMode));
         addCopies(
                 stage::shown,
                 () -> stage.shown().svg(),
                 () -> CubeCommand.of(model.scene()),
                 onFailure);
-        play(
-                programs(),
-                stage,
-                inspector.column(),
-                new StepPlayer(
-                        Texts.of("canvas", language),
-                        model,
-                        () -> texts.text("count", model.step(), model.last())));
+        play(programs(), stage, inspector.column(), model, texts);
     }
 
     private Chips programs() {

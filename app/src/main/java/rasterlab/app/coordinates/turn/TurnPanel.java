@@ -4,7 +4,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.KeyBinding;
-import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.figure.LabCard;
 import rasterlab.app.language.Language;
@@ -30,10 +29,7 @@ public final class TurnPanel extends LabCard {
         Texts texts = Texts.of("coordinates.turn", language);
         stage = new TurnStage(model, texts, onFailure);
         inspector =
-                new TurnInspector(
-                        model,
-                        texts,
-                        column -> modeRow(column, CoordinatesMode.ROTATION, language, onMode));
+                new TurnInspector(model, texts, modes(CoordinatesMode.ROTATION, language, onMode));
         addCopies(
                 () -> stage,
                 stage::svg,
@@ -47,10 +43,8 @@ public final class TurnPanel extends LabCard {
                         model::show),
                 stage,
                 inspector.column(),
-                new StepPlayer(
-                        Texts.of("canvas", language),
-                        model,
-                        () -> texts.text("count", model.step(), model.last())));
+                model,
+                texts);
         KeyBinding.within(this, KeyStroke.getKeyStroke("ESCAPE"), model::cancel);
         model.begin();
     }

@@ -28,11 +28,7 @@ public final class ViewPanel extends LabCard {
         super("views", model, language);
         Texts texts = Texts.of("coordinates.view", language);
         stage = new ViewStageView(model, texts, onFailure);
-        inspector =
-                new ViewInspector(
-                        model,
-                        texts,
-                        column -> modeRow(column, CoordinatesMode.VIEWS, language, onMode));
+        inspector = new ViewInspector(model, texts, modes(CoordinatesMode.VIEWS, language, onMode));
         addCopies(
                 stage::shown,
                 () -> stage.shown().svg(),
