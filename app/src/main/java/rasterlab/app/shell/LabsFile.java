@@ -11,6 +11,7 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.datatype.jdk8.Jdk8Module;
 import java.io.IOException;
+import java.lang.reflect.RecordComponent;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +19,8 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import rasterlab.app.canvas.Kept;
@@ -30,8 +33,8 @@ import rasterlab.exercises.json.JsonMistake;
 /**
  * What every lab shows, kept between runs in a JSON file beside the window's settings.
  *
- * <p>A lab whose part is missing, broken or of an older version opens as on the first run, and the
- * others as they were left.
+ * <p>A lab whose part is missing or broken opens as on the first run, and the others as they were
+ * left. What an older version did not keep of a lab yet is as on the first run.
  */
 public final class LabsFile {
     private static final ObjectMapper JSON =
@@ -49,6 +52,9 @@ public final class LabsFile {
     private final Path file;
     private final Consumer<Problem> problem;
     private volatile boolean refused;
+
+    /** Names of the labs whose parts could not be used. */
+    private final Set<String> refusedParts = ConcurrentHashMap.newKeySet();
 
     /**
      * @param problem told, once for every lab, what cannot be kept or brought back
@@ -72,28 +78,24 @@ public final class LabsFile {
         }
     }
 
-    /**
-     * Reads the file and brings every lab to what it showed. On the thread that uses the models.
-     */
-    public void load(LabModels models) {
-        read().ifPresent(content -> bringBack(content, models));
-    }
-
     /** What the labs showed; empty where nothing is kept or it cannot be read. On any thread. */
     Optional<Content> read() {
         if (!Files.exists(file)) return Optional.empty();
         try {
             Optional<String> obstacle = FileToRead.obstacle(file, FileKind.SETTINGS);
             if (obstacle.isPresent()) throw new IOException(obstacle.get());
-            JsonNode root = JSON.readTree(file.toFile());
-            if (!root.isObject()) throw new IOException("not a JSON object");
-            return Optional.of(new Content(root));
+            return Optional.of(new Content(root()));
         } catch (JsonProcessingException e) {
             refuse("not JSON: " + JsonMistake.in(e));
         } catch (IOException e) {
             refuse(reason(e));
         }
         return Optional.empty();
+    }
+
+    private ObjectNode root() throws IOException {
+        if (JSON.readTree(file.toFile()) instanceof ObjectNode root) return root;
+        throw new IOException("not a JSON object");
     }
 
     private void refuse(String reason) {
@@ -106,21 +108,40 @@ public final class LabsFile {
         models.kept().forEach((name, lab) -> bringBack(name, lab, content.root.path(name)));
     }
 
-    /** Whether the file holds what cannot be used, and should be written anew. */
-    boolean isRefused() {
-        return refused;
+    /** The choices without those that the file holds no usable part of. */
+    Map<String, Object> used(Map<String, Object> choices) {
+        if (refused) return Map.of();
+        var used = new LinkedHashMap<>(choices);
+        used.keySet().removeAll(refusedParts);
+        return used;
     }
 
     private <C> void bringBack(String name, Kept<C> lab, JsonNode kept) {
         if (kept.isMissingNode()) return;
         try {
-            lab.bringBack(JSON.treeToValue(kept, lab.keptType()));
+            JsonNode whole = completed(kept, JSON.valueToTree(lab.kept()), lab.keptType());
+            lab.bringBack(JSON.treeToValue(whole, lab.keptType()));
         } catch (JsonProcessingException | RuntimeException e) {
             // A file that was changed by hand can miss more than a lab's own checks look at.
             String reason = e instanceof JsonMappingException part ? reasonOf(part) : reason(e);
-            refused = true;
+            refusedParts.add(name);
             problem.accept(Problem.of("labs.oneNotUsed", file.toString(), name, reason));
         }
+    }
+
+    /** What was kept, and of the record's components that it has not, the usual ones. */
+    private static JsonNode completed(JsonNode kept, JsonNode usual, Class<?> type) {
+        if (!type.isRecord() || !kept.isObject() || !usual.isObject()) return kept;
+        ObjectNode whole = JSON.createObjectNode().setAll((ObjectNode) kept);
+        for (RecordComponent part : type.getRecordComponents()) {
+            String name = part.getName();
+            whole.set(
+                    name,
+                    kept.has(name)
+                            ? completed(kept.get(name), usual.path(name), part.getType())
+                            : usual.path(name));
+        }
+        return whole;
     }
 
     /** What a part's own check says of it, else where it is. */
@@ -142,19 +163,21 @@ public final class LabsFile {
         return choices;
     }
 
-    /** Keeps what every lab shows, whole or not at all. On the event thread. */
-    public void save(LabModels models) {
-        save(choices(models));
-    }
-
     /**
      * Keeps what the labs showed, whole or not at all. On any thread.
      *
+     * @param changed names of those that are written over what the file holds, where it can be
+     *     read: the others may have been changed by another window
      * @return whether it is kept
      */
-    synchronized boolean save(Map<String, Object> choices) {
-        ObjectNode root = JSON.createObjectNode();
-        choices.forEach((name, choice) -> root.set(name, JSON.valueToTree(choice)));
+    synchronized boolean save(Map<String, Object> choices, Set<String> changed) {
+        Optional<ObjectNode> held = held();
+        ObjectNode root = held.orElseGet(JSON::createObjectNode);
+        choices.forEach(
+                (name, choice) -> {
+                    if (held.isEmpty() || changed.contains(name) || !root.has(name))
+                        root.set(name, JSON.valueToTree(choice));
+                });
         try {
             WholeFile.requireFolder(file.toAbsolutePath().getParent());
             WholeFile.write(file, JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root));
@@ -162,6 +185,17 @@ public final class LabsFile {
         } catch (IOException | Complaint e) {
             problem.accept(Problem.of("labs.notKept", reason(e)));
             return false;
+        }
+    }
+
+    /** What the file holds now; empty where it cannot be used. */
+    private Optional<ObjectNode> held() {
+        try {
+            boolean readable =
+                    Files.exists(file) && FileToRead.obstacle(file, FileKind.SETTINGS).isEmpty();
+            return readable ? Optional.of(root()) : Optional.empty();
+        } catch (IOException e) {
+            return Optional.empty();
         }
     }
 

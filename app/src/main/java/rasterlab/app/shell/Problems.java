@@ -1,11 +1,14 @@
 package rasterlab.app.shell;
 
 import java.awt.EventQueue;
+import java.awt.FontMetrics;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import javax.swing.JOptionPane;
+import javax.swing.UIManager;
+import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Texts;
 
 /**
@@ -13,6 +16,9 @@ import rasterlab.app.language.Texts;
  * the window together, as soon as there is one.
  */
 final class Problems implements Consumer<Problem> {
+    /** Of a line that is read easily, and that the smallest window has room for. */
+    private static final int LETTERS = 70;
+
     private final List<Problem> untold = new ArrayList<>();
     private LabFrame frame;
 
@@ -39,12 +45,20 @@ final class Problems implements Consumer<Problem> {
     private void tell() {
         if (untold.isEmpty() || !frame.isShowing()) return;
         Texts texts = Texts.of("shell", frame.language());
-        String lines =
-                untold.stream()
-                        .map(each -> each.in(frame.language()))
-                        .collect(Collectors.joining("\n"));
+        List<String> said = untold.stream().map(each -> each.in(frame.language())).toList();
         untold.clear();
         JOptionPane.showMessageDialog(
-                frame, lines, texts.text("problem.title"), JOptionPane.WARNING_MESSAGE);
+                frame,
+                lines(said, frame.getFontMetrics(UIManager.getFont("OptionPane.messageFont"))),
+                texts.text("problem.title"),
+                JOptionPane.WARNING_MESSAGE);
+    }
+
+    /** Each problem in lines of about {@link #LETTERS} letters. */
+    static String lines(List<String> said, FontMetrics metrics) {
+        int room = LETTERS * metrics.charWidth('n');
+        return said.stream()
+                .flatMap(each -> Wrapping.lines(each, room, metrics::stringWidth).stream())
+                .collect(Collectors.joining("\n"));
     }
 }

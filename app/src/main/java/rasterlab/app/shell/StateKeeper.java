@@ -1,7 +1,10 @@
 package rasterlab.app.shell;
 
 import java.awt.EventQueue;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -39,7 +42,10 @@ final class StateKeeper implements AutoCloseable {
                         return thread;
                     });
     private volatile boolean settingsKept = true;
-    private volatile boolean choicesKept = true;
+
+    /** Names of the labs whose choices could not be written yet. */
+    private final Set<String> unkept = ConcurrentHashMap.newKeySet();
+
     private LabSettings lastSettings;
     private Map<String, Object> lastChoices;
 
@@ -58,7 +64,7 @@ final class StateKeeper implements AutoCloseable {
         this.settings = settings;
         this.models = models;
         lastSettings = settings.get();
-        lastChoices = labsFile.isRefused() ? Map.of() : LabsFile.choices(models);
+        lastChoices = labsFile.used(LabsFile.choices(models));
         Runtime.getRuntime().addShutdownHook(atTheEnd);
         timer.start();
     }
@@ -70,9 +76,18 @@ final class StateKeeper implements AutoCloseable {
             writer.execute(() -> settingsKept = file.save(nowSettings));
         lastSettings = nowSettings;
         Map<String, Object> nowChoices = LabsFile.choices(models);
-        if (!nowChoices.equals(lastChoices))
-            writer.execute(() -> choicesKept = labsFile.save(nowChoices));
+        Set<String> changed = new HashSet<>();
+        nowChoices.forEach(
+                (name, choice) -> {
+                    if (!choice.equals(lastChoices.get(name))) changed.add(name);
+                });
+        if (!changed.isEmpty()) writer.execute(() -> keep(nowChoices, changed));
         lastChoices = nowChoices;
+    }
+
+    private void keep(Map<String, Object> choices, Set<String> changed) {
+        unkept.addAll(changed);
+        if (labsFile.save(choices, unkept)) unkept.clear();
     }
 
     /**
@@ -90,7 +105,7 @@ final class StateKeeper implements AutoCloseable {
         look();
         finishWriting();
         if (!settingsKept) file.save(lastSettings);
-        if (!choicesKept) labsFile.save(lastChoices);
+        if (!unkept.isEmpty()) labsFile.save(lastChoices, unkept);
     }
 
     private void endOfProgram() {

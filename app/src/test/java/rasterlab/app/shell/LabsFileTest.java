@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,6 +23,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.line.LineChoice;
 import rasterlab.app.line.LineMode;
 import rasterlab.app.opengl.state.Setting;
 import rasterlab.app.outcome.Pipe;
@@ -96,9 +99,9 @@ class LabsFileTest {
     }
 
     private void assertKept(LabModels models) {
-        file().save(models);
+        save(models);
         try (LabModels others = LabModels.first(failures::add)) {
-            file().load(others);
+            load(file(), others);
             assertEquals(choices(models), choices(others));
         }
     }
@@ -107,7 +110,6 @@ class LabsFileTest {
     @ValueSource(
             strings = {
                 "{\"line\": {\"segment\": 7}}",
-                "{\"line\": {\"segment\": {\"x0\": 1, \"y0\": 2, \"x1\": 3, \"y1\": 4}}}",
                 "{\"line\": {\"segment\": null, \"method\": \"dda\", \"comparison\": \"\"}}",
                 "{\"line\": {\"segment\": {\"x0\": 1, \"y0\": 2, \"x1\": 3, \"y1\": 4},"
                         + " \"method\": \"magic\", \"comparison\": \"\"}}",
@@ -121,6 +123,25 @@ class LabsFileTest {
         problems.forEach(problem -> assertTrue(problem.contains("labs.json"), problem));
         assertEquals(1, problems.size(), problems::toString);
         assertEquals(shown(models -> {}, false), opened);
+    }
+
+    @Test
+    void whatAnOlderVersionDidNotKeepIsAsOnTheFirstRun() throws Exception {
+        Map<String, Object> left = shown(LabsFileTest::changeAll, false);
+        var mapper = new ObjectMapper();
+        var root = (ObjectNode) mapper.readTree(folder.resolve("labs.json").toFile());
+        ((ObjectNode) root.path("coordinates.transformations")).remove("trial");
+        var line = (ObjectNode) root.path("line");
+        line.remove("method");
+        ((ObjectNode) line.path("segment")).remove("window");
+        mapper.writeValue(folder.resolve("labs.json").toFile(), root);
+        Map<String, Object> opened = shown(models -> {}, true);
+        assertEquals(List.of(), problems);
+        LineChoice whole = (LineChoice) left.remove("line");
+        assertEquals(
+                new LineChoice(whole.segment(), "bresenham", whole.comparison()),
+                opened.remove("line"));
+        assertEquals(left, opened);
     }
 
     @Test
@@ -151,10 +172,11 @@ class LabsFileTest {
         OffscreenPainter.onEventThread(
                 () -> {
                     try (LabModels models = LabModels.first(failures::add)) {
-                        LabsFile.beside(
+                        load(
+                                LabsFile.beside(
                                         folder.resolve("window.properties"),
-                                        problem -> told.add(problem.in(Language.RUSSIAN)))
-                                .load(models);
+                                        problem -> told.add(problem.in(Language.RUSSIAN))),
+                                models);
                     }
                 });
         return told.get(0);
@@ -205,10 +227,10 @@ class LabsFileTest {
         OffscreenPainter.onEventThread(
                 () -> {
                     try (LabModels models = LabModels.first(failures::add)) {
-                        if (load) file().load(models);
+                        if (load) load(file(), models);
                         prepare.accept(models);
                         found.putAll(choices(models));
-                        if (!load) file().save(models);
+                        if (!load) save(models);
                     }
                 });
         return found;
@@ -219,6 +241,15 @@ class LabsFileTest {
         for (Map.Entry<String, Kept<?>> each : models.kept().entrySet())
             found.put(each.getKey(), each.getValue().kept());
         return found;
+    }
+
+    private static void load(LabsFile file, LabModels models) {
+        file.read().ifPresent(content -> file.bringBack(content, models));
+    }
+
+    private void save(LabModels models) {
+        Map<String, Object> choices = LabsFile.choices(models);
+        assertTrue(file().save(choices, choices.keySet()));
     }
 
     private LabsFile file() {

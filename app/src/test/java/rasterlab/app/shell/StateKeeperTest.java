@@ -1,6 +1,7 @@
 package rasterlab.app.shell;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -9,12 +10,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
 
 @Timeout(60)
@@ -44,7 +47,7 @@ class StateKeeperTest {
                                         problem -> problems.add(problem.toString()));
                         var labsFile =
                                 new LabsFile(labs(), problem -> problems.add(problem.toString()));
-                        labsFile.load(models);
+                        labsFile.read().ifPresent(kept -> labsFile.bringBack(kept, models));
                         var keeper = new StateKeeper(file, labsFile, () -> FIRST, models);
                         during.accept(models, keeper);
                         keeper.close();
@@ -62,11 +65,42 @@ class StateKeeperTest {
         live(
                 models -> {
                     file.save(others);
-                    new LabsFile(labs(), problem -> {}).save(Map.of("other", 7));
+                    another("other", 7);
                 });
         assertEquals(others, file.load(FIRST));
         assertTrue(Files.readString(labs()).contains("other"), Files.readString(labs()));
         assertEquals(List.of(), problems);
+    }
+
+    /** Another window writes one lab's choice. */
+    private void another(String lab, Object choice) {
+        new LabsFile(labs(), problem -> {}).save(Map.of(lab, choice), Set.of(lab));
+    }
+
+    @Test
+    void windowThatChangedOneLabLeavesTheOthersAsAnotherOneWroteThem() throws Exception {
+        live(models -> models.line().chooseMethod("dda"));
+        live(
+                models -> {
+                    another("coordinates", CoordinatesMode.ROTATION);
+                    models.line().chooseMethod("naive");
+                });
+        String kept = Files.readString(labs());
+        assertTrue(kept.contains("ROTATION"), kept);
+        assertTrue(kept.contains("naive"), kept);
+        assertEquals(List.of(), problems);
+    }
+
+    @Test
+    void partThatCannotBeUsedAloneIsWrittenAnew() throws Exception {
+        live(models -> models.line().chooseMethod("dda"));
+        Files.writeString(
+                labs(), Files.readString(labs()).replace("\"dda\"", "\"of another time\""));
+        live(models -> another("later", 7));
+        assertEquals(1, problems.size(), problems.toString());
+        String kept = Files.readString(labs());
+        assertTrue(kept.contains("\"later\""), kept);
+        assertFalse(kept.contains("of another time"), kept);
     }
 
     @Test
