@@ -38,17 +38,23 @@ final class InputWords {
     static String said(Texts texts, String english) {
         for (Sentence each : SENTENCES) {
             Matcher found = each.english().matcher(english);
-            if (found.matches()) return texts.text(each.key(), groups(found));
+            if (found.matches()) return texts.text(each.key(), groups(texts, found));
         }
-        return english;
+        return word(texts, english);
     }
 
-    /** Whole numbers as such, for what is counted. */
-    private static Object[] groups(Matcher found) {
+    /** A constant's name in words; what is none stays as it is. */
+    private static String word(Texts texts, String constant) {
+        return texts.textOr("word." + constant, constant);
+    }
+
+    /** Whole numbers as such, for what is counted, and constants in words. */
+    private static Object[] groups(Texts texts, Matcher found) {
         var groups = new Object[found.groupCount()];
         for (int i = 0; i < groups.length; i++) {
             String group = found.group(i + 1);
-            groups[i] = group.matches("\\d{1,18}") ? (Object) Long.valueOf(group) : group;
+            groups[i] =
+                    group.matches("\\d{1,18}") ? (Object) Long.valueOf(group) : word(texts, group);
         }
         return groups;
     }

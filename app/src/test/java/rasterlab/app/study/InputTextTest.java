@@ -67,6 +67,25 @@ class InputTextTest {
             }
     }
 
+    /** But for names of matrices, which are formulas. */
+    @Test
+    void constantsAreWrittenInWords() {
+        var constant = Pattern.compile("\\b[A-Z][A-Z_]{2,}\\b");
+        for (Topic<?, ?, ?> topic : Topics.all())
+            for (Hazard<?> hazard : topic.hazards()) {
+                String text = InputText.of(hazard.input(), RUSSIAN);
+                assertFalse(
+                        !topic.name().equals("matrix") && constant.matcher(text).find(),
+                        topic.name() + ", " + hazard.name() + ": " + text);
+            }
+        assertEquals(
+                "4 вершины, правило чётности, на картине 8×6",
+                InputWords.said(RUSSIAN, "4 corners, EVEN_ODD, in 8×6 pixels"));
+        assertEquals(
+                "3 knots, not-a-knot ends, 2 places",
+                InputWords.said(ENGLISH, "3 knots, NOT_A_KNOT, 2 places"));
+    }
+
     @Test
     void countsStandBeforeTheRightForm() {
         assertEquals(
