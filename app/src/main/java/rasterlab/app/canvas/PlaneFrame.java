@@ -6,9 +6,11 @@ import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
@@ -79,24 +81,64 @@ record PlaneFrame(
         FontMetrics metrics = g.getFontMetrics(font.deriveFont(Font.BOLD));
         double middleX = points.stream().mapToDouble(p -> map.viewX(p.x())).average().orElse(0);
         double middleY = points.stream().mapToDouble(p -> map.viewY(p.y())).average().orElse(0);
-        return points.stream()
-                .filter(point -> inSight(point) && !point.label().isEmpty())
-                .map(point -> label(point, metrics, middleX, middleY))
-                .toList();
+        var labels = new ArrayList<Label>();
+        for (PlanePoint point : points)
+            if (inSight(point) && !point.label().isEmpty())
+                labels.add(free(point, label(point, metrics, middleX, middleY), labels));
+        return labels;
+    }
+
+    /**
+     * The label where it lies over no other point's ring and no label before it: where it should
+     * be, or else at another side of its point; where it should be if all are taken.
+     */
+    private Label free(PlanePoint point, Label wanted, List<Label> before) {
+        List<Rectangle> taken =
+                Stream.concat(
+                                before.stream().map(Label::place),
+                                points.stream()
+                                        .filter(other -> other != point && inSight(other))
+                                        .map(this::ring))
+                        .toList();
+        return Stream.concat(Stream.of(wanted.place), sides(ring(point), wanted.place))
+                .filter(place -> new Rectangle(width, height).contains(place))
+                .filter(place -> taken.stream().noneMatch(place::intersects))
+                .findFirst()
+                .map(place -> new Label(wanted.text, place))
+                .orElse(wanted);
+    }
+
+    /** Places of that size above, below and beside a ring, then off its corners. */
+    private static Stream<Rectangle> sides(Rectangle ring, Rectangle size) {
+        int left = ring.x - size.width;
+        int right = ring.x + ring.width;
+        int across = (int) ring.getCenterX() - size.width / 2;
+        int above = ring.y - size.height;
+        int below = ring.y + ring.height;
+        int along = (int) ring.getCenterY() - size.height / 2;
+        return Stream.of(
+                        new Point(across, above),
+                        new Point(across, below),
+                        new Point(right, along),
+                        new Point(left, along),
+                        new Point(right, above),
+                        new Point(left, above),
+                        new Point(right, below),
+                        new Point(left, below))
+                .map(corner -> new Rectangle(corner, size.getSize()));
+    }
+
+    private Rectangle ring(PlanePoint point) {
+        return new Rectangle(
+                (int) (map.viewX(point.x()) - AWAY),
+                (int) (map.viewY(point.y()) - AWAY),
+                (int) (2 * AWAY),
+                (int) (2 * AWAY));
     }
 
     /** The places of labels and of the rings around points. */
     private List<Rectangle> taken(List<Label> labels) {
-        Stream<Rectangle> rings =
-                points.stream()
-                        .filter(this::inSight)
-                        .map(
-                                point ->
-                                        new Rectangle(
-                                                (int) (map.viewX(point.x()) - AWAY),
-                                                (int) (map.viewY(point.y()) - AWAY),
-                                                (int) (2 * AWAY),
-                                                (int) (2 * AWAY)));
+        Stream<Rectangle> rings = points.stream().filter(this::inSight).map(this::ring);
         return Stream.concat(labels.stream().map(Label::place), rings).toList();
     }
 

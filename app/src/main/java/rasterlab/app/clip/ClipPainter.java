@@ -41,10 +41,11 @@ final class ClipPainter {
     private final Color second;
     private final InView inView;
     private final List<Rectangle> labels;
+    private final WordPlaces words;
 
     /**
      * @param other name of a second method, "" for none
-     * @param labels where no region's code may stand
+     * @param labels where no region's code and no sign's words may stand
      */
     ClipPainter(
             Graphics2D g,
@@ -60,6 +61,7 @@ final class ClipPainter {
         second = MethodColours.of(other);
         this.labels = labels;
         inView = new InView(map, g.getClipBounds());
+        words = new WordPlaces(g.getClipBounds(), labels);
     }
 
     /**
@@ -73,7 +75,6 @@ final class ClipPainter {
             else if (each instanceof Drawn.Line line) paint(line);
             else if (each instanceof Drawn.Region region) paint(region);
             else if (each instanceof Drawn.Sign sign) paint(sign);
-            else if (each instanceof Drawn.Words words) paint(words);
         }
     }
 
@@ -192,21 +193,19 @@ final class ClipPainter {
                 y,
                 Math.atan2(-sign.dy() * Math.abs(map.scaleY()), sign.dx() * map.scaleX()),
                 colours);
-        if (!sign.words().isEmpty()) plate(sign.words(), x + 12, y - 12);
+        if (sign.words().isEmpty()) return;
+        FontMetrics metrics = g.getFontMetrics();
+        Rectangle place = words.take(x, y, metrics.stringWidth(sign.words()), metrics.getHeight());
+        plate(sign.words(), place.x, place.y + metrics.getAscent());
     }
 
-    private void paint(Drawn.Words words) {
-        if (inView.holds(words.at()))
-            plate(words.words(), map.viewX(words.at().x()), map.viewY(words.at().y()));
-    }
-
-    private void plate(String words, double x, double y) {
+    private void plate(String said, int x, int y) {
         Color ground = colours.ground();
         Plates.plate(
                 g,
-                words,
-                (int) x,
-                (int) y,
+                said,
+                x,
+                y,
                 new Color(ground.getRed(), ground.getGreen(), ground.getBlue(), 215),
                 colours.ink());
     }

@@ -63,7 +63,4 @@ sealed interface Drawn {
     /** Words in the middle of what is seen of a region, whose ends may be infinite. */
     record Region(double xmin, double ymin, double xmax, double ymax, String words)
             implements Drawn {}
-
-    /** Words at a place. */
-    record Words(Place at, String words) implements Drawn {}
 }

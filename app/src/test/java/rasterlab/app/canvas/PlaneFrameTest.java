@@ -56,6 +56,25 @@ class PlaneFrameTest {
     }
 
     @Test
+    void labelLiesOverNoOtherPoint() {
+        Rectangle alone = told(point("A1 0000", 3, 3), point("", 7, 7)).get(0);
+        PlanePoint there =
+                point("", MAP.worldX(alone.getCenterX()), MAP.worldY(alone.getCenterY()));
+        PlanePoint opposite = point("", 10 - there.x(), 10 - there.y());
+        List<Rectangle> places = told(point("A1 0000", 3, 3), point("", 7, 7), there, opposite);
+        assertEquals(5, places.size());
+        for (Rectangle ring : places.subList(2, 5))
+            assertFalse(ring.intersects(places.get(0)), ring + " under " + places.get(0));
+    }
+
+    @Test
+    void labelsOfPointsInOnePlaceLieBesideEachOther() {
+        List<Rectangle> places =
+                told(point("A1 0000", 5, 5), point("B1 0000", 5.05, 5), point("", 7, 7));
+        assertFalse(places.get(0).intersects(places.get(1)), places.toString());
+    }
+
+    @Test
     void pictureIsToldOfLabelsAndRings() {
         List<Rectangle> places = told(point("A1 0000", 3, 3), point("", 7, 7));
         assertEquals(3, places.size(), "one label, two rings");
