@@ -17,6 +17,7 @@ import rasterlab.engine.transform.Images;
  * @param exact where they belong
  * @param made where the method has them; empty where it gave no answer, or one for other points
  * @param fates of each point; none where nothing is made
+ * @param reach the largest coordinate of the exact images; of what there is, where there are none
  */
 record TrialScene(
         Trial trial,
@@ -24,7 +25,8 @@ record TrialScene(
         Placed exact,
         Optional<Placed> made,
         List<Fate> fates,
-        Verdict verdict) {
+        Verdict verdict,
+        double reach) {
     /** So many times as far away as the exact points, a point is left out of the picture. */
     static final double FAR = 100;
 
@@ -33,6 +35,23 @@ record TrialScene(
 
     TrialScene {
         fates = List.copyOf(fates);
+    }
+
+    TrialScene(
+            Trial trial,
+            double[] given,
+            Placed exact,
+            Optional<Placed> made,
+            List<Fate> fates,
+            Verdict verdict) {
+        this(trial, given, exact, made, fates, verdict, reach(given, exact, made));
+    }
+
+    private static double reach(double[] given, Placed exact, Optional<Placed> made) {
+        double reach = exact.reach();
+        if (reach == 0) reach = made.map(Placed::reach).orElse(0.0);
+        if (reach == 0) reach = new Placed(given, Optional.empty()).reach();
+        return reach == 0 ? 1 : reach;
     }
 
     /**
@@ -90,18 +109,10 @@ record TrialScene(
         return (int) fates.stream().filter(fate -> fate != Fate.RIGHT).count();
     }
 
-    /** The largest coordinate of the exact images; of what there is, where there are none. */
-    double reach() {
-        double reach = exact.reach();
-        if (reach == 0) reach = made.map(Placed::reach).orElse(0.0);
-        if (reach == 0) reach = new Placed(given, Optional.empty()).reach();
-        return reach == 0 ? 1 : reach;
-    }
-
     /** Whether the point lies where the picture reaches to. */
     boolean inReach(double[] points, int point) {
         for (int i = 3 * point; i < 3 * point + 3; i++)
-            if (!(Math.abs(points[i]) <= FAR * reach())) return false;
+            if (!(Math.abs(points[i]) <= FAR * reach)) return false;
         return true;
     }
 
@@ -126,7 +137,7 @@ record TrialScene(
 
     /** Whether a wrong point is seen where the right one is. */
     private boolean isHidden(int point) {
-        return isMade(point) && fates.get(point) == Fate.WRONG && distance(point) < SEEN * reach();
+        return isMade(point) && fates.get(point) == Fate.WRONG && distance(point) < SEEN * reach;
     }
 
     /** Between where the point is and where it belongs. */

@@ -1,16 +1,14 @@
 package rasterlab.app.coordinates.list;
 
-import java.util.Optional;
 import rasterlab.app.coordinates.figure.CallJson;
 import rasterlab.contract.AxisRotation;
-import rasterlab.engine.transform.Images;
 import rasterlab.engine.transform.axis.AxisTopic;
 import rasterlab.engine.transform.axis.AxisTurn;
 
 /** Points that turn about a line. */
-final class TurnTrial extends TrialKind<AxisRotation, AxisTurn, Images> {
+final class TurnTrial extends ImagesTrial<AxisRotation, AxisTurn> {
     TurnTrial() {
-        super(new AxisTopic(), new TrialTexts("coordinates.list", "rotate-axis."));
+        super(new AxisTopic(), "rotate-axis.");
     }
 
     @Override
@@ -19,24 +17,9 @@ final class TurnTrial extends TrialKind<AxisRotation, AxisTurn, Images> {
     }
 
     @Override
-    Images images(Images output) {
-        return output;
-    }
-
-    @Override
-    Optional<double[]> h(Images output) {
-        return Optional.empty();
-    }
-
-    @Override
     AxisTurn only(AxisTurn turn, int point) {
         return new AxisTurn(
                 turn.through(), turn.direction(), turn.degrees(), xyz(turn.points(), point));
-    }
-
-    @Override
-    Images outputOf(Images output, int point) {
-        return new Images(xyz(output.coordinates(), point), 3);
     }
 
     @Override

@@ -1,0 +1,35 @@
+package rasterlab.app.coordinates.list;
+
+import java.util.Optional;
+import rasterlab.engine.study.Topic;
+import rasterlab.engine.transform.Images;
+
+/**
+ * A topic whose outputs are points of space and nothing else.
+ *
+ * @param <C> contract of the topic's methods
+ * @param <I> its input
+ */
+abstract class ImagesTrial<C, I> extends TrialKind<C, I, Images> {
+    /**
+     * @param prefix of the keys of its methods' and hazards' texts
+     */
+    ImagesTrial(Topic<C, I, Images> topic, String prefix) {
+        super(topic, new TrialTexts("coordinates.list", prefix));
+    }
+
+    @Override
+    final Images images(Images output) {
+        return output;
+    }
+
+    @Override
+    final Optional<double[]> h(Images output) {
+        return Optional.empty();
+    }
+
+    @Override
+    final Images outputOf(Images output, int point) {
+        return new Images(xyz(output.coordinates(), point), 3);
+    }
+}
