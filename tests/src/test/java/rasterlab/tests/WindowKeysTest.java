@@ -1,7 +1,6 @@
 package rasterlab.tests;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -252,17 +251,26 @@ class WindowKeysTest extends WindowHarness {
     }
 
     @Test
-    void controlAndTabChooseTheNextTabButLeaveTheEditor() {
+    void controlAndTabChooseTheNextTabFromATableAndFromTheEditor() {
         show("study");
         focus("hazards");
         pressWithControl(KeyEvent.VK_TAB);
         await("the next tab", () -> isSeen("exercises"));
         focus("source");
         pressWithControl(KeyEvent.VK_TAB);
-        assertEquals("exercises", frame.shownTab());
-        assertFalse(window.robot().finder().findByName(frame, "source").isFocusOwner());
-        pressWithControl(KeyEvent.VK_TAB);
         await("the first tab", () -> isSeen("coordinates"));
+    }
+
+    @Test
+    void editorInWhichTabIndentsIsLeftByAnotherKey() {
+        show("exercises");
+        focus("source");
+        Component source = window.robot().finder().findByName(frame, "source");
+        press(KeyEvent.VK_TAB);
+        assertTrue(source.isFocusOwner(), "Tab does not indent");
+        press(KeyEvent.VK_F6);
+        await("another component", () -> !source.isFocusOwner());
+        assertEquals("exercises", frame.shownTab());
     }
 
     private void pressWithControl(int key) {

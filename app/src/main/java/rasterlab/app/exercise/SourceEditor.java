@@ -4,11 +4,13 @@ import com.formdev.flatlaf.FlatLaf;
 import java.awt.BorderLayout;
 import java.awt.Font;
 import java.awt.Graphics;
+import java.awt.KeyboardFocusManager;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.Icon;
 import javax.swing.JPanel;
@@ -54,6 +56,12 @@ final class SourceEditor extends JPanel {
         area.setTabsEmulated(true);
         area.setAntiAliasingEnabled(true);
         area.setPopupMenu(null);
+        // Tab indents, and Ctrl+Tab is the window's.
+        area.setFocusTraversalKeys(
+                KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, Set.of(KeyStroke.getKeyStroke("F6")));
+        area.setFocusTraversalKeys(
+                KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS,
+                Set.of(KeyStroke.getKeyStroke("shift F6")));
         area.addParser(notices);
         theme().apply(area);
         scroll.setIconRowHeaderEnabled(true);

@@ -1,6 +1,5 @@
 package rasterlab.app.shell;
 
-import java.awt.Component;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
@@ -11,12 +10,10 @@ import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
-import javax.swing.text.JTextComponent;
 
 /**
  * Keys that belong to the window, whatever in it has the keyboard: a table or a text scrolls by
- * some of them. A dialog's keys are its own, and so is the key that leaves a text in which Tab
- * indents, for there is no other one.
+ * some of them. A dialog's keys are its own.
  */
 final class WindowKeys implements KeyEventDispatcher, AutoCloseable {
     private final JComponent content;
@@ -47,7 +44,7 @@ final class WindowKeys implements KeyEventDispatcher, AutoCloseable {
     public boolean dispatchKeyEvent(KeyEvent e) {
         KeyStroke key = KeyStroke.getKeyStrokeForEvent(e);
         Optional<Runnable> action = Optional.ofNullable(actions.get(key));
-        if (action.isEmpty() || !content.isShowing() || !isOurs() || leavesAText(key)) return false;
+        if (action.isEmpty() || !content.isShowing() || !isOurs()) return false;
         MenuSelectionManager.defaultManager().clearSelectedPath();
         action.get().run();
         return true;
@@ -56,19 +53,5 @@ final class WindowKeys implements KeyEventDispatcher, AutoCloseable {
     private boolean isOurs() {
         return SwingUtilities.getWindowAncestor(content)
                 == KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow();
-    }
-
-    private static boolean leavesAText(KeyStroke key) {
-        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
-        return owner instanceof JTextComponent text
-                && text.isEditable()
-                && !leaves(text, KeyStroke.getKeyStroke("TAB"))
-                && leaves(text, key);
-    }
-
-    private static boolean leaves(JTextComponent text, KeyStroke key) {
-        return text.getFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS).contains(key)
-                || text.getFocusTraversalKeys(KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS)
-                        .contains(key);
     }
 }
