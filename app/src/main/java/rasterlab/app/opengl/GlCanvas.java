@@ -25,7 +25,7 @@ import rasterlab.engine.raster.Raster;
  * context, asking it what it can and drawing are events of their own; made on any thread. A thread
  * of its own would gain nothing: on X, who draws into a window of AWT holds AWT's one lock.
  */
-final class GlCanvas extends AWTGLCanvas {
+class GlCanvas extends AWTGLCanvas {
     private static final long serialVersionUID = 1L;
 
     private final transient OpenGlLabModel model;
@@ -171,10 +171,14 @@ final class GlCanvas extends AWTGLCanvas {
         capabilities = Optional.empty();
         objects = new GlObjects();
         GL.setCapabilities(null);
-        if (old == 0) return;
+        if (old != 0) destroy(old);
+    }
+
+    /** Gives the system back what the context holds. */
+    void destroy(long ended) {
         // The binding for X leaves contexts to the program.
         if (platformCanvas instanceof PlatformLinuxGLCanvas linux)
-            GLX.glXDestroyContext(linux.display, old);
-        else platformCanvas.deleteContext(old);
+            GLX.glXDestroyContext(linux.display, ended);
+        else platformCanvas.deleteContext(ended);
     }
 }

@@ -27,6 +27,22 @@ class GlCanvasTest {
     private JFrame frame;
     private GlCanvas canvas;
     private boolean unusable;
+    private final List<Long> destroyed = new CopyOnWriteArrayList<>();
+
+    /** Keeps which contexts were given back. */
+    private final class Recorded extends GlCanvas {
+        private static final long serialVersionUID = 1L;
+
+        Recorded() {
+            super(model, () -> unusable = true);
+        }
+
+        @Override
+        void destroy(long ended) {
+            destroyed.add(ended);
+            super.destroy(ended);
+        }
+    }
 
     @BeforeEach
     void open() throws Exception {
@@ -38,7 +54,7 @@ class GlCanvasTest {
                     model.resize(200, 150);
                     model.set(Setting.SCENE, "globe");
                     model.set(Setting.DISPLAY_LIST, "on");
-                    canvas = new GlCanvas(model, () -> unusable = true);
+                    canvas = new Recorded();
                     frame = new JFrame();
                     // Another process may test keys on this display.
                     frame.setFocusableWindowState(false);
@@ -72,6 +88,7 @@ class GlCanvasTest {
         EventQueue.invokeAndWait(() -> frame.remove(canvas));
         assertFalse(canvas.hasContext());
         assertEquals(0, kept.count());
+        assertEquals(1, destroyed.size(), "contexts");
     }
 
     @Test
