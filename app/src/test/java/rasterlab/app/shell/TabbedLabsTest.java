@@ -230,6 +230,7 @@ class TabbedLabsTest {
         EventQueue.invokeAndWait(
                 () -> {
                     for (int k = 0; k < 3; k++) press(KeyStroke.getKeyStroke(key));
+                    assertEquals(tabs.get(reached), pane.chosen());
                 });
         await(reached);
         assertFalse(events.contains("plain is made"), "made in passing");
@@ -256,6 +257,7 @@ class TabbedLabsTest {
                         pane.getActionMap()
                                 .get("navigateRight")
                                 .actionPerformed(new ActionEvent(pane, 0, ""));
+                    assertEquals(tabs.get(3), pane.chosen());
                 });
         await(3);
         assertEquals(List.of("broken is begun", "broken is made", "broken is filled"), events);
