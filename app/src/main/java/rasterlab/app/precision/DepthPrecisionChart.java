@@ -17,6 +17,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.ChartLook;
+import rasterlab.app.study.ChartSize;
 import rasterlab.app.study.MethodLook;
 import rasterlab.engine.visibility.depth.DepthPrecision;
 import rasterlab.engine.visibility.depth.DepthPrecision.Sample;
@@ -50,7 +51,13 @@ public final class DepthPrecisionChart {
     }
 
     public static BufferedImage image(Language language, ChartLook paper) {
-        return paper.image(graphics -> paint(graphics, language, paper));
+        return image(language, paper, ChartSize.USUAL);
+    }
+
+    public static BufferedImage image(Language language, ChartLook paper, ChartSize size) {
+        return paper.image(
+                size,
+                graphics -> chart(language, paper).paint(graphics, size.width(), size.height()));
     }
 
     public static byte[] svg(Language language, ChartLook paper) {

@@ -37,9 +37,21 @@ public record ChartLook(Color ground, Color ink) {
 
     /** The chart as a picture. */
     public BufferedImage image(Consumer<Graphics2D> chart) {
-        var image = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        return image(ChartSize.USUAL, chart);
+    }
+
+    /** The same in another size. */
+    public BufferedImage image(ChartSize size, Consumer<Graphics2D> chart) {
+        var image =
+                new BufferedImage(
+                        (int) Math.round(size.width() * size.dots()),
+                        (int) Math.round(size.height() * size.dots()),
+                        BufferedImage.TYPE_INT_RGB);
         Graphics2D graphics = image.createGraphics();
-        draw(chart, graphics);
+        graphics.setColor(ground);
+        graphics.fillRect(0, 0, image.getWidth(), image.getHeight());
+        graphics.scale(size.dots(), size.dots());
+        chart.accept(graphics);
         graphics.dispose();
         return image;
     }

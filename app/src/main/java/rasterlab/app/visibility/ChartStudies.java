@@ -13,6 +13,7 @@ import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.precision.DepthPrecisionChart;
 import rasterlab.app.study.ChartLook;
+import rasterlab.app.study.ChartSize;
 
 /**
  * Charts counted in the background, with progress; what was counted is kept.
@@ -20,8 +21,13 @@ import rasterlab.app.study.ChartLook;
  * <p>Used on one thread, that of the executor it is given.
  */
 final class ChartStudies implements AutoCloseable {
-    /** A chart in a language, on a stage in those colours. */
-    record Question(StageView view, Language language, StageColours colours) {}
+    /** A chart in a language and size, on a stage in those colours. */
+    record Question(StageView view, Language language, StageColours colours, ChartSize size) {
+        /** Whether a chart of the one serves for the other until that is made. */
+        boolean isLike(Question other) {
+            return other.equals(new Question(view, language, colours, other.size));
+        }
+    }
 
     /** A finished chart. */
     record Chart(Question asked, BufferedImage image, Supplier<byte[]> svg) {}
@@ -48,7 +54,7 @@ final class ChartStudies implements AutoCloseable {
     void ask(Question question) {
         if (asked.equals(Optional.of(question))) return;
         asked = Optional.of(question);
-        chart = Optional.empty();
+        chart = chart.filter(old -> old.asked().isLike(question));
         progress = 0;
         work.ask(question);
     }
@@ -90,7 +96,7 @@ final class ChartStudies implements AutoCloseable {
         if (question.view() == StageView.PRECISION)
             return new Chart(
                     question,
-                    DepthPrecisionChart.image(language, paper),
+                    DepthPrecisionChart.image(language, paper, question.size()),
                     () -> DepthPrecisionChart.svg(language, paper));
         GrowthChart counted = counted(cancelled);
         return new Chart(

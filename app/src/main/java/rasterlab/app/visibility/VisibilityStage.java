@@ -1,5 +1,6 @@
 package rasterlab.app.visibility;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Cursor;
@@ -30,6 +31,7 @@ import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.ChartSize;
 import rasterlab.engine.scene.Vase;
 
 /** Shows the finished picture and turns the eye by keys, drag and wheel. */
@@ -119,6 +121,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     public void doLayout() {
         double scale = DevicePixels.scale(this);
         model.resize(DevicePixels.count(getWidth(), scale), DevicePixels.count(getHeight(), scale));
+        askForChart();
         Dimension size = counting.getPreferredSize();
         counting.setBounds(
                 (getWidth() - size.width) / 2,
@@ -132,15 +135,24 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     /** Shows the model's present state. */
     void refresh() {
         VisibilityChoice choice = model.state().choice();
-        if (choice.view().isChart())
-            model.charts()
-                    .ask(
-                            new ChartStudies.Question(
-                                    choice.view(), texts.language(), StageColours.now()));
+        askForChart();
         counting.refresh(choice.view().isChart());
         pointed.setVisible(pointed.isVisible() && !choice.view().isChart());
         revalidate();
         repaint();
+    }
+
+    /** Asks for the chart that is to be shown, in the stage's size, unless it is there. */
+    private void askForChart() {
+        StageView view = model.state().choice().view();
+        if (!view.isChart() || getWidth() < 1 || getHeight() < 1) return;
+        // What counts work are four charts that stand beside each other in one size only.
+        ChartSize size =
+                view == StageView.GROWTH
+                        ? ChartSize.USUAL
+                        : ChartSize.filling(getWidth(), getHeight(), UIScale.getUserScaleFactor());
+        var colours = StageColours.now();
+        model.charts().ask(new ChartStudies.Question(view, texts.language(), colours, size));
     }
 
     @Override

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
+import rasterlab.app.study.ChartSize;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.Raster;
@@ -363,6 +364,6 @@ class VisibilityLabModelTest {
     }
 
     private static ChartStudies.Question asked(StageView view, StageColours colours) {
-        return new ChartStudies.Question(view, Language.ENGLISH, colours);
+        return new ChartStudies.Question(view, Language.ENGLISH, colours, ChartSize.USUAL);
     }
 }

@@ -1,0 +1,34 @@
+package rasterlab.app.study;
+
+/**
+ * How large a chart is laid out.
+ *
+ * @param width in units of which its type is 14 high
+ * @param height in the same units
+ * @param dots of the picture in each unit
+ */
+public record ChartSize(int width, int height, double dots) {
+    /** Of files, and of charts that only fit together so large. */
+    public static final ChartSize USUAL = new ChartSize(ChartLook.WIDTH, ChartLook.HEIGHT, 1);
+
+    /** A chart that is smaller, in its own type, is laid out so large and made smaller. */
+    private static final int LEAST_WIDTH = 720;
+
+    private static final int LEAST_HEIGHT = 480;
+
+    /**
+     * Of a chart that fills a stage, in type as large as the window's.
+     *
+     * @param width of the stage in view units, at least 1
+     * @param height of the stage in view units, at least 1
+     * @param wanted size of the window's type, 1 for the usual one
+     */
+    public static ChartSize filling(int width, int height, double wanted) {
+        double type =
+                Math.min(
+                        wanted,
+                        Math.min(width / (double) LEAST_WIDTH, height / (double) LEAST_HEIGHT));
+        return new ChartSize(
+                (int) Math.round(width / type), (int) Math.round(height / type), Math.max(1, type));
+    }
+}
