@@ -1,7 +1,9 @@
 package rasterlab.engine.pipeline.triangle;
 
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Set;
+import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.scene.VertexQuantity;
 
 /**
@@ -9,9 +11,7 @@ import rasterlab.engine.scene.VertexQuantity;
  *
  * <p>{@code I = base·(ambient + (1 − ambient)·max(0, n·l)) + specular·max(0, n·h)^shininess}, n
  * brought to length 1, l to the light, {@code h} halfway between l and the direction to the eye; a
- * face turned from the light has no highlight. Sums above 1 are cut. The loops go over whole arrays
- * and have no branch, so that the compiler turns them into vector instructions; the power is made
- * of squares.
+ * face turned from the light has no highlight. Sums above 1 are cut. The power is made of squares.
  *
  * <p>Source: J. F. Blinn, Models of light reflection for computer synthesized pictures, 1977.
  */
@@ -19,18 +19,15 @@ public final class DistantLight implements VertexColors, PixelColors {
     /** The largest shininess, as in OpenGL's successors and the course. */
     public static final int SHINIEST = 200;
 
-    /** Far above 1 over any cosine that a float can tell from 0 in a picture. */
-    private static final float LIT = 1e6f;
-
-    /** 2, and so much more that rounding leaves nothing below 0. */
-    private static final float ROOM = 2 + 0x1p-19f;
-
     private static final Set<VertexQuantity> WANTS =
             EnumSet.range(VertexQuantity.X, VertexQuantity.NORMAL_Z);
 
-    private final float lightX;
-    private final float lightY;
-    private final float lightZ;
+    private final LightLoops one = LightLoops.of(Lanes.ONE);
+    private final LightLoops best = LightLoops.of(Lanes.best());
+
+    /** To the light, of length 1. */
+    private final float[] light = new float[3];
+
     private final float[] base = new float[3];
     private final float ambient;
     private final float specular;
@@ -55,9 +52,7 @@ public final class DistantLight implements VertexColors, PixelColors {
         if (shininess < 1 || shininess > SHINIEST)
             throw new IllegalArgumentException(
                     "shininess must be from 1 to %d, got %d".formatted(SHINIEST, shininess));
-        lightX = (float) (toLight[0] / length);
-        lightY = (float) (toLight[1] / length);
-        lightZ = (float) (toLight[2] / length);
+        for (int k = 0; k < 3; k++) light[k] = (float) (toLight[k] / length);
         for (int c = 0; c < 3; c++) base[c] = (baseRgb >> 16 - 8 * c & 255) / 255f;
         this.ambient = (float) ambient;
         this.specular = (float) specular;
@@ -86,11 +81,23 @@ public final class DistantLight implements VertexColors, PixelColors {
     @Override
     public void color(VertexBlock block) {
         int n = block.count;
-        cosines(n, block.x, block.y, block.z, block.nx, block.ny, block.nz, block.red, block.green);
-        power(n, block.ny, block.nz);
-        channel(n, 0, block.nx, block.nz, block.red);
-        channel(n, 1, block.nx, block.nz, block.green);
-        channel(n, 2, block.nx, block.nz, block.blue);
+        float[] diffuse = block.nx;
+        float[] highlight = block.nz;
+        one.cosines(
+                n,
+                light,
+                block.x,
+                block.y,
+                block.z,
+                diffuse,
+                block.ny,
+                highlight,
+                block.red,
+                block.green);
+        power(n, block.ny, highlight);
+        channel(one, n, 0, diffuse, highlight, block.red);
+        channel(one, n, 1, diffuse, highlight, block.green);
+        channel(one, n, 2, diffuse, highlight, block.blue);
     }
 
     @Override
@@ -102,63 +109,28 @@ public final class DistantLight implements VertexColors, PixelColors {
         float[] halfway = batch.values(VertexQuantity.NORMAL_Y);
         float[] highlight = batch.values(VertexQuantity.NORMAL_Z);
         int n = batch.count;
-        cosines(n, x, y, z, diffuse, halfway, highlight, batch.weightB, batch.weightC);
+        LightLoops loops = batch.lanes() == Lanes.ONE ? one : best;
+        loops.cosines(n, light, x, y, z, diffuse, halfway, highlight, batch.weightB, batch.weightC);
         power(n, halfway, highlight);
-        channel(n, 0, diffuse, highlight, x);
-        channel(n, 1, diffuse, highlight, y);
-        channel(n, 2, diffuse, highlight, z);
+        channel(loops, n, 0, diffuse, highlight, x);
+        channel(loops, n, 1, diffuse, highlight, y);
+        channel(loops, n, 2, diffuse, highlight, z);
         batch.pack(x, y, z);
     }
 
-    /**
-     * Replaces nx by max(0, n·l) and ny by max(0, n·h), or 0 where n·l is 0; all else is lost.
-     *
-     * <p>With p the place, {@code h = l − p/|p|}, so {@code |h|²·p² = 2p² − 2(p·l)|p|} and {@code
-     * n·h·|p| = (n·l)|p| − n·p}: h itself is not needed, and one division does for both cosines.
-     */
-    private void cosines(
-            int n,
-            float[] x,
-            float[] y,
-            float[] z,
-            float[] nx,
-            float[] ny,
-            float[] nz,
-            float[] far,
-            float[] along) {
-        lengths(n, x, y, z, far);
-        for (int i = 0; i < n; i++) along[i] = nx[i] * x[i] + ny[i] * y[i] + nz[i] * z[i];
-        for (int i = 0; i < n; i++) {
-            float twice = 2 * (lightX * x[i] + lightY * y[i] + lightZ * z[i]);
-            x[i] = (float) Math.sqrt(far[i] * (ROOM * far[i] - twice));
-        }
-        for (int i = 0; i < n; i++) z[i] = nx[i] * lightX + ny[i] * lightY + nz[i] * lightZ;
-        lengths(n, nx, ny, nz, y);
-        for (int i = 0; i < n; i++) along[i] = z[i] * far[i] - along[i];
-        for (int i = 0; i < n; i++) far[i] = 1 / (x[i] * y[i]);
-        for (int i = 0; i < n; i++) nx[i] = Math.max(0, z[i] * x[i] * far[i]);
-        for (int i = 0; i < n; i++) ny[i] = Math.max(0, along[i] * far[i]);
-        // 0 where no light falls, else 1 but for a sliver of angles: a step without a branch.
-        for (int i = 0; i < n; i++) ny[i] *= Math.min(1, nx[i] * LIT);
-    }
-
-    private static void lengths(int n, float[] x, float[] y, float[] z, float[] out) {
-        for (int i = 0; i < n; i++)
-            out[i] = (float) Math.sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
-    }
-
-    /** result = cosine to the power of the shininess; the cosines are lost. */
-    private void power(int n, float[] cosine, float[] result) {
-        for (int i = 0; i < n; i++) result[i] = specular;
-        for (int left = shininess; left > 0; left >>= 1) {
-            if ((left & 1) != 0) for (int i = 0; i < n; i++) result[i] *= cosine[i];
-            for (int i = 0; i < n; i++) cosine[i] *= cosine[i];
+    /** result = specular times a cosine to the power of the shininess; its squares are lost. */
+    private void power(int n, float[] squaredCosine, float[] result) {
+        if (shininess % 2 == 0) Arrays.fill(result, 0, n, specular);
+        else for (int i = 0; i < n; i++) result[i] = specular * (float) Math.sqrt(squaredCosine[i]);
+        for (int left = shininess / 2; left > 0; left >>= 1) {
+            if ((left & 1) != 0) for (int i = 0; i < n; i++) result[i] *= squaredCosine[i];
+            if (left > 1) for (int i = 0; i < n; i++) squaredCosine[i] *= squaredCosine[i];
         }
     }
 
-    private void channel(int n, int c, float[] diffuse, float[] highlight, float[] out) {
-        float steady = base[c] * ambient;
-        float lit = base[c] * (1 - ambient);
-        for (int i = 0; i < n; i++) out[i] = Math.min(1, steady + lit * diffuse[i] + highlight[i]);
+    private void channel(
+            LightLoops loops, int n, int c, float[] diffuse, float[] highlight, float[] out) {
+        float share = base[c];
+        loops.channel(n, share * ambient, share * (1 - ambient), diffuse, highlight, out);
     }
 }
