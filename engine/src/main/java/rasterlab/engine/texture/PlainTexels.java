@@ -82,4 +82,63 @@ final class PlainTexels implements TexelLoops {
             out.up[i] = y & WHOLE - 1;
         }
     }
+
+    @Override
+    public void mix(int n, TexelBlock.Corners around) {
+        mixOdd(n, around.leftBelow, around.rightBelow, around.toRight, around.other);
+        mixEven(n, around.leftBelow, around.rightBelow, around.toRight);
+        mixOdd(n, around.leftAbove, around.rightAbove, around.toRight, around.rightBelow);
+        mixEven(n, around.leftAbove, around.rightAbove, around.toRight);
+        mixTwo(n, around.leftBelow, around.leftAbove, around.up);
+        mixTwo(n, around.other, around.rightBelow, around.up);
+        System.arraycopy(around.other, 0, around.rightBelow, 0, n);
+    }
+
+    @Override
+    public void mixLevels(int n, TexelBlock.Corners fine, TexelBlock.Corners coarse, int[] lambda) {
+        for (int i = 0; i < n; i++) fine.other[i] = lambda[i] & WHOLE - 1;
+        mixTwo(n, fine.leftBelow, coarse.leftBelow, fine.other);
+        mixTwo(n, fine.rightBelow, coarse.rightBelow, fine.other);
+    }
+
+    /** Red and blue of two colours, into the first. */
+    private static void mixEven(int n, int[] a, int[] b, int[] share) {
+        for (int i = 0; i < n; i++) a[i] = mixed(a[i] & LEVELS, b[i] & LEVELS, share[i]);
+    }
+
+    /** Alpha and green of two colours. */
+    private static void mixOdd(int n, int[] a, int[] b, int[] share, int[] out) {
+        for (int i = 0; i < n; i++)
+            out[i] = mixed(a[i] >>> 8 & LEVELS, b[i] >>> 8 & LEVELS, share[i]);
+    }
+
+    /** Two channels that stand 16 bits apart, into the first. */
+    private static void mixTwo(int n, int[] a, int[] b, int[] share) {
+        for (int i = 0; i < n; i++) a[i] = mixed(a[i], b[i], share[i]);
+    }
+
+    /** {@code a·(256 − share) + b·share}: what b − a borrows from the next channel comes back. */
+    private static int mixed(int a, int b, int share) {
+        return (a << PARTS) + (b - a) * share + HALVES >>> PARTS & LEVELS;
+    }
+
+    @Override
+    public void modulate(int n, int[] surface, int[] texel, boolean keepsAlpha) {
+        modulate(0, n, surface, texel, keepsAlpha);
+    }
+
+    /** One channel after the other: so short a loop becomes vector instructions. */
+    static void modulate(int first, int n, int[] surface, int[] texel, boolean keepsAlpha) {
+        for (int shift = 0; shift < (keepsAlpha ? 24 : 32); shift += 8)
+            modulate(first, n, surface, texel, shift);
+    }
+
+    static void modulate(int first, int n, int[] surface, int[] texel, int shift) {
+        int others = ~(255 << shift);
+        for (int i = first; i < n; i++) {
+            int f = surface[i];
+            int level = TextureEnvironment.product(f >> shift & 255, texel[i] >> shift & 255);
+            surface[i] = f & others | level << shift;
+        }
+    }
 }

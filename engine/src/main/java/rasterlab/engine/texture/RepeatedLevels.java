@@ -41,10 +41,11 @@ final class RepeatedLevels {
 
     void linear(Lanes lanes, int count, float[] s, float[] t, int[] texel) {
         TexelBlock block = blocks.get();
+        TexelLoops loops = loops(lanes);
         for (int from = 0; from < count; from += TexelBlock.SIZE) {
             int n = Math.min(TexelBlock.SIZE, count - from);
-            loops(lanes).gather(levels[0], s, t, from, 0, n, n, block.fine());
-            block.mix(n, false, texel, from);
+            loops.gather(levels[0], s, t, from, 0, n, n, block.fine());
+            block.mix(loops, n, false, texel, from);
         }
     }
 
@@ -55,7 +56,7 @@ final class RepeatedLevels {
             int n = Math.min(TexelBlock.SIZE, count - from);
             loops.levels(n, squaredStep, from, levels.length - 1 << PARTS, block.lambda);
             boolean two = gather(loops, n, s, t, from, block);
-            block.mix(n, two, texel, from);
+            block.mix(loops, n, two, texel, from);
         }
     }
 

@@ -25,6 +25,11 @@ interface TexelLoops {
 
     int WHOLE = 1 << PARTS;
 
+    /** In a number of two channels that stand 16 bits apart: their bits, and a half of each. */
+    int LEVELS = 0x00FF00FF;
+
+    int HALVES = 0x00800080;
+
     /** Half a part of a side of one texel, in a fraction's steps. */
     int HALF_PART = 1 << BITS - PARTS - 1;
 
@@ -68,4 +73,24 @@ interface TexelLoops {
             int end,
             int n,
             TexelBlock.Corners out);
+
+    /**
+     * Mixes the four texels around each of n places by {@link TexelMix}'s formula. Leaves red and
+     * blue in {@code leftBelow}, alpha and green in {@code rightBelow}; all else is lost.
+     */
+    void mix(int n, TexelBlock.Corners around);
+
+    /**
+     * Mixes what {@link #mix} left of two levels, into the first.
+     *
+     * @param lambda its lowest eight bits say how near the coarser level is
+     */
+    void mixLevels(int n, TexelBlock.Corners fine, TexelBlock.Corners coarse, int[] lambda);
+
+    /**
+     * Multiplies each channel of n pixels by the texel's, as {@link TextureEnvironment} does.
+     *
+     * @param keepsAlpha whether the alpha stays as it is
+     */
+    void modulate(int n, int[] surface, int[] texel, boolean keepsAlpha);
 }

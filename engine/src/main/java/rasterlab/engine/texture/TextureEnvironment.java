@@ -1,5 +1,7 @@
 package rasterlab.engine.texture;
 
+import rasterlab.engine.lanes.Lanes;
+
 /**
  * How a texel and the colour of the surface become one.
  *
@@ -24,6 +26,9 @@ package rasterlab.engine.texture;
  * @param argb the environment's colour, for BLEND; its alpha does not count
  */
 public record TextureEnvironment(Mode mode, int components, int argb) {
+    private static final TexelLoops ONE = TexelLoops.of(Lanes.ONE);
+    private static final TexelLoops BEST = TexelLoops.of(Lanes.best());
+
     /** The rows of the table. */
     public enum Mode {
         MODULATE,
@@ -62,23 +67,13 @@ public record TextureEnvironment(Mode mode, int components, int argb) {
     /**
      * The same for many pixels, in place.
      *
+     * @param lanes how many are computed at a time
      * @param count how many of them
      */
-    public void combine(int count, int[] surface, int[] texel) {
+    public void combine(Lanes lanes, int count, int[] surface, int[] texel) {
         if (mode == Mode.MODULATE)
-            for (int shift = 0; shift < (components % 2 == 1 ? 24 : 32); shift += 8)
-                modulate(count, surface, texel, shift);
+            (lanes == Lanes.ONE ? ONE : BEST).modulate(count, surface, texel, keepsSurfaceAlpha());
         else for (int i = 0; i < count; i++) surface[i] = combine(surface[i], texel[i]);
-    }
-
-    /** One channel: so short a loop becomes vector instructions, one for all four does not. */
-    private static void modulate(int count, int[] surface, int[] texel, int shift) {
-        int others = ~(255 << shift);
-        for (int i = 0; i < count; i++) {
-            int f = surface[i];
-            int level = product(f >> shift & 255, texel[i] >> shift & 255);
-            surface[i] = f & others | level << shift;
-        }
     }
 
     private int alpha(int surface, int texel) {
@@ -101,7 +96,7 @@ public record TextureEnvironment(Mode mode, int components, int argb) {
      * a·b/255, rounded; an exact tie cannot occur, 255 being odd. 257/65536 stands for 1/255: right
      * for all a and b from 0 to 255.
      */
-    private static int product(int a, int b) {
+    static int product(int a, int b) {
         return (a * b + 128) * 257 >> 16;
     }
 

@@ -133,4 +133,106 @@ final class VectorTexels implements TexelLoops {
         lookUp(texels, out.rightAbove, first, i);
         plain.gather(level, s, t, from, i, end, n, out);
     }
+
+    @Override
+    public void mix(int n, TexelBlock.Corners around) {
+        mixAcross(n, around.leftBelow, around.rightBelow, around.toRight);
+        mixAcross(n, around.leftAbove, around.rightAbove, around.toRight);
+        mixPairs(
+                n,
+                around.leftBelow,
+                around.rightBelow,
+                around.leftAbove,
+                around.rightAbove,
+                around.up);
+    }
+
+    @Override
+    public void mixLevels(int n, TexelBlock.Corners fine, TexelBlock.Corners coarse, int[] lambda) {
+        mixPairs(n, fine.leftBelow, fine.rightBelow, coarse.leftBelow, coarse.rightBelow, lambda);
+    }
+
+    /** Leaves red and blue in the left one, alpha and green in the right one. */
+    private static void mixAcross(int n, int[] left, int[] right, int[] toRight) {
+        for (int i = 0; i < n; i += LANES) {
+            IntVector a = IntVector.fromArray(INTS, left, i);
+            IntVector b = IntVector.fromArray(INTS, right, i);
+            IntVector share = IntVector.fromArray(INTS, toRight, i);
+            mixed(a.and(LEVELS), b.and(LEVELS), share).intoArray(left, i);
+            mixed(odd(a), odd(b), share).intoArray(right, i);
+        }
+    }
+
+    /**
+     * Mixes pairs of channels, into the first ones.
+     *
+     * @param shares the lowest eight bits count
+     */
+    private static void mixPairs(
+            int n, int[] even, int[] odd, int[] otherEven, int[] otherOdd, int[] shares) {
+        for (int i = 0; i < n; i += LANES) {
+            IntVector share = IntVector.fromArray(INTS, shares, i).and(WHOLE - 1);
+            IntVector a = IntVector.fromArray(INTS, even, i);
+            mixed(a, IntVector.fromArray(INTS, otherEven, i), share).intoArray(even, i);
+            IntVector b = IntVector.fromArray(INTS, odd, i);
+            mixed(b, IntVector.fromArray(INTS, otherOdd, i), share).intoArray(odd, i);
+        }
+    }
+
+    private static IntVector odd(IntVector argb) {
+        return argb.lanewise(VectorOperators.LSHR, 8).and(LEVELS);
+    }
+
+    /** As {@link PlainTexels} has it. */
+    private static IntVector mixed(IntVector a, IntVector b, IntVector share) {
+        return b.sub(a)
+                .mul(share)
+                .add(a.lanewise(VectorOperators.LSHL, PARTS))
+                .add(HALVES)
+                .lanewise(VectorOperators.LSHR, PARTS)
+                .and(LEVELS);
+    }
+
+    @Override
+    public void modulate(int n, int[] surface, int[] texel, boolean keepsAlpha) {
+        int end = n / LANES * LANES;
+        modulateRedAndBlue(end, surface, texel);
+        modulateGreen(end, surface, texel);
+        if (!keepsAlpha) PlainTexels.modulate(0, end, surface, texel, 24);
+        PlainTexels.modulate(end, n, surface, texel, keepsAlpha);
+    }
+
+    /** With v = a·b + 128, the upper half of v + v/256 is a·b/255, rounded. */
+    private static void modulateRedAndBlue(int end, int[] surface, int[] texel) {
+        for (int i = 0; i < end; i += LANES) {
+            IntVector f = IntVector.fromArray(INTS, surface, i);
+            IntVector t = IntVector.fromArray(INTS, texel, i);
+            IntVector red = t.lanewise(VectorOperators.LSHR, 16).and(255).mul(f.and(255 << 16));
+            IntVector v = t.and(255).mul(f.and(255)).add(red).add(HALVES);
+            v.lanewise(VectorOperators.LSHR, 8)
+                    .and(LEVELS)
+                    .add(v)
+                    .lanewise(VectorOperators.LSHR, 8)
+                    .and(LEVELS)
+                    .or(f.and(~LEVELS))
+                    .intoArray(surface, i);
+        }
+    }
+
+    private static void modulateGreen(int end, int[] surface, int[] texel) {
+        for (int i = 0; i < end; i += LANES) {
+            IntVector f = IntVector.fromArray(INTS, surface, i);
+            IntVector t = IntVector.fromArray(INTS, texel, i);
+            IntVector v =
+                    t.lanewise(VectorOperators.LSHR, 8)
+                            .and(255)
+                            .mul(f.lanewise(VectorOperators.LSHR, 8).and(255))
+                            .add(128);
+            v.lanewise(VectorOperators.LSHR, 8)
+                    .add(v)
+                    .and(255 << 8)
+                    .or(f.and(~(255 << 8)))
+                    .intoArray(surface, i);
+        }
+    }
 }

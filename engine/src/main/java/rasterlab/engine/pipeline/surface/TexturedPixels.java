@@ -84,7 +84,7 @@ public final class TexturedPixels implements PixelColors {
         int[] texel = texels.get();
         look(batch, texel);
         under.color(batch);
-        environment.combine(batch.count, batch.argb, texel);
+        environment.combine(batch.lanes(), batch.count, batch.argb, texel);
     }
 
     private void look(PixelBatch batch, int[] texel) {
