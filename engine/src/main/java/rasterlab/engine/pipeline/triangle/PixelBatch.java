@@ -42,6 +42,9 @@ public final class PixelBatch {
     final float[] nearnessRight = new float[ROOM];
     final float[] nearnessDown = new float[ROOM];
 
+    /** Whether alpha counts for nothing. */
+    boolean opaque;
+
     /** Pixels in use. */
     public int count;
 
@@ -114,9 +117,9 @@ public final class PixelBatch {
         loops.pack(this, red, green, blue);
     }
 
-    /** The same with an alpha. */
+    /** The same with an alpha where it counts. */
     public void pack(float[] red, float[] green, float[] blue, float[] alpha) {
         loops.pack(this, red, green, blue);
-        PixelLevels.setAlpha(count, alpha, argb);
+        if (!opaque) PixelLevels.setAlpha(count, alpha, argb);
     }
 }

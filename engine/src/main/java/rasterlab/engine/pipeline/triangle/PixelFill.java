@@ -20,6 +20,11 @@ final class PixelFill {
     private final float[][] values = new float[Frame.QUANTITIES.length][];
     private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
     private final boolean[] divided = new boolean[Frame.QUANTITIES.length];
+
+    /** The values that grow from corner to corner, and what each has there: a, b and c. */
+    private final float[][] growing = new float[Frame.QUANTITIES.length + 1][];
+
+    private final float[] corners = new float[3 * (Frame.QUANTITIES.length + 1)];
     private DepthRaster out;
     private PixelColors colors;
     private Blending blending;
@@ -30,7 +35,7 @@ final class PixelFill {
     private boolean divides;
 
     /** Whether an alpha is wanted that counts for nothing. */
-    private boolean opaque;
+    private boolean wholeAlpha;
 
     /** Depths of nothing, as large as the largest picture without a depth test. */
     private float[] nothing = {};
@@ -52,7 +57,8 @@ final class PixelFill {
         blending = surface.blending();
         batch.begin(colors);
         slopes.begin(frame, colors);
-        opaque = blending.early() && colors.wants().contains(VertexQuantity.ALPHA);
+        batch.opaque = blending.early();
+        wholeAlpha = batch.opaque && colors.wants().contains(VertexQuantity.ALPHA);
         count = frame.attributeCount;
         firstFlat = count;
         divides = false;
@@ -64,31 +70,22 @@ final class PixelFill {
             if (frame.flatColors && Frame.isColor(quantity)) firstFlat = k;
             else divides |= divided[k];
         }
+        System.arraycopy(values, 0, growing, 0, firstFlat);
+        if (divides) growing[firstFlat] = batch.nearness;
     }
 
     /**
      * @param third the vertex that has the colour of a flat triangle
      */
     void fill(TriangleScan scan, ScreenVertices v, int third) {
-        int first = batch.count;
         float[] depth = testedDepth();
         weights.load(scan, v);
-        for (int row = 0; row < scan.rows; row++) {
-            if (scan.count[row] == 0) continue;
-            weights.at(scan, row);
-            for (int done = 0; done < scan.count[row]; ) {
-                if (batch.count == PixelBatch.SIZE) {
-                    interpolate(scan, v, third, first);
-                    flush();
-                    first = 0;
-                }
-                int n = Math.min(scan.count[row] - done, PixelBatch.SIZE - batch.count);
-                int cell = scan.cell(row) + done;
-                loops.collect(depth, scan, weights, cell, done, n, blending.early(), batch);
-                done += n;
-            }
+        while (weights.row < scan.rows) {
+            if (batch.count == PixelBatch.SIZE) flush();
+            int first = batch.count;
+            loops.collect(depth, scan, weights, blending.early(), batch);
+            interpolate(scan, v, third, first);
         }
-        interpolate(scan, v, third, first);
     }
 
     /**
@@ -139,7 +136,6 @@ final class PixelFill {
         float qa = v.nearness[scan.a];
         float qb = v.nearness[scan.b];
         float qc = v.nearness[scan.c];
-        if (divides) between(batch.nearness, first, qa, qb - qa, qc - qa);
         if (fromBehind || scan.fromBehind) {
             fromBehind = true;
             Arrays.fill(batch.fromBehind, first, batch.count, scan.fromBehind);
@@ -148,8 +144,10 @@ final class PixelFill {
             float a = v.attributes[k][scan.a] * (affine[k] ? 1 : qa);
             float b = v.attributes[k][scan.b] * (affine[k] ? 1 : qb) - a;
             float c = v.attributes[k][scan.c] * (affine[k] ? 1 : qc) - a;
-            between(values[k], first, a, b, c);
+            putCorners(k, a, b, c);
         }
+        if (divides) putCorners(firstFlat, qa, qb - qa, qc - qa);
+        between(divides ? firstFlat + 1 : firstFlat, first);
         for (int k = firstFlat; k < count; k++) {
             float value = v.attributes[k][third];
             loops.fill(batch, values[k], first, value);
@@ -157,10 +155,16 @@ final class PixelFill {
         slopes.interpolate(scan, v, first);
     }
 
+    private void putCorners(int k, float a, float b, float c) {
+        corners[3 * k] = a;
+        corners[3 * k + 1] = b;
+        corners[3 * k + 2] = c;
+    }
+
     /** A few pixels are not worth a call of loops in lanes. */
-    private void between(float[] to, int first, float a, float b, float c) {
-        if (batch.count - first < FEW) PlainLoops.interpolate(batch, to, first, a, b, c);
-        else loops.between(batch, to, first, a, b, c);
+    private void between(int n, int first) {
+        if (batch.count - first < FEW) PlainLoops.interpolate(batch, growing, corners, n, first);
+        else loops.between(batch, growing, corners, n, first);
     }
 
     /** Divides, colours and writes what waits. */
@@ -168,7 +172,7 @@ final class PixelFill {
         int n = batch.count;
         if (n == 0) return;
         if (divides) divide(n);
-        if (opaque) Arrays.fill(batch.values(VertexQuantity.ALPHA), 0, n, 1);
+        if (wholeAlpha) Arrays.fill(batch.values(VertexQuantity.ALPHA), 0, n, 1);
         colors.color(batch);
         if (blending.early()) write(n);
         else blend(n);

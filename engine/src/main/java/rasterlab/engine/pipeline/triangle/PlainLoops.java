@@ -64,15 +64,19 @@ final class PlainLoops implements RowLoops {
 
     @Override
     public void collect(
-            float[] depth,
-            TriangleScan scan,
-            RowWeights weights,
-            int cell,
-            int first,
-            int n,
-            boolean early,
-            PixelBatch batch) {
-        collect(depth, weights, cell, first, n, early, batch);
+            float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch) {
+        for (; weights.row < scan.rows; weights.row++, weights.done = 0) {
+            int count = scan.count[weights.row];
+            if (count == 0) continue;
+            weights.at(scan, weights.row);
+            while (weights.done < count) {
+                int n = Math.min(count - weights.done, PixelBatch.SIZE - batch.count);
+                if (n == 0) return;
+                int cell = scan.cell(weights.row) + weights.done;
+                collect(depth, weights, cell, weights.done, n, early, batch);
+                weights.done += n;
+            }
+        }
     }
 
     static void collect(
@@ -102,11 +106,17 @@ final class PlainLoops implements RowLoops {
     }
 
     @Override
-    public void between(PixelBatch batch, float[] to, int first, float a, float b, float c) {
-        interpolate(batch, to, first, a, b, c);
+    public void between(PixelBatch batch, float[][] to, float[] corners, int n, int first) {
+        interpolate(batch, to, corners, n, first);
     }
 
-    static void interpolate(PixelBatch batch, float[] to, int first, float a, float b, float c) {
+    static void interpolate(PixelBatch batch, float[][] to, float[] corners, int n, int first) {
+        for (int k = 0; k < n; k++)
+            between(batch, first, to[k], corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
+    }
+
+    private static void between(
+            PixelBatch batch, int first, float[] to, float a, float b, float c) {
         for (int i = first; i < batch.count; i++)
             to[i] = a + batch.weightB[i] * b + batch.weightC[i] * c;
     }

@@ -25,24 +25,21 @@ interface RowLoops {
     void linear(DepthRaster out, TriangleScan scan, LinearColors colors);
 
     /**
-     * Adds those of n pixels of a row to a batch that are nearer than what is there.
+     * Adds pixels to a batch that are nearer than what is there, from where the weights' row is,
+     * until the triangle has no more or the batch is full.
      *
-     * @param cell of the first of them
-     * @param first its place in the row
      * @param early whether their depth is written at once
      */
     void collect(
-            float[] depth,
-            TriangleScan scan,
-            RowWeights weights,
-            int cell,
-            int first,
-            int n,
-            boolean early,
-            PixelBatch batch);
+            float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch);
 
-    /** Writes {@code a + weightB·b + weightC·c} for the batch's pixels from {@code first} on. */
-    void between(PixelBatch batch, float[] to, int first, float a, float b, float c);
+    /**
+     * Writes {@code a + weightB·b + weightC·c} for the batch's pixels from {@code first} on, to
+     * each of n arrays.
+     *
+     * @param corners a, b and c of each array
+     */
+    void between(PixelBatch batch, float[][] to, float[] corners, int n, int first);
 
     /** Writes a number for the batch's pixels from {@code first} on. */
     void fill(PixelBatch batch, float[] to, int first, float value);

@@ -14,7 +14,14 @@ final class RowWeights {
 
     float rowC;
 
+    /** The row that is looked at, and how many of its pixels have been. */
+    int row;
+
+    int done;
+
     void load(TriangleScan scan, ScreenVertices v) {
+        row = 0;
+        done = 0;
         depth.load(scan, v);
         toB = scan.stepB * scan.inverseArea;
         toC = scan.stepC * scan.inverseArea;

@@ -53,48 +53,50 @@ class RowLoopsTest {
         return shares;
     }
 
-    /** Spans of every length that end at the band's end or some pixels before it. */
+    /**
+     * Triangles whose lowest row ends at the band's end or some pixels before it, all of them or
+     * some pixels nearer; some fill a batch.
+     */
     @RepeatedTest(40)
     void collectTheSamePixelsUpToTheBandsEnd() {
-        for (int n = 1; n < 30; n++)
-            for (int after = 0; after < 20; after++) {
-                String what = "seed %d, %d pixels, %d after them".formatted(seed, n, after);
-                boolean early = random.nextBoolean();
-                float[] depth = shares(random.nextInt(20) + n + after);
-                if (random.nextBoolean()) Arrays.fill(depth, random.nextInt(2));
-                var scan = new TriangleScan();
-                scan.end = depth.length;
-                int cell = depth.length - after - n;
-                var weights = weights();
-                int waiting = random.nextInt(5);
-                var expected = batch(one);
-                var actual = batch(eight);
+        for (int after = 0; after < 20; after++) {
+            String what = "seed %d, %d pixels after".formatted(seed, after);
+            boolean early = random.nextBoolean();
+            float[] depth = shares(WIDTH * TriangleScan.ROWS);
+            if (random.nextBoolean()) Arrays.fill(depth, random.nextInt(2));
+            float[] depthOfOne = depth.clone();
+            var v = corner(WIDTH - after);
+            var scan = new TriangleScan();
+            scan.load(v, 0, 1, 2, new DepthRaster(WIDTH, TriangleScan.ROWS), 0);
+            scan.scan();
+            var weightsOfOne = new RowWeights();
+            weightsOfOne.load(scan, v);
+            var weights = new RowWeights();
+            weights.load(scan, v);
+            var expected = batch(one);
+            var actual = batch(eight);
+            int waiting = random.nextInt(PixelBatch.SIZE);
+            do {
                 expected.count = actual.count = waiting;
-                float[] depthOfOne = depth.clone();
-                one.collect(depthOfOne, scan, weights, cell, 3, n, early, expected);
-                eight.collect(depth, scan, weights, cell, 3, n, early, actual);
-                assertEquals(expected.count, actual.count, what);
-                assertArrayEquals(depthOfOne, depth, what);
-                int count = expected.count;
-                for (int i = waiting; i < count; i++) {
-                    assertEquals(expected.cell[i], actual.cell[i], what);
-                    assertEquals(expected.weightB[i], actual.weightB[i], what);
-                    assertEquals(expected.weightC[i], actual.weightC[i], what);
-                    if (!early) assertEquals(expected.depth[i], actual.depth[i], what);
-                }
-            }
+                one.collect(depthOfOne, scan, weightsOfOne, early, expected);
+                eight.collect(depth, scan, weights, early, actual);
+                assertSamePixels(expected, actual, waiting, early, what);
+                waiting = 0;
+            } while (weightsOfOne.row < scan.rows);
+            assertEquals(scan.rows, weights.row, what);
+            assertArrayEquals(depthOfOne, depth, what);
+        }
     }
 
-    private RowWeights weights() {
-        var weights = new RowWeights();
-        weights.depth.z = random.nextFloat();
-        weights.depth.first = random.nextInt(9);
-        weights.depth.stepZ = (random.nextFloat() - 0.5f) / 20;
-        weights.rowB = random.nextFloat();
-        weights.rowC = random.nextFloat();
-        weights.toB = random.nextFloat() / 30;
-        weights.toC = -random.nextFloat() / 30;
-        return weights;
+    private static void assertSamePixels(
+            PixelBatch expected, PixelBatch actual, int first, boolean early, String what) {
+        assertEquals(expected.count, actual.count, what);
+        for (int i = first; i < expected.count; i++) {
+            assertEquals(expected.cell[i], actual.cell[i], what);
+            assertEquals(expected.weightB[i], actual.weightB[i], what);
+            assertEquals(expected.weightC[i], actual.weightC[i], what);
+            if (!early) assertEquals(expected.depth[i], actual.depth[i], what);
+        }
     }
 
     /** Triangles whose lowest rows end at the picture's end, which is the band's. */
@@ -200,9 +202,11 @@ class RowLoopsTest {
             System.arraycopy(b, 0, each.weightB, 0, b.length);
             System.arraycopy(c, 0, each.weightC, 0, c.length);
         }
-        float[] corners = shares(6);
-        float[][] expectedRgb = rgb(one, expected, first, corners);
-        float[][] actualRgb = rgb(eight, actual, first, corners);
+        float[] corners = shares(9);
+        for (int k = 0; k < 9; k++) corners[k] /= 3;
+        int growing = random.nextInt(4);
+        float[][] expectedRgb = rgb(one, expected, first, corners, growing);
+        float[][] actualRgb = rgb(eight, actual, first, corners, growing);
         for (int k = 0; k < 3; k++)
             for (int i = 0; i < expected.count; i++)
                 assertEquals(
@@ -217,16 +221,16 @@ class RowLoopsTest {
                 "seed " + seed);
     }
 
-    /** Two channels between the corners, the third one number. */
-    private static float[][] rgb(RowLoops loops, PixelBatch batch, int first, float[] corners) {
+    /** Some channels between the corners, each of the others one number. */
+    private static float[][] rgb(
+            RowLoops loops, PixelBatch batch, int first, float[] corners, int growing) {
         float[][] rgb = {
             batch.values(VertexQuantity.RED),
             batch.values(VertexQuantity.GREEN),
             batch.values(VertexQuantity.BLUE)
         };
-        loops.between(batch, rgb[0], first, corners[0] / 3, corners[1] / 3, corners[2] / 3);
-        loops.between(batch, rgb[1], first, corners[3] / 3, corners[4] / 3, corners[5] / 3);
-        loops.fill(batch, rgb[2], first, corners[0]);
+        loops.between(batch, rgb, corners, growing, first);
+        for (int k = growing; k < 3; k++) loops.fill(batch, rgb[k], first, corners[0]);
         return rgb;
     }
 }

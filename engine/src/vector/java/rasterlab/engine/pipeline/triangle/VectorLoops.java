@@ -102,51 +102,103 @@ final class VectorLoops implements RowLoops {
 
     @Override
     public void collect(
-            float[] depth,
-            TriangleScan scan,
-            RowWeights weights,
-            int cell,
-            int first,
-            int n,
-            boolean early,
-            PixelBatch batch) {
-        if (cell + n + LANES > scan.end) {
-            PlainLoops.collect(depth, weights, cell, first, n, early, batch);
-            return;
-        }
-        RowDepth at = weights.depth;
-        for (int done = 0; done < n; done += LANES) {
-            int left = Math.min(LANES, n - done);
-            FloatVector k = NUMBERS.add(first + done);
-            FloatVector here = k.add(at.first).mul(at.stepZ).add(at.z);
-            FloatVector there = FloatVector.fromArray(FLOATS, depth, cell + done);
-            VectorMask<Float> nearer =
-                    here.compare(VectorOperators.LT, there)
-                            .and(NUMBERS.compare(VectorOperators.LT, left));
-            int count = nearer.trueCount();
+            float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch) {
+        for (; weights.row < scan.rows; weights.row++, weights.done = 0) {
+            int count = scan.count[weights.row];
             if (count == 0) continue;
-            if (count < left) {
-                PlainLoops.collect(depth, weights, cell + done, first + done, left, early, batch);
-                continue;
+            weights.at(scan, weights.row);
+            while (weights.done < count) {
+                int n = Math.min(count - weights.done, PixelBatch.SIZE - batch.count);
+                if (n == 0) return;
+                int cell = scan.cell(weights.row) + weights.done;
+                if (cell + n + LANES > scan.end)
+                    PlainLoops.collect(depth, weights, cell, weights.done, n, early, batch);
+                else row(depth, weights, cell, n, early, batch);
+                weights.done += n;
             }
-            int kept = batch.count;
-            if (early) there.blend(here, nearer).intoArray(depth, cell + done);
-            else here.intoArray(batch.depth, kept);
-            WHOLE_NUMBERS.add(cell + done).intoArray(batch.cell, kept);
-            k.mul(weights.toB).add(weights.rowB).intoArray(batch.weightB, kept);
-            k.mul(weights.toC).add(weights.rowC).intoArray(batch.weightC, kept);
-            batch.count = kept + left;
         }
     }
 
+    private static void row(
+            float[] depth, RowWeights weights, int cell, int n, boolean early, PixelBatch batch) {
+        float[] weightB = batch.weightB;
+        float[] weightC = batch.weightC;
+        int[] cells = batch.cell;
+        float z = weights.depth.z;
+        float start = weights.depth.first;
+        float rowB = weights.rowB;
+        float rowC = weights.rowC;
+        float stepZ = weights.depth.stepZ;
+        float toB = weights.toB;
+        float toC = weights.toC;
+        int kept = batch.count;
+        for (int done = 0; done < n; done += LANES) {
+            int left = Math.min(LANES, n - done);
+            FloatVector k = NUMBERS.add((float) (weights.done + done));
+            FloatVector here = k.add(start).mul(stepZ).add(z);
+            FloatVector there = FloatVector.fromArray(FLOATS, depth, cell + done);
+            VectorMask<Float> nearer = here.compare(VectorOperators.LT, there);
+            VectorMask<Float> beyond = NUMBERS.compare(VectorOperators.GE, (float) left);
+            if (!nearer.or(beyond).allTrue()) {
+                if (!nearer.anyTrue()) continue;
+                batch.count = kept;
+                int first = weights.done + done;
+                PlainLoops.collect(depth, weights, cell + done, first, left, early, batch);
+                kept = batch.count;
+                continue;
+            }
+            if (early) here.blend(there, beyond).intoArray(depth, cell + done);
+            else here.intoArray(batch.depth, kept);
+            WHOLE_NUMBERS.add(cell + done).intoArray(cells, kept);
+            k.mul(toB).add(rowB).intoArray(weightB, kept);
+            k.mul(toC).add(rowC).intoArray(weightC, kept);
+            kept += left;
+        }
+        batch.count = kept;
+    }
+
     @Override
-    public void between(PixelBatch batch, float[] to, int first, float a, float b, float c) {
+    public void between(PixelBatch batch, float[][] to, float[] corners, int n, int first) {
+        int k = 0;
+        for (; k + 3 <= n; k += 3) three(batch, first, to[k], to[k + 1], to[k + 2], corners, 3 * k);
+        for (; k < n; k++)
+            one(batch, first, to[k], corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
+    }
+
+    private static void one(PixelBatch batch, int first, float[] to, float a, float b, float c) {
         for (int i = first; i < batch.count; i += LANES)
             FloatVector.fromArray(FLOATS, batch.weightB, i)
                     .mul(b)
                     .add(a)
                     .add(FloatVector.fromArray(FLOATS, batch.weightC, i).mul(c))
                     .intoArray(to, i);
+    }
+
+    /** Three at a time read the weights once. */
+    private static void three(
+            PixelBatch batch,
+            int first,
+            float[] to0,
+            float[] to1,
+            float[] to2,
+            float[] corners,
+            int at) {
+        float a0 = corners[at];
+        float b0 = corners[at + 1];
+        float c0 = corners[at + 2];
+        float a1 = corners[at + 3];
+        float b1 = corners[at + 4];
+        float c1 = corners[at + 5];
+        float a2 = corners[at + 6];
+        float b2 = corners[at + 7];
+        float c2 = corners[at + 8];
+        for (int i = first; i < batch.count; i += LANES) {
+            FloatVector b = FloatVector.fromArray(FLOATS, batch.weightB, i);
+            FloatVector c = FloatVector.fromArray(FLOATS, batch.weightC, i);
+            b.mul(b0).add(a0).add(c.mul(c0)).intoArray(to0, i);
+            b.mul(b1).add(a1).add(c.mul(c1)).intoArray(to1, i);
+            b.mul(b2).add(a2).add(c.mul(c2)).intoArray(to2, i);
+        }
     }
 
     @Override
