@@ -1,6 +1,7 @@
 package rasterlab.app.visibility;
 
 import java.util.Locale;
+import java.util.function.UnaryOperator;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.SphericalView;
 
@@ -29,9 +30,7 @@ enum HazardView {
 
     private final String scene;
     private final String method;
-    private final double theta;
-    private final double phi;
-    private final double nearness;
+    private final UnaryOperator<SphericalView> camera;
     private final double zoom;
     private final boolean difference;
 
@@ -49,25 +48,34 @@ enum HazardView {
             double nearness,
             double zoom,
             boolean difference) {
-        this.scene = scene;
-        this.method = method;
-        this.theta = theta;
-        this.phi = phi;
-        this.nearness = nearness;
-        this.zoom = zoom;
-        this.difference = difference;
+        this(
+                scene,
+                method,
+                first -> new SphericalView(theta, phi, nearness * first.rho()),
+                zoom,
+                difference);
     }
 
     /** The scene as it is first seen, with what is wrong in it. */
     HazardView(String scene, String method) {
-        this(
-                scene,
-                method,
-                Scenes.named(scene).defaultCamera().thetaRadians(),
-                Scenes.named(scene).defaultCamera().phiRadians(),
-                1,
-                1,
-                true);
+        this(scene, method, first -> first, 1, true);
+    }
+
+    /**
+     * @param camera what becomes of the scene's first one; asked when the view is shown, for scenes
+     *     take long to make
+     */
+    HazardView(
+            String scene,
+            String method,
+            UnaryOperator<SphericalView> camera,
+            double zoom,
+            boolean difference) {
+        this.scene = scene;
+        this.method = method;
+        this.camera = camera;
+        this.zoom = zoom;
+        this.difference = difference;
     }
 
     /** Lower-case name with hyphens, part of keys and component names. */
@@ -77,13 +85,12 @@ enum HazardView {
 
     /** The choice that shows this view; shading and projection stay. */
     VisibilityChoice shown(VisibilityChoice choice) {
-        double rho = nearness * Scenes.named(scene).defaultCamera().rho();
         VisibilityChoice other = choice.withScene(scene);
         return other.with(LookChoice.USUAL)
                 .withView(StageView.COLOURS)
                 .withVisibility(method)
                 .zoomed(zoom / other.zoom())
-                .withCamera(new SphericalView(theta, phi, rho))
+                .withCamera(camera.apply(Scenes.named(scene).defaultCamera()))
                 .withDifference(difference);
     }
 }
