@@ -3,6 +3,7 @@ package rasterlab.app.canvas;
 import java.awt.CardLayout;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
@@ -31,19 +32,23 @@ public final class LabCards<K> implements AutoCloseable {
     /** Shows that lab, and stops what the others play. */
     public void show(K key) {
         labs.values().forEach(LabPanel::stop);
-        make(key);
+        if (!labs.containsKey(key)) begin(key).forEach(Runnable::run);
         if (unseen.remove(key)) labs.get(key).refresh();
         layout.show(tab, key.toString());
         tab.revalidate();
     }
 
-    /** Makes that lab, unless it is there. */
-    public void make(K key) {
-        if (labs.containsKey(key)) return;
+    /**
+     * Makes a lab that is not there.
+     *
+     * @return what is still to be made of it before it is shown, as {@link LabPanel#parts}
+     */
+    public List<Runnable> begin(K key) {
         LabPanel lab = made.apply(key);
         tab.add(lab, key.toString());
         labs.put(key, lab);
         unseen.add(key);
+        return lab.parts();
     }
 
     /** Gives the keyboard to the picture of a lab that has been shown. */

@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import java.awt.BorderLayout;
+import java.util.List;
 import javax.swing.JPanel;
 
 /** A lab as the window shows it, in one language and theme; its model outlives it. */
@@ -9,6 +10,15 @@ public abstract class LabPanel extends JPanel implements AutoCloseable {
 
     protected LabPanel() {
         super(new BorderLayout());
+    }
+
+    /**
+     * What is still to be made of the panel before it first shows anything: each once, in this
+     * order, in an open window in an event of its own, between which the window answers. Until then
+     * the panel can only be closed.
+     */
+    public List<Runnable> parts() {
+        return List.of();
     }
 
     /**

@@ -12,6 +12,7 @@ import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
@@ -29,24 +30,24 @@ final class ClipInspector {
     private final NameChooser mode;
     private final Map<ClipMode, MethodChooser> method = new EnumMap<>(ClipMode.class);
     private final Map<ClipMode, MethodChooser> comparison = new EnumMap<>(ClipMode.class);
-    private final JCheckBox difference;
-    private final NameChooser shape;
-    private final VolumeControls volume;
-    private final JLabel tested;
-    private final JLabel decision;
-    private final JLabel from;
-    private final JLabel to;
-    private final JLabel codes;
-    private final JLabel verdict;
-    private final JLabel selected;
-    private final PointFields plane;
-    private final PointFields space;
-    private final JLabel missing;
-    private final JLabel extra;
-    private final JLabel worst;
-    private final JLabel other;
-    private final VolumeTable table;
-    private final AboutText about;
+    private JCheckBox difference;
+    private NameChooser shape;
+    private VolumeControls volume;
+    private JLabel tested;
+    private JLabel decision;
+    private JLabel from;
+    private JLabel to;
+    private JLabel codes;
+    private JLabel verdict;
+    private JLabel selected;
+    private PointFields plane;
+    private PointFields space;
+    private JLabel missing;
+    private JLabel extra;
+    private JLabel worst;
+    private JLabel other;
+    private VolumeTable table;
+    private AboutText about;
 
     ClipInspector(ClipLabModel model, Texts texts) {
         this.model = model;
@@ -60,7 +61,14 @@ final class ClipInspector {
                         code -> texts.text("mode." + code),
                         code -> model.chooseMode(ClipMode.coded(code)));
         column.row("mode", mode);
-        addMethods();
+    }
+
+    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    List<Runnable> sections() {
+        return List.of(this::addMethods, this::addFigure, this::addReadings, this::addPoint);
+    }
+
+    private void addFigure() {
         difference = new JCheckBox(texts.text("difference"));
         difference.setName("difference");
         difference.setToolTipText(texts.text("difference.hint"));
@@ -74,7 +82,9 @@ final class ClipInspector {
                         code -> model.shapeWindow(code.equals("upright")));
         column.row("shape", shape);
         volume = new VolumeControls(model, texts, column);
+    }
 
+    private void addReadings() {
         column.heading("heading.step");
         tested = column.value("tested");
         decision = column.value("decision");
@@ -90,7 +100,9 @@ final class ClipInspector {
         extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
         worst = column.value("worst");
         other = column.value("other");
+    }
 
+    private void addPoint() {
         column.heading("heading.point");
         selected = column.value("selected");
         plane = new PointFields(model, texts, false);

@@ -1,7 +1,8 @@
 package rasterlab.app.clip;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
@@ -24,28 +25,16 @@ public final class ClipPanel extends LabPanel {
     private final StepPlayer player;
     private final Actions actions;
     private final ModeRows<ClipMode> chips = new ModeRows<>(this::chips);
-    private final transient Runnable unsubscribe;
+    private transient Runnable unsubscribe = () -> {};
 
     /**
-     * Makes the inspector, and then the rest: half of the time each.
-     *
      * @param onFailure told what a control could not do or painting threw, on any thread
      */
-    public static Supplier<LabPanel> begin(
-            ClipLabModel model, Language language, Consumer<Throwable> onFailure) {
-        var inspector = new ClipInspector(model, Texts.of("clip", language));
-        return () -> new ClipPanel(model, inspector, language, onFailure);
-    }
-
-    private ClipPanel(
-            ClipLabModel model,
-            ClipInspector inspector,
-            Language language,
-            Consumer<Throwable> onFailure) {
+    public ClipPanel(ClipLabModel model, Language language, Consumer<Throwable> onFailure) {
         this.model = model;
-        this.inspector = inspector;
         setName("clip");
         texts = Texts.of("clip", language);
+        inspector = new ClipInspector(model, texts);
         stage = new ClipStage(model, texts, onFailure);
         player = new StepPlayer(Texts.of("canvas", language), model, this::count);
         actions = new Actions(Texts.of("canvas", language));
@@ -56,6 +45,16 @@ public final class ClipPanel extends LabPanel {
         actions.add(
                 "copyCommand",
                 () -> Copying.text(ClipCommand.of(model.state().choice().scene()), onFailure));
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<>(inspector.sections());
+        parts.add(this::putTogether);
+        return parts;
+    }
+
+    private void putTogether() {
         add(new LabLayout(chips, stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

@@ -1,5 +1,7 @@
 package rasterlab.app.coordinates;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.LabCards;
 import rasterlab.app.canvas.LabPanel;
@@ -20,7 +22,7 @@ public final class CoordinatesPanel extends LabPanel {
     private final Language language;
     private final transient Consumer<Throwable> onFailure;
     private final transient LabCards<CoordinatesMode> cards;
-    private final transient Runnable unsubscribe;
+    private transient Runnable unsubscribe = () -> {};
 
     /**
      * @param onFailure told what a control could not do or painting threw, on any thread
@@ -32,8 +34,13 @@ public final class CoordinatesPanel extends LabPanel {
         this.onFailure = onFailure;
         setName("coordinates");
         cards = new LabCards<>(this, this::made);
-        unsubscribe = model.listen(cards::show);
-        cards.make(model.mode());
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<>(cards.begin(model.mode()));
+        parts.add(() -> unsubscribe = model.listen(cards::show));
+        return parts;
     }
 
     @Override

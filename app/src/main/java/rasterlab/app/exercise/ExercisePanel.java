@@ -1,6 +1,7 @@
 package rasterlab.app.exercise;
 
 import java.awt.BorderLayout;
+import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
@@ -22,18 +23,20 @@ public final class ExercisePanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient ExerciseLabModel model;
+    private final transient OpenInLab lab;
+    private final transient Consumer<Throwable> onFailure;
     private final transient Texts texts;
     private final NameChooser exercise;
     private final StatementPane statement;
-    private final SourceEditor editor;
-    private final EditorBar bar;
+    private SourceEditor editor;
+    private EditorBar bar;
     private final JTextArea notice = Controls.words("notice");
     private final JTextArea unsaved = Controls.words("unsaved");
-    private final ResultPane result;
-    private final Rooms rooms;
+    private ResultPane result;
+    private Rooms rooms;
     private boolean running;
     private Notice said = Notice.NONE;
-    private final transient Runnable unsubscribe;
+    private transient Runnable end = () -> {};
 
     /**
      * @param lab shows a case in its topic's tab
@@ -45,6 +48,8 @@ public final class ExercisePanel extends LabPanel {
             Language language,
             Consumer<Throwable> onFailure) {
         this.model = model;
+        this.lab = lab;
+        this.onFailure = onFailure;
         setName("exercises");
         texts = Texts.of("exercise", language);
         exercise =
@@ -54,9 +59,22 @@ public final class ExercisePanel extends LabPanel {
                         this::title,
                         model::choose);
         statement = new StatementPane(texts.text("statement"), model.formulas, onFailure);
-        editor = new SourceEditor(texts, model::type);
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        return List.of(
+                () -> editor = new SourceEditor(texts, model::type),
+                this::addBar,
+                () -> result = new ResultPane(texts, lab, this::goTo, onFailure),
+                this::putTogether);
+    }
+
+    private void addBar() {
         bar = new EditorBar(model, editor, texts, onFailure);
-        result = new ResultPane(texts, lab, this::goTo, onFailure);
+    }
+
+    private void putTogether() {
         notice.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.setForeground(VerdictLook.colour("wrong"));
@@ -65,7 +83,13 @@ public final class ExercisePanel extends LabPanel {
         rooms = new Rooms(texts, task(), work(), result);
         add(rooms);
         keys();
-        unsubscribe = model.listen(state -> refresh());
+        Runnable noState = model.listen(state -> refresh());
+        end =
+                () -> {
+                    noState.run();
+                    editor.close();
+                    result.close();
+                };
         if (model.state().outcome().isPresent()) rooms.show(Rooms.Room.RESULT);
     }
 
@@ -140,9 +164,7 @@ public final class ExercisePanel extends LabPanel {
     /** Stops listening; work that runs goes on in the model. */
     @Override
     public void close() {
-        unsubscribe.run();
-        editor.close();
-        result.close();
+        end.run();
     }
 
     @Override
@@ -151,8 +173,7 @@ public final class ExercisePanel extends LabPanel {
         exercise.show(state.exercise().id());
         statement.show(state.exercise(), texts.locale().getLanguage());
         editor.show(state.exercise().id(), state.source());
-        editor.remark(
-                state.upToDate() ? state.outcome().orElseThrow().remarks() : java.util.List.of());
+        editor.remark(state.upToDate() ? state.outcome().orElseThrow().remarks() : List.of());
         bar.refresh();
         say(notice, state.notice());
         say(unsaved, state.unsaved());

@@ -8,6 +8,7 @@ import java.util.Map;
 import javax.swing.JLabel;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
 import rasterlab.app.canvas.Shown;
@@ -26,10 +27,10 @@ final class ColourInspector {
     private final Inspector column;
     private final ModeRow mode;
     private final List<Row> rows = new ArrayList<>();
-    private final NameChooser method;
+    private NameChooser method;
     private final Map<ColorModel, JLabel> errors = new EnumMap<>(ColorModel.class);
     private final JLabel hex;
-    private final AboutText about;
+    private AboutText about;
 
     private record Row(ColorModel model, int index, NumberSlider slider) {}
 
@@ -40,10 +41,21 @@ final class ColourInspector {
         column = new Inspector(texts);
         mode = new ModeRow(model, texts, column);
         hex = column.value("hex");
+    }
+
+    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    List<Runnable> sections() {
+        return List.of(this::addModels, this::addTrip, this::addAbout);
+    }
+
+    private void addModels() {
         for (ColorModel each : ColorModel.values()) {
             column.heading("model." + each.code());
             for (int i = 0; i < each.size(); i++) slider(each, i);
         }
+    }
+
+    private void addTrip() {
         column.heading("heading.trip");
         List<String> methods = new ColorTopic().methods().stream().map(Method::name).toList();
         method =
@@ -55,6 +67,9 @@ final class ColourInspector {
         column.row("colourMethod", method);
         for (ColorModel each : ColorModel.values())
             if (each != ColorModel.RGB) errors.put(each, column.value("trip." + each.code()));
+    }
+
+    private void addAbout() {
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
         column.wide(about);

@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
 import rasterlab.app.canvas.Shown;
@@ -36,16 +37,16 @@ final class LightInspector {
     private final NameChooser normals;
     private final JCheckBox arrows;
     private final JCheckBox mach;
-    private final NameChooser substance;
+    private NameChooser substance;
     private final List<Setting> settings = new ArrayList<>();
     private final Map<LightTerm, JCheckBox> terms = new EnumMap<>(LightTerm.class);
-    private final NameChooser reflection;
-    private final JCheckBox localViewer;
-    private final JCheckBox twoSided;
-    private final NumberSlider ambient;
-    private final LampControls lamps;
+    private NameChooser reflection;
+    private JCheckBox localViewer;
+    private JCheckBox twoSided;
+    private NumberSlider ambient;
+    private LampControls lamps;
     private final FormulaView formula = new FormulaView("formula");
-    private final JLabel place;
+    private JLabel place;
 
     private record Setting(ToDoubleFunction<MaterialChoice> value, NumberSlider slider) {}
 
@@ -72,14 +73,25 @@ final class LightInspector {
         normals = names("normals", Body.NORMALS, this::chooseNormals);
         arrows = box("arrows", on -> model.choose(choice -> choice.withArrows(on)));
         mach = box("mach", on -> model.choose(choice -> choice.withMach(on)));
+    }
 
+    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    List<Runnable> sections() {
+        return List.of(this::addFormula, this::addLamps, this::addMaterial, this::addTerms);
+    }
+
+    private void addFormula() {
         column.heading("heading.formula");
         place = column.value("place");
         column.wide(formula);
+    }
 
+    private void addLamps() {
         column.heading("heading.lamps");
         lamps = new LampControls(model, texts, column);
+    }
 
+    private void addMaterial() {
         column.heading("heading.material");
         substance =
                 names(
@@ -90,8 +102,18 @@ final class LightInspector {
                                         choice ->
                                                 choice.with(
                                                         MaterialChoice.of(Substance.named(name)))));
-        addMaterial();
+        material("ka", MaterialChoice.MOST, MaterialChoice::ambient, MaterialChoice::withAmbient);
+        material("kd", MaterialChoice.MOST, MaterialChoice::diffuse, MaterialChoice::withDiffuse);
+        material("ks", MaterialChoice.MOST, MaterialChoice::specular, MaterialChoice::withSpecular);
+        material("ke", 1, MaterialChoice::emission, MaterialChoice::withEmission);
+        material(
+                "shininess",
+                MaterialChoice.SHINIEST,
+                MaterialChoice::shininess,
+                MaterialChoice::withShininess);
+    }
 
+    private void addTerms() {
         column.heading("heading.terms");
         column.row("terms", termBoxes());
         reflection =
@@ -111,18 +133,6 @@ final class LightInspector {
         column.row("ambient", ambient);
         localViewer = box("localViewer", on -> model.choose(c -> c.withLocalViewer(on)));
         twoSided = box("twoSided", on -> model.choose(c -> c.withTwoSides(on)));
-    }
-
-    private void addMaterial() {
-        material("ka", MaterialChoice.MOST, MaterialChoice::ambient, MaterialChoice::withAmbient);
-        material("kd", MaterialChoice.MOST, MaterialChoice::diffuse, MaterialChoice::withDiffuse);
-        material("ks", MaterialChoice.MOST, MaterialChoice::specular, MaterialChoice::withSpecular);
-        material("ke", 1, MaterialChoice::emission, MaterialChoice::withEmission);
-        material(
-                "shininess",
-                MaterialChoice.SHINIEST,
-                MaterialChoice::shininess,
-                MaterialChoice::withShininess);
     }
 
     private static String code(Enum<?> constant) {

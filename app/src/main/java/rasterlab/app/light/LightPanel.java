@@ -1,8 +1,9 @@
 package rasterlab.app.light;
 
 import java.awt.CardLayout;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
@@ -37,33 +38,18 @@ public final class LightPanel extends LabPanel {
     private final transient LitSceneSaving saving;
     private final Actions lightActions;
     private final Actions colourActions;
-    private final transient Runnable unsubscribe;
+    private transient Runnable unsubscribe = () -> {};
 
     /**
-     * Makes the inspectors, and then the rest: half of the time each.
-     *
      * @param onFailure told what a control could not do
      */
-    public static Supplier<LabPanel> begin(
-            LightLabModel model, Language language, Consumer<Throwable> onFailure) {
-        Texts texts = Texts.of("light", language);
-        var light = new LightInspector(model, texts);
-        var colours = new ColourInspector(model, texts);
-        return () -> new LightPanel(model, light, colours, language, onFailure);
-    }
-
-    private LightPanel(
-            LightLabModel model,
-            LightInspector light,
-            ColourInspector colours,
-            Language language,
-            Consumer<Throwable> onFailure) {
+    public LightPanel(LightLabModel model, Language language, Consumer<Throwable> onFailure) {
         this.model = model;
-        this.light = light;
-        this.colours = colours;
         this.onFailure = onFailure;
         setName("light");
         texts = Texts.of("light", language);
+        light = new LightInspector(model, texts);
+        colours = new ColourInspector(model, texts);
         stage = new LightStage(model, texts);
         cube = new CubeStage(model, texts);
         Texts canvas = Texts.of("canvas", language);
@@ -82,13 +68,32 @@ public final class LightPanel extends LabPanel {
         colourActions.add("copySvg", () -> Copying.svg(cube.svg(), onFailure));
         colourActions.add("copyCommand", () -> Copying.text(command(), onFailure));
         rows = new RowCard(shown, cards, this::rows);
+        orbit.bindKeys(stage);
+        turning.bindKeys(cube);
+        add(shown);
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<>(light.sections());
+        parts.add(this::addLight);
+        parts.addAll(colours.sections());
+        parts.add(this::addColours);
+        parts.add(this::listen);
+        return parts;
+    }
+
+    private void addLight() {
         addCard(new LabLayout(chips(), stage, light.column(), lightActions, orbit), ModeRow.LIGHT);
+    }
+
+    private void addColours() {
         addCard(
                 new LabLayout(colourChips(), cube, colours.column(), colourActions, turning),
                 ModeRow.COLOURS);
-        add(shown);
-        orbit.bindKeys(stage);
-        turning.bindKeys(cube);
+    }
+
+    private void listen() {
         Runnable noState = model.listen(state -> refresh());
         Runnable noRows = model.rows().listen(choice -> refresh());
         unsubscribe =

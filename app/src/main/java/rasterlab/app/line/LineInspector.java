@@ -4,6 +4,7 @@ import java.util.List;
 import javax.swing.JLabel;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
 import rasterlab.app.language.Texts;
@@ -18,22 +19,22 @@ final class LineInspector {
     private final Texts texts;
     private final Texts translations;
     private final Inspector column;
-    private final EndFields a;
-    private final EndFields b;
+    private EndFields a;
+    private EndFields b;
     private final MethodChooser method;
     private final MethodChooser comparison;
-    private final JLabel pixel;
-    private final JLabel coverage;
-    private final JLabel decision;
-    private final JLabel decided;
-    private final JLabel compared;
-    private final JLabel missing;
-    private final JLabel extra;
-    private final JLabel worst;
-    private final JLabel other;
-    private final JLabel tried;
-    private final JLabel apart;
-    private final AboutText about;
+    private JLabel pixel;
+    private JLabel coverage;
+    private JLabel decision;
+    private JLabel decided;
+    private JLabel compared;
+    private JLabel missing;
+    private JLabel extra;
+    private JLabel worst;
+    private JLabel other;
+    private JLabel tried;
+    private JLabel apart;
+    private AboutText about;
 
     LineInspector(LineLabModel model, Texts texts) {
         this.model = model;
@@ -47,11 +48,21 @@ final class LineInspector {
         comparison = new MethodChooser("comparison", texts.text("none"), names, model::compareWith);
         column.row("method", method);
         column.row("comparison", comparison);
+    }
+
+    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    List<Runnable> sections() {
+        return List.of(this::addEnds, this::addReadings, this::addAbout);
+    }
+
+    private void addEnds() {
         a = new EndFields(End.A, model, texts);
         b = new EndFields(End.B, model, texts);
         column.row("end.a", a);
         column.row("end.b", b);
+    }
 
+    private void addReadings() {
         column.heading("heading.step");
         pixel = column.value("pixel");
         coverage = column.value("coverage");
@@ -70,7 +81,9 @@ final class LineInspector {
         other = column.value("other");
         tried = column.value("tried");
         apart = column.value("apart");
+    }
 
+    private void addAbout() {
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
         column.wide(about);

@@ -1,5 +1,7 @@
 package rasterlab.app.line;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.LabCards;
 import rasterlab.app.canvas.LabPanel;
@@ -11,7 +13,7 @@ public final class LinePanel extends LabPanel {
 
     private final transient LineLabModel model;
     private final transient LabCards<Card> cards;
-    private final transient Runnable unsubscribe;
+    private transient Runnable unsubscribe = () -> {};
 
     private enum Card {
         SEGMENT,
@@ -35,13 +37,22 @@ public final class LinePanel extends LabPanel {
                                 card == Card.SEGMENT
                                         ? new SegmentPanel(model, language, onFailure)
                                         : new FigurePanel(model, language, onFailure));
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<>(cards.begin(Card.of(model.mode())));
+        parts.add(this::listen);
+        return parts;
+    }
+
+    private void listen() {
         unsubscribe =
                 model.listenToMode(
                         mode -> {
                             cards.show(Card.of(mode));
                             focusPicture();
                         });
-        cards.make(Card.of(model.mode()));
     }
 
     @Override

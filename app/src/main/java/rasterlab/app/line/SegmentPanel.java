@@ -1,5 +1,7 @@
 package rasterlab.app.line;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
@@ -22,7 +24,7 @@ final class SegmentPanel extends LabPanel {
     private final transient LineInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
-    private final transient Runnable unsubscribe;
+    private transient Runnable unsubscribe = () -> {};
 
     /**
      * @param onFailure told what a control could not do or painting threw, on any thread
@@ -45,6 +47,16 @@ final class SegmentPanel extends LabPanel {
         actions.add(
                 "copyCommand",
                 () -> Copying.text(LineCommand.of(model.state().choice()), onFailure));
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<>(inspector.sections());
+        parts.add(this::putTogether);
+        return parts;
+    }
+
+    private void putTogether() {
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

@@ -1,6 +1,7 @@
 package rasterlab.app.opengl;
 
 import java.awt.Font;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -13,6 +14,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.text.DefaultCaret;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.language.Texts;
 import rasterlab.app.opengl.call.GlCall;
@@ -30,16 +32,16 @@ final class OpenGlInspector {
     private final Inspector column;
     private final NameChooser group;
     private final SettingRows rows;
-    private final JButton open;
-    private final JLabel file;
-    private final JTextArea call;
-    private final JLabel off;
-    private final JLabel rounded;
-    private final JLabel largest;
-    private final JTextArea why;
-    private final JLabel version;
-    private final JLabel renderer;
-    private final JLabel limits;
+    private JButton open;
+    private JLabel file;
+    private JTextArea call;
+    private JLabel off;
+    private JLabel rounded;
+    private JLabel largest;
+    private JTextArea why;
+    private JLabel version;
+    private JLabel renderer;
+    private JLabel limits;
 
     OpenGlInspector(OpenGlLabModel model, Texts texts) {
         this.model = model;
@@ -54,8 +56,23 @@ final class OpenGlInspector {
         group.setLightWeightPopupEnabled(false);
         column.row("group", group);
         rows = new SettingRows(model, texts, column, this::chooseImage);
+    }
+
+    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    List<Runnable> sections() {
+        var sections = new ArrayList<Runnable>();
+        for (Group each : Group.values()) sections.add(() -> rows.add(each));
+        sections.add(this::addFile);
+        sections.add(this::addReadings);
+        return sections;
+    }
+
+    private void addFile() {
         file = column.value("file");
         open = openButton();
+    }
+
+    private void addReadings() {
         column.heading("heading.call");
         call = area("call", true);
         column.heading("heading.difference");

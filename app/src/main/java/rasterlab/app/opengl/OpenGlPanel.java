@@ -1,8 +1,9 @@
 package rasterlab.app.opengl;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
@@ -23,28 +24,16 @@ public final class OpenGlPanel extends LabPanel {
     private final transient OpenGlInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
-    private final transient Runnable unsubscribe;
+    private transient Runnable unsubscribe = () -> {};
 
     /**
-     * Makes the inspector, and then the rest: half of the time each.
-     *
      * @param onFailure told what a control could not do
      */
-    public static Supplier<LabPanel> begin(
-            OpenGlLabModel model, Language language, Consumer<Throwable> onFailure) {
-        var inspector = new OpenGlInspector(model, Texts.of("opengl", language));
-        return () -> new OpenGlPanel(model, inspector, language, onFailure);
-    }
-
-    private OpenGlPanel(
-            OpenGlLabModel model,
-            OpenGlInspector inspector,
-            Language language,
-            Consumer<Throwable> onFailure) {
+    public OpenGlPanel(OpenGlLabModel model, Language language, Consumer<Throwable> onFailure) {
         this.model = model;
-        this.inspector = inspector;
         setName("opengl");
         texts = Texts.of("opengl", language);
+        inspector = new OpenGlInspector(model, texts);
         stage = new OpenGlStage(model, texts, model::open);
         player = new StepPlayer(Texts.of("canvas", language), new Turntable(model), this::angle);
         actions = new Actions(Texts.of("canvas", language));
@@ -54,6 +43,16 @@ public final class OpenGlPanel extends LabPanel {
         actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         actions.add("copyCalls", () -> Copying.text(stage.log().program(), onFailure));
         actions.add("copyCommand", () -> command().ifPresent(c -> Copying.text(c, onFailure)));
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<>(inspector.sections());
+        parts.add(this::putTogether);
+        return parts;
+    }
+
+    private void putTogether() {
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage.picture());

@@ -26,7 +26,11 @@ final class SettingRows {
         this.model = model;
         this.texts = texts;
         this.column = column;
-        for (Setting setting : Setting.values()) add(setting);
+    }
+
+    /** Adds the lists of one group. */
+    void add(Group group) {
+        group.settings().forEach(this::add);
     }
 
     private void add(Setting setting) {

@@ -12,6 +12,7 @@ import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.LargeType;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
@@ -30,25 +31,25 @@ final class PolygonInspector {
     private final NameChooser mode;
     private final Map<PolygonMode, MethodChooser> method = new EnumMap<>(PolygonMode.class);
     private final Map<PolygonMode, MethodChooser> comparison = new EnumMap<>(PolygonMode.class);
-    private final JCheckBox difference;
-    private final FigureControls controls;
-    private final JLabel tested;
-    private final JLabel decision;
-    private final JLabel verdict;
-    private final JLabel work;
-    private final FormulaView formulas;
-    private final WaitingChart waiting;
-    private final JLabel missing;
-    private final JLabel extra;
-    private final JLabel faulty;
-    private final JLabel worst;
-    private final JLabel other;
-    private final JLabel selected;
-    private final PlaceFields place;
-    private final JButton next;
-    private final JPanel changes;
-    private final JPanel walls;
-    private final AboutText about;
+    private JCheckBox difference;
+    private FigureControls controls;
+    private JLabel tested;
+    private JLabel decision;
+    private JLabel verdict;
+    private JLabel work;
+    private FormulaView formulas;
+    private WaitingChart waiting;
+    private JLabel missing;
+    private JLabel extra;
+    private JLabel faulty;
+    private JLabel worst;
+    private JLabel other;
+    private JLabel selected;
+    private PlaceFields place;
+    private JButton next;
+    private JPanel changes;
+    private JPanel walls;
+    private AboutText about;
 
     PolygonInspector(PolygonLabModel model, Texts texts) {
         this.model = model;
@@ -62,12 +63,21 @@ final class PolygonInspector {
                         code -> texts.text("mode." + code),
                         code -> model.chooseMode(PolygonMode.coded(code)));
         column.row("mode", mode);
-        addMethods();
+    }
+
+    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    List<Runnable> sections() {
+        return List.of(this::addMethods, this::addFigure, this::addReadings, this::addPoint);
+    }
+
+    private void addFigure() {
         difference = FigureControls.checkBox("difference", texts);
         difference.addActionListener(e -> model.showDifference(difference.isSelected()));
         column.wide(difference);
         controls = new FigureControls(model, texts, column);
+    }
 
+    private void addReadings() {
         column.heading("heading.step");
         tested = column.value("tested");
         decision = column.value("decision");
@@ -86,7 +96,9 @@ final class PolygonInspector {
         faulty = column.value("faulty");
         worst = column.value("worst");
         other = column.value("other");
+    }
 
+    private void addPoint() {
         column.heading("heading.point");
         selected = column.value("selected");
         place = new PlaceFields(model, texts);

@@ -1,7 +1,8 @@
 package rasterlab.app.polygon;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
@@ -24,28 +25,16 @@ public final class PolygonPanel extends LabPanel {
     private final StepPlayer player;
     private final Actions actions;
     private final ModeRows<PolygonMode> chips = new ModeRows<>(this::chips);
-    private final transient Runnable unsubscribe;
+    private transient Runnable unsubscribe = () -> {};
 
     /**
-     * Makes the inspector, and then the rest: half of the time each.
-     *
      * @param onFailure told what a control could not do or painting threw, on any thread
      */
-    public static Supplier<LabPanel> begin(
-            PolygonLabModel model, Language language, Consumer<Throwable> onFailure) {
-        var inspector = new PolygonInspector(model, Texts.of("polygon", language));
-        return () -> new PolygonPanel(model, inspector, language, onFailure);
-    }
-
-    private PolygonPanel(
-            PolygonLabModel model,
-            PolygonInspector inspector,
-            Language language,
-            Consumer<Throwable> onFailure) {
+    public PolygonPanel(PolygonLabModel model, Language language, Consumer<Throwable> onFailure) {
         this.model = model;
-        this.inspector = inspector;
         setName("polygon");
         texts = Texts.of("polygon", language);
+        inspector = new PolygonInspector(model, texts);
         stage = new PolygonStage(model, texts, onFailure);
         player = new StepPlayer(Texts.of("canvas", language), model, this::count);
         actions = new Actions(Texts.of("canvas", language));
@@ -58,6 +47,16 @@ public final class PolygonPanel extends LabPanel {
                 () ->
                         PolygonCommand.of(model.state().choice().scene())
                                 .ifPresent(command -> Copying.text(command, onFailure)));
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<>(inspector.sections());
+        parts.add(this::putTogether);
+        return parts;
+    }
+
+    private void putTogether() {
         add(new LabLayout(chips, stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

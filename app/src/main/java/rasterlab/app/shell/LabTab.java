@@ -1,5 +1,8 @@
 package rasterlab.app.shell;
 
+import java.awt.EventQueue;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.Optional;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.LabPanel;
@@ -9,24 +12,19 @@ public final class LabTab implements AutoCloseable {
     private final String name;
     private final String title;
     private final Optional<Runnable> preparation;
-    private final Supplier<Supplier<LabPanel>> begun;
-    private Optional<Supplier<LabPanel>> rest = Optional.empty();
-    private LabPanel panel;
-    private boolean fresh;
+    private final Supplier<LabPanel> begun;
+    private final Deque<Runnable> parts = new ArrayDeque<>();
+    private Optional<LabPanel> panel = Optional.empty();
+    private boolean closed;
 
     /**
      * @param name the same in every language, such as {@code line}; also the panel's component name
      * @param title in the window's language
      * @param preparation does before what the panel would take long for, on any thread; may be left
      *     out, or be run again
-     * @param begun makes a part of the lab's panel and says how the rest is made, so that none of
-     *     the two takes long
+     * @param begun makes the lab's panel, but for its parts
      */
-    LabTab(
-            String name,
-            String title,
-            Optional<Runnable> preparation,
-            Supplier<Supplier<LabPanel>> begun) {
+    LabTab(String name, String title, Optional<Runnable> preparation, Supplier<LabPanel> begun) {
         this.name = name;
         this.title = title;
         this.preparation = preparation;
@@ -46,30 +44,74 @@ public final class LabTab implements AutoCloseable {
         return preparation;
     }
 
-    /** The first part of making the lab, unless it is there. */
-    void begin() {
-        if (panel == null && rest.isEmpty()) rest = Optional.of(begun.get());
+    /** Whether the lab is made, shows what its model has, and knows its size. */
+    boolean isWhole() {
+        return panel.isPresent() && parts.isEmpty();
     }
 
-    /** Makes the lab, unless it is there, but for what it shows. */
-    void make() {
-        begin();
-        if (panel != null) return;
-        panel = rest.orElseThrow().get();
-        rest = Optional.empty();
-        fresh = true;
+    /**
+     * Makes the next part of a lab that is not whole yet. One that fails takes the parts before
+     * with it, so that another try begins anew.
+     */
+    void makePart() {
+        Runnable part = panel.isEmpty() ? this::begin : parts.remove();
+        boolean made = false;
+        try {
+            part.run();
+            made = true;
+        } finally {
+            if (!made) forget();
+        }
+    }
+
+    /**
+     * Makes the rest of the lab, each part in an event of its own.
+     *
+     * @param then runs in the last of them; also where the lab was closed, or a part failed, which
+     *     fails again, and is told, where the lab is asked for
+     */
+    void makeInEvents(Runnable then) {
+        EventQueue.invokeLater(
+                () -> {
+                    if (closed || isWhole() || !tryPart()) then.run();
+                    else makeInEvents(then);
+                });
+    }
+
+    private boolean tryPart() {
+        try {
+            makePart();
+            return true;
+        } catch (RuntimeException | LinkageError | AssertionError e) {
+            return false;
+        }
+    }
+
+    private void begin() {
+        LabPanel first = begun.get();
+        panel = Optional.of(first);
+        parts.addAll(first.parts());
+        parts.add(first::refresh);
+        // What takes long when it is measured first is quick when the window lays it out.
+        parts.add(first::getPreferredSize);
+    }
+
+    private void forget() {
+        parts.clear();
+        panel.ifPresent(LabPanel::close);
+        panel = Optional.empty();
     }
 
     /** The lab; the same one every time. */
     public LabPanel panel() {
-        make();
-        if (fresh) panel.refresh();
-        fresh = false;
-        return panel;
+        while (!isWhole()) makePart();
+        return panel.orElseThrow();
     }
 
+    /** Ends {@link #makeInEvents} too. */
     @Override
     public void close() {
-        if (panel != null) panel.close();
+        closed = true;
+        panel.ifPresent(LabPanel::close);
     }
 }

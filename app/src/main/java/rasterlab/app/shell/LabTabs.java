@@ -49,7 +49,7 @@ public final class LabTabs implements AutoCloseable {
             LabModels models, Language language, Consumer<Throwable> onFailure) {
         Texts texts = Texts.of("shell", language);
         var tabs = new ArrayList<LabTab>();
-        BiConsumer<String, Supplier<Supplier<LabPanel>>> add =
+        BiConsumer<String, Supplier<LabPanel>> add =
                 (name, begun) ->
                         tabs.add(
                                 new LabTab(
@@ -58,27 +58,22 @@ public final class LabTabs implements AutoCloseable {
                 new LabOpening(models, LabTabs::tryHazard, EventQueue::invokeLater, onFailure);
         add.accept(
                 "coordinates",
-                () -> () -> new CoordinatesPanel(models.coordinates(), language, onFailure));
-        add.accept("line", () -> () -> new LinePanel(models.line(), language, onFailure));
-        add.accept("polygon", () -> PolygonPanel.begin(models.polygon(), language, onFailure));
-        add.accept("clip", () -> ClipPanel.begin(models.clip(), language, onFailure));
+                () -> new CoordinatesPanel(models.coordinates(), language, onFailure));
+        add.accept("line", () -> new LinePanel(models.line(), language, onFailure));
+        add.accept("polygon", () -> new PolygonPanel(models.polygon(), language, onFailure));
+        add.accept("clip", () -> new ClipPanel(models.clip(), language, onFailure));
         add.accept(
-                "visibility",
-                () -> VisibilityPanel.begin(models.visibility(), language, onFailure));
-        add.accept("light", () -> LightPanel.begin(models.light(), language, onFailure));
-        add.accept("spline", () -> () -> new SplinePanel(models.spline(), language, onFailure));
-        add.accept("opengl", () -> OpenGlPanel.begin(models.opengl(), language, onFailure));
-        add.accept(
-                "study", () -> () -> new StudyPanel(models.study(), opening, language, onFailure));
+                "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));
+        add.accept("light", () -> new LightPanel(models.light(), language, onFailure));
+        add.accept("spline", () -> new SplinePanel(models.spline(), language, onFailure));
+        add.accept("opengl", () -> new OpenGlPanel(models.opengl(), language, onFailure));
+        add.accept("study", () -> new StudyPanel(models.study(), opening, language, onFailure));
         tabs.add(
                 new LabTab(
                         "exercises",
                         texts.text("tab.exercises"),
                         Optional.of(() -> ExercisePanel.prepare(models.exercises())),
-                        () ->
-                                () ->
-                                        new ExercisePanel(
-                                                models.exercises(), opening, language, onFailure)));
+                        () -> new ExercisePanel(models.exercises(), opening, language, onFailure)));
         return new LabTabs(language, tabs, opening, onFailure);
     }
 

@@ -16,8 +16,8 @@ import rasterlab.app.language.Texts;
 
 /**
  * The labs' tabs, whose panels are made when they are first chosen. In an open window each is
- * prepared in the background, then begun, made, filled, laid out and shown in an event each,
- * between which the window answers; until then it shows the tab before.
+ * prepared in the background, then made part by part, put in place, laid out and shown in an event
+ * each, between which the window answers; until then it shows the tab before.
  */
 final class TabbedLabs extends JTabbedPane {
     private static final long serialVersionUID = 1L;
@@ -136,19 +136,23 @@ final class TabbedLabs extends JTabbedPane {
     /** What fails here fails again where the panel is made. */
     private void prepare(int index, Runnable preparation) {
         CompletableFuture.runAsync(preparation, work -> new Thread(work, "tab").start())
-                .whenComplete((done, failure) -> make(index));
+                .whenComplete((done, failure) -> later(index, () -> make(index)));
     }
 
+    /** Part by part; then what shows the panel. */
     private void make(int index) {
         LabTab tab = tabs.get(index);
-        inTurn(
-                index,
-                List.of(
-                        tab::begin,
-                        tab::make,
-                        () -> fill(index),
-                        () -> layOut(index),
-                        () -> setSelectedIndex(index)));
+        if (tab.isWhole())
+            inTurn(
+                    index,
+                    List.of(() -> fill(index), () -> layOut(index), () -> setSelectedIndex(index)));
+        else
+            later(
+                    index,
+                    () -> {
+                        tab.makePart();
+                        make(index);
+                    });
     }
 
     private void layOut(int index) {

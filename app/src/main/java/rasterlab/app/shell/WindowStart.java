@@ -7,14 +7,16 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /**
  * Opens the window as it was left.
  *
- * <p>Settings and what the labs showed are read, and the labs' models made, beside the event
- * thread, which makes the look meanwhile. Then tab, frame and picture are an event each.
+ * <p>Settings and what the labs showed are read, the labs' models and the look made on threads
+ * beside each other. Then come events: one for each part of the first tab, and some for the frame,
+ * its layout and its picture.
  */
 public final class WindowStart {
     private final Problems problems = new Problems();
@@ -23,7 +25,6 @@ public final class WindowStart {
     private final LabSettings settings;
     private LabTabs tabs;
     private LabFrame frame;
-    private boolean unmade;
 
     private WindowStart(Path place) {
         file = new SettingsFile(place, problems);
@@ -37,40 +38,37 @@ public final class WindowStart {
 
     private void open(Path place) {
         Thread.setDefaultUncaughtExceptionHandler(reports);
-        EventQueue.invokeLater(
-                () -> settings.look().theme().install(settings.look().textPercent()));
-        var labs =
-                CompletableFuture.supplyAsync(
-                        () -> LabsFile.beside(place, problems),
-                        work -> new Thread(work, "labs file").start());
-        var kept = labs.thenApply(LabsFile::read);
-        keep(settings, file, place, problems);
         var events = new HeldEvents(EventQueue::invokeLater);
-        LabModels models = LabModels.first(events, reports);
-        LabsFile labsFile = labs.join();
-        kept.join().ifPresent(left -> labsFile.bringBack(left, models));
-        inTurn(
-                List.of(
-                        () -> {
-                            events.letGo();
-                            tabs = LabTabs.create(models, settings.look().language(), reports);
-                        },
-                        () -> prepare(LabTab::begin),
-                        () -> prepare(LabTab::make),
-                        () -> prepare(LabTab::panel),
-                        () -> frame = new LabFrame(models, tabs, settings, file, labsFile, reports),
-                        () -> frame.setVisible(true),
-                        () -> problems.showIn(frame)));
+        var models = beside("models", () -> LabModels.first(events, reports));
+        var labsFile = beside("labs file", () -> LabsFile.beside(place, problems));
+        var kept = labsFile.thenApply(LabsFile::read);
+        // Before there is any component, the look can be made on any thread.
+        settings.look().theme().install(settings.look().textPercent());
+        keep(settings, file, place, problems);
+        SwingClasses.load(settings.look().language().locale());
+        kept.join().ifPresent(left -> labsFile.join().bringBack(left, models.join()));
+        LabModels made = models.join();
+        EventQueue.invokeLater(
+                () -> {
+                    events.letGo();
+                    tabs = LabTabs.create(made, settings.look().language(), reports);
+                    tabs.namedOrFirst(settings.tab())
+                            .makeInEvents(() -> openFrame(made, labsFile.join()));
+                });
     }
 
-    /** Does a part of what the frame would do; what fails here fails there again, and is told. */
-    private void prepare(Consumer<LabTab> part) {
-        if (unmade) return;
-        try {
-            part.accept(tabs.namedOrFirst(settings.tab()));
-        } catch (RuntimeException | LinkageError | AssertionError e) {
-            unmade = true;
-        }
+    private static <T> CompletableFuture<T> beside(String name, Supplier<T> work) {
+        return CompletableFuture.supplyAsync(work, run -> new Thread(run, name).start());
+    }
+
+    private void openFrame(LabModels models, LabsFile labsFile) {
+        frame = new LabFrame(models, tabs, settings, file, labsFile, reports);
+        inTurn(
+                List.of(
+                        frame::addNotify,
+                        frame::validate,
+                        () -> frame.setVisible(true),
+                        () -> problems.showIn(frame)));
     }
 
     /** Each in an event of its own; one that throws ends it. */

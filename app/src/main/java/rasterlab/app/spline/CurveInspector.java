@@ -10,6 +10,7 @@ import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.NumberSlider;
@@ -27,55 +28,70 @@ final class CurveInspector {
     private final Texts texts;
     private final Texts translations;
     private final Inspector column;
-    private final NameChooser form;
-    private final NameChooser joining;
-    private final MethodChooser method;
-    private final MethodChooser comparison;
-    private final NameChooser sampling;
-    private final NumberSlider flatness;
-    private final NumberSlider steps;
-    private final NumberSlider t;
-    private final JCheckBox construction;
-    private final JCheckBox comb;
-    private final JCheckBox hull;
-    private final JLabel segments;
-    private final JLabel error;
-    private final JLabel other;
-    private final JLabel decision;
-    private final JLabel joints;
-    private final JLabel span;
-    private final JLabel point;
-    private final JLabel derivative;
-    private final JLabel curvature;
-    private final WrappedText noMatrix;
+    private final InspectorParts parts;
+    private NameChooser form;
+    private NameChooser joining;
+    private MethodChooser method;
+    private MethodChooser comparison;
+    private NameChooser sampling;
+    private NumberSlider flatness;
+    private NumberSlider steps;
+    private NumberSlider t;
+    private JCheckBox construction;
+    private JCheckBox comb;
+    private JCheckBox hull;
+    private JLabel segments;
+    private JLabel error;
+    private JLabel other;
+    private JLabel decision;
+    private JLabel joints;
+    private JLabel span;
+    private JLabel point;
+    private JLabel derivative;
+    private JLabel curvature;
+    private WrappedText noMatrix;
     private final FormulaView formulas = new FormulaView("formulas");
-    private final BlendingChart blending;
-    private final AboutText about;
+    private BlendingChart blending;
+    private AboutText about;
 
     CurveInspector(CurveLabModel model, Texts texts, Consumer<SplineMode> onMode) {
         this.model = model;
         this.texts = texts;
         translations = Texts.of("spline", "topic", texts.language());
         column = new Inspector(texts);
-        var parts = new InspectorParts(column, texts);
+        parts = new InspectorParts(column, texts);
         parts.mode(SplineMode.CURVE, onMode);
+    }
+
+    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    List<Runnable> sections() {
+        return List.of(
+                this::addMethods, this::addChoices, this::addReadings, this::addMatricesAndAbout);
+    }
+
+    private void addMethods() {
         List<String> names = model.methods().stream().map(Method::name).toList();
-        form = form(parts);
-        joining = joining(parts);
+        form = form();
+        joining = joining();
         method = new MethodChooser("method", "", names, model::chooseMethod);
         column.row("method", method);
         comparison = new MethodChooser("comparison", texts.text("none"), names, model::compareWith);
         column.row("comparison", comparison);
+    }
+
+    private void addChoices() {
         sampling = parts.names("sampling", List.of("flat", "equal"), this::sample);
-        flatness = flatness(parts);
-        steps = steps(parts);
+        flatness = flatness();
+        steps = steps();
         t = parts.slider("t", 0, 1, false, 500, model::goToT);
         construction =
                 parts.box("construction", on -> model.overlay(overlays().withConstruction(on)));
         comb = parts.box("comb", on -> model.overlay(overlays().withComb(on)));
         hull = parts.box("hull", on -> model.overlay(overlays().withHull(on)));
         addBoxes();
+    }
 
+    private void addReadings() {
         column.heading("heading.polyline");
         segments = column.value("segments");
         error = column.value("error");
@@ -92,25 +108,23 @@ final class CurveInspector {
         noMatrix = new WrappedText("noMatrix");
         noMatrix.show(texts.text("noMatrix"));
         blending = new BlendingChart(texts.text("blending"));
-        about = new AboutText("about", texts.language());
-        addMatricesAndAbout();
     }
 
-    private NameChooser form(InspectorParts parts) {
+    private NameChooser form() {
         return parts.names(
                 "form",
                 Stream.of(CurveForm.values()).map(CurveForm::code).toList(),
                 code -> model.chooseForm(CurveForm.named(code)));
     }
 
-    private NameChooser joining(InspectorParts parts) {
+    private NameChooser joining() {
         return parts.names(
                 "joining",
                 Stream.of(CurveJoining.values()).map(Enum::name).toList(),
                 name -> model.chooseJoining(CurveJoining.valueOf(name)));
     }
 
-    private NumberSlider flatness(InspectorParts parts) {
+    private NumberSlider flatness() {
         return parts.slider(
                 "flatness",
                 Sampling.FINEST,
@@ -120,7 +134,7 @@ final class CurveInspector {
                 pixels -> model.sample(Sampling.flat(pixels)));
     }
 
-    private NumberSlider steps(InspectorParts parts) {
+    private NumberSlider steps() {
         return parts.slider(
                 "steps",
                 1,
@@ -131,6 +145,7 @@ final class CurveInspector {
     }
 
     private void addMatricesAndAbout() {
+        about = new AboutText("about", texts.language());
         column.heading("heading.matrix");
         column.wide(noMatrix);
         column.wide(formulas);

@@ -1,6 +1,8 @@
 package rasterlab.app.spline;
 
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
@@ -27,7 +29,7 @@ final class CurvePanel extends LabPanel {
     private final transient CurveInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
-    private final transient Runnable unsubscribe;
+    private transient Runnable unsubscribe = () -> {};
 
     /**
      * @param onMode told when the other lab is chosen
@@ -63,6 +65,16 @@ final class CurvePanel extends LabPanel {
         actions.add(
                 "copyCommand",
                 () -> Copying.text(CurveCommand.of(model.state().choice()), onFailure));
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<>(inspector.sections());
+        parts.add(this::putTogether);
+        return parts;
+    }
+
+    private void putTogether() {
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

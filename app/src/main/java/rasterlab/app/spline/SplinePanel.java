@@ -1,5 +1,7 @@
 package rasterlab.app.spline;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.LabCards;
 import rasterlab.app.canvas.LabPanel;
@@ -11,7 +13,7 @@ public final class SplinePanel extends LabPanel {
 
     private final transient SplineLabModel model;
     private final transient LabCards<SplineMode> cards;
-    private final transient Runnable unsubscribe;
+    private transient Runnable unsubscribe = () -> {};
 
     /**
      * @param onFailure told what a control could not do or painting threw, on any thread
@@ -37,8 +39,13 @@ public final class SplinePanel extends LabPanel {
                                                     this::choose,
                                                     onFailure);
                                 });
-        unsubscribe = model.listen(cards::show);
-        cards.make(model.mode());
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<>(cards.begin(model.mode()));
+        parts.add(() -> unsubscribe = model.listen(cards::show));
+        return parts;
     }
 
     @Override

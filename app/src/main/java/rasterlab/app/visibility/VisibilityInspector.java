@@ -11,6 +11,7 @@ import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
@@ -34,24 +35,24 @@ final class VisibilityInspector {
     private final NameChooser scene;
     private final MethodChooser visibility;
     private final MethodChooser comparison;
-    private final NameChooser shading;
-    private final NameChooser projection;
-    private final NameChooser view;
-    private final NameChooser timeline;
-    private final JCheckBox edges;
-    private final JCheckBox difference;
-    private final WrongRows wrong;
-    private final StepList steps;
-    private final JComponent stepScroll;
+    private NameChooser shading;
+    private NameChooser projection;
+    private NameChooser view;
+    private NameChooser timeline;
+    private JCheckBox edges;
+    private JCheckBox difference;
+    private WrongRows wrong;
+    private StepList steps;
+    private JComponent stepScroll;
     private final List<JLabel> work = new ArrayList<>();
-    private final PixelLens lens;
-    private final TouchTable history;
-    private final JComponent historyScroll;
-    private final JLabel pixel;
-    private final JLabel stored;
+    private PixelLens lens;
+    private TouchTable history;
+    private JComponent historyScroll;
+    private JLabel pixel;
+    private JLabel stored;
     private final List<JLabel> values = new ArrayList<>();
-    private final LookControls look;
-    private final AboutText about;
+    private LookControls look;
+    private AboutText about;
 
     VisibilityInspector(VisibilityLabModel model, Texts texts) {
         this.model = model;
@@ -63,6 +64,20 @@ final class VisibilityInspector {
         column.wide(new SceneRow(model, texts));
         visibility = methods("method", "", VisibilityChoice::withVisibility);
         comparison = methods("comparison", texts.text("none"), VisibilityChoice::withComparison);
+    }
+
+    /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
+    List<Runnable> sections() {
+        return List.of(
+                this::addDrawing,
+                this::addWrong,
+                this::addOrder,
+                this::addPixel,
+                this::addLook,
+                this::addAbout);
+    }
+
+    private void addDrawing() {
         shading = names("shading", Renderer.shadings(), VisibilityChoice::withShading);
         projection = names("projection", Renderer.projections(), VisibilityChoice::withProjection);
         view =
@@ -76,18 +91,24 @@ final class VisibilityInspector {
                         List.of(TURN, DRAW),
                         (choice, code) -> choice.withDrawing(code.equals(DRAW)));
         edges = box("edges", shown -> model.choose(choice -> choice.withEdges(shown)));
+    }
 
+    private void addWrong() {
         column.heading("heading.wrong");
         difference =
                 box("difference", shown -> model.choose(choice -> choice.withDifference(shown)));
         wrong = new WrongRows(column);
+    }
 
+    private void addOrder() {
         column.heading("heading.order");
         steps = new StepList(model, texts);
         stepScroll = scrolled(steps);
         for (String key : List.of("stepNow", "cuts", "comparisons", "depthTests", "pixelsWritten"))
             work.add(column.value(key));
+    }
 
+    private void addPixel() {
         column.heading("heading.pixel");
         pixel = column.value("pixel");
         stored = column.value("stored");
@@ -101,10 +122,14 @@ final class VisibilityInspector {
         column.heading("heading.view");
         for (String key : List.of("theta", "phi", "rho", "zoom", "frameTime", "size"))
             values.add(column.value(key));
+    }
 
+    private void addLook() {
         column.heading("heading.look");
         look = new LookControls(model, texts, column);
+    }
 
+    private void addAbout() {
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
         column.wide(about);

@@ -1,8 +1,9 @@
 package rasterlab.app.visibility;
 
 import java.awt.CardLayout;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
@@ -28,29 +29,19 @@ public final class VisibilityPanel extends LabPanel {
     private final transient VisibilityInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
-    private final transient Runnable unsubscribe;
+    private transient Runnable unsubscribe = () -> {};
 
     /**
-     * Makes the inspector, and then the rest: half of the time each.
-     *
      * @param onFailure told what a control could not do
      */
-    public static Supplier<LabPanel> begin(
+    public VisibilityPanel(
             VisibilityLabModel model, Language language, Consumer<Throwable> onFailure) {
-        var inspector = new VisibilityInspector(model, Texts.of("visibility", language));
-        return () -> new VisibilityPanel(model, inspector, language, onFailure);
-    }
-
-    private VisibilityPanel(
-            VisibilityLabModel model,
-            VisibilityInspector inspector,
-            Language language,
-            Consumer<Throwable> onFailure) {
         this.model = model;
-        this.inspector = inspector;
         setName("visibility");
         texts = Texts.of("visibility", language);
+        inspector = new VisibilityInspector(model, texts);
         stage = new VisibilityStage(model, texts);
+        SceneRow.acceptFiles(stage, model, onFailure);
         player =
                 new StepPlayer(
                         Texts.of("canvas", language),
@@ -61,14 +52,23 @@ public final class VisibilityPanel extends LabPanel {
         actions.add("reset", model::reset);
         actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
         actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        rows = new RowCard(shown, cards, () -> rows(onFailure));
         actions.add("copyCommand", () -> Copying.text(VisibilityCommand.of(model), onFailure));
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<>(inspector.sections());
+        parts.add(this::putTogether);
+        return parts;
+    }
+
+    private void putTogether() {
         var scenes = new LabLayout(chips(), stage, inspector.column(), actions, player);
         shown.add(scenes, VisibilityMode.SCENE);
-        rows = new RowCard(shown, cards, () -> rows(onFailure));
         add(shown);
         Actions.bindUndo(scenes, model.history());
         player.bindKeys(stage);
-        SceneRow.acceptFiles(stage, model, onFailure);
         Runnable noModel = model.listen(state -> refresh());
         Runnable noRows = model.rows().listen(choice -> showMode());
         Runnable noCharts = model.charts().listen(stage::refresh);

@@ -20,6 +20,11 @@ class LabCardsTest {
         }
 
         @Override
+        public List<Runnable> parts() {
+            return List.of(() -> events.add(getName() + " is whole"));
+        }
+
+        @Override
         public void refresh() {
             events.add(getName() + " is filled");
         }
@@ -50,15 +55,28 @@ class LabCardsTest {
                 List.of(
                         "tab is made",
                         "one is made",
+                        "one is whole",
                         "one is filled",
                         "one stops",
                         "two is made",
+                        "two is whole",
                         "two is filled",
                         "one stops",
                         "two stops",
                         "one has the keyboard"),
                 events);
         assertEquals(2, tab.getComponentCount());
+    }
+
+    @Test
+    void partsOfTheFirstLabAreLeftToWhoBeginsIt() {
+        List<Runnable> parts = cards.begin("one");
+        assertEquals(List.of("tab is made", "one is made"), events);
+        parts.forEach(Runnable::run);
+        cards.show("one");
+        assertEquals(
+                List.of("tab is made", "one is made", "one is whole", "one stops", "one is filled"),
+                events);
     }
 
     @Test

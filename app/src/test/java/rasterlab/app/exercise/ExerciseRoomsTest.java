@@ -111,6 +111,7 @@ class ExerciseRoomsTest {
                     double usual = UIManager.getFont("defaultFont").getSize2D();
                     theme.install((int) Math.round(100 * type / usual));
                     made.set(new ExercisePanel(model, NOWHERE, language, FAILURES::add));
+                    made.get().parts().forEach(Runnable::run);
                 });
         ExercisePanel panel = made.get();
         OffscreenPainter.paint(panel, width, height);

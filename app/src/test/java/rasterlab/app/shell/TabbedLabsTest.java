@@ -37,7 +37,7 @@ class TabbedLabsTest {
                     tab("plain", Optional.empty()),
                     tab("slow", Optional.of(this::prepare)),
                     tab("broken", Optional.of(this::fail)),
-                    new LabTab("faulty", "faulty", Optional.empty(), () -> this::failAtFirst));
+                    new LabTab("faulty", "faulty", Optional.empty(), this::failAtFirst));
     private final List<String> failures = new CopyOnWriteArrayList<>();
     private TabbedLabs pane;
     private WindowKeys keys;
@@ -71,14 +71,7 @@ class TabbedLabsTest {
     }
 
     private LabTab tab(String name, Optional<Runnable> preparation) {
-        return new LabTab(
-                name,
-                name,
-                preparation,
-                () -> {
-                    events.add(name + " is begun");
-                    return () -> new Lab(name);
-                });
+        return new LabTab(name, name, preparation, () -> new Lab(name));
     }
 
     private final class Lab extends LabPanel {
@@ -86,7 +79,12 @@ class TabbedLabsTest {
 
         Lab(String name) {
             setName(name);
-            events.add(name + " is made");
+            events.add(name + " is begun");
+        }
+
+        @Override
+        public List<Runnable> parts() {
+            return List.of(() -> events.add(getName() + " is made"));
         }
 
         @Override
@@ -139,7 +137,7 @@ class TabbedLabsTest {
     }
 
     @Test
-    void panelIsBegunMadeFilledLaidOutAndShownInEventsOfTheirOwn() throws Exception {
+    void panelIsMadeFilledMeasuredPutInPlaceLaidOutAndShownInEventsOfTheirOwn() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
                     pane.show("plain");
@@ -154,6 +152,8 @@ class TabbedLabsTest {
                         "plain is made",
                         "before",
                         "plain is filled",
+                        "before",
+                        "before",
                         "before",
                         "laid out",
                         "shown"),
@@ -272,15 +272,14 @@ class TabbedLabsTest {
         assertEquals(List.of("not made"), failures);
         choose("faulty");
         await(4);
-        assertEquals(List.of("faulty is made", "faulty is filled"), events);
+        assertEquals(List.of("faulty is begun", "faulty is made", "faulty is filled"), events);
     }
 
     @Test
     void windowOpensThoughTheFirstPanelCannotBeMade() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
-                    var faulty =
-                            new LabTab("f", "f", Optional.empty(), () -> TabbedLabsTest::notMade);
+                    var faulty = new LabTab("f", "f", Optional.empty(), TabbedLabsTest::notMade);
                     var opened =
                             new TabbedLabs(
                                     List.of(faulty),

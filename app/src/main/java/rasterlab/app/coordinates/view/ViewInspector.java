@@ -1,6 +1,8 @@
 package rasterlab.app.coordinates.view;
 
+import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
@@ -10,6 +12,7 @@ import javax.swing.JLabel;
 import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
+import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.coordinates.figure.NumberTable;
@@ -23,23 +26,25 @@ final class ViewInspector {
     private final Texts texts;
     private final Texts translations;
     private final Inspector column;
-    private final NameChooser kind;
+    private final Parts parts;
+    private final Consumer<Inspector> mode;
+    private NameChooser kind;
     private final Map<ViewNumber, SliderField> numbers = new EnumMap<>(ViewNumber.class);
-    private final JCheckBox stable;
-    private final NameChooser stereo;
-    private final MethodChooser method;
-    private final JCheckBox vanishing;
-    private final NameChooser vertex;
-    private final JLabel family;
-    private final JLabel stage;
-    private final JLabel frame;
-    private final JLabel gamma;
-    private final JLabel operations;
-    private final JLabel fit;
-    private final JLabel error;
+    private JCheckBox stable;
+    private NameChooser stereo;
+    private MethodChooser method;
+    private JCheckBox vanishing;
+    private NameChooser vertex;
+    private JLabel family;
+    private JLabel stage;
+    private JLabel frame;
+    private JLabel gamma;
+    private JLabel operations;
+    private JLabel fit;
+    private JLabel error;
     private final FormulaView formulas = new FormulaView("formulas");
-    private final NumberTable table;
-    private final AboutText about;
+    private NumberTable table;
+    private AboutText about;
 
     /**
      * @param mode adds the row that leads to the other labs
@@ -49,16 +54,36 @@ final class ViewInspector {
         this.texts = texts;
         translations = Texts.of("coordinates.view", "topic", texts.language());
         column = new Inspector(texts);
-        var parts = new Parts(column, texts);
-        mode.accept(column);
+        parts = new Parts(column, texts);
+        this.mode = mode;
+    }
+
+    /** All controls, in the column's order, as {@link LabPanel#parts}. */
+    List<Runnable> sections() {
+        var sections = new ArrayList<Runnable>();
+        sections.add(() -> mode.accept(column));
+        sections.add(this::addKind);
+        for (ViewNumber each : ViewNumber.values()) sections.add(() -> addNumber(each));
+        sections.addAll(
+                List.of(this::addChoices, this::addReadings, this::addTable, this::addAbout));
+        return sections;
+    }
+
+    private void addKind() {
         kind =
                 parts.names(
                         "kind",
                         Stream.of(ViewKind.values()).map(ViewKind::code).toList(),
                         code -> model.choose(ViewKind.named(code)));
-        for (ViewNumber each : ViewNumber.values())
-            numbers.put(
-                    each, parts.number(each.code(), each.range(), value -> model.set(each, value)));
+    }
+
+    private void addNumber(ViewNumber number) {
+        numbers.put(
+                number,
+                parts.number(number.code(), number.range(), value -> model.set(number, value)));
+    }
+
+    private void addChoices() {
         stable = parts.box("stable", kept -> model.change(model.choice().withStable(kept)));
         stereo =
                 parts.names(
@@ -69,7 +94,9 @@ final class ViewInspector {
                 parts.box(
                         "vanishing", shown -> model.rearrange(model.choice().withVanishing(shown)));
         method = parts.method(model.methods(), model::chooseMethod);
+    }
 
+    private void addReadings() {
         column.heading("heading.stage");
         stage = column.value("stage.name");
         family = column.value("family");
@@ -81,12 +108,16 @@ final class ViewInspector {
 
         column.heading("heading.matrix");
         column.wide(formulas);
+    }
 
+    private void addTable() {
         column.heading("heading.table");
         vertex = vertexChooser();
         column.row("vertex", vertex);
         table = parts.table("heading.table");
+    }
 
+    private void addAbout() {
         about = parts.about();
     }
 

@@ -1,5 +1,7 @@
 package rasterlab.app.coordinates.view;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Chips;
@@ -13,6 +15,8 @@ import rasterlab.app.language.Texts;
 public final class ViewPanel extends LabCard {
     private static final long serialVersionUID = 1L;
 
+    private final transient ViewLabModel model;
+    private final transient Texts texts;
     private final ViewStageView stage;
     private final transient ViewInspector inspector;
 
@@ -26,7 +30,8 @@ public final class ViewPanel extends LabCard {
             Consumer<CoordinatesMode> onMode,
             Consumer<Throwable> onFailure) {
         super("views", model, language);
-        Texts texts = Texts.of("coordinates.view", language);
+        this.model = model;
+        texts = Texts.of("coordinates.view", language);
         stage = new ViewStageView(model, texts, onFailure);
         inspector = new ViewInspector(model, texts, modes(CoordinatesMode.VIEWS, language, onMode));
         addCopies(
@@ -34,12 +39,22 @@ public final class ViewPanel extends LabCard {
                 () -> stage.shown().svg(),
                 () -> Optional.of(ViewCommand.of(model.scene(), model.step())),
                 onFailure);
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<>(inspector.sections());
+        parts.add(this::putTogether);
+        return parts;
+    }
+
+    private void putTogether() {
         play(
                 situations(model, texts),
                 stage,
                 inspector.column(),
                 new StepPlayer(
-                        Texts.of("canvas", language),
+                        Texts.of("canvas", texts.language()),
                         model,
                         () -> texts.text("space." + model.stage().space().code() + ".short")));
     }
