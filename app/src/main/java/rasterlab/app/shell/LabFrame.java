@@ -13,7 +13,9 @@ import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.WindowConstants;
@@ -36,6 +38,7 @@ public final class LabFrame extends JFrame {
     private final transient StateKeeper keeper;
     private transient LabSettings settings;
     private transient LabTabs tabs;
+    private transient Optional<LabTabs> coming = Optional.empty();
     private LabContent content;
     private Rectangle unmaximised;
 
@@ -125,12 +128,47 @@ public final class LabFrame extends JFrame {
      * that was still on its way goes to the picture.
      */
     public void wear(LabLook look) {
+        forgetComing();
+        if (!look.equals(settings.look()))
+            wear(look, () -> LabTabs.create(models, look.language(), onFailure));
+    }
+
+    /**
+     * Does what the user chose: as {@link #wear}, but another language is worn when the tab that is
+     * seen is made in it, part by part, between which the window answers.
+     */
+    private void choose(LabLook look) {
+        if (look.language() == language() || !look.equals(settings.look().with(look.language()))) {
+            wear(look);
+            return;
+        }
+        forgetComing();
+        LabTabs next = LabTabs.create(models, look.language(), onFailure);
+        coming = Optional.of(next);
+        next.namedOrFirst(content.seen()).makeInEvents(() -> wearComing(look, next));
+    }
+
+    /** Unless something else was chosen, or the window closed, while they were made. */
+    private void wearComing(LabLook look, LabTabs next) {
+        if (!coming.equals(Optional.of(next))) return;
+        coming = Optional.empty();
+        wear(look, () -> next);
+    }
+
+    private void forgetComing() {
+        coming.ifPresent(LabTabs::close);
+        coming = Optional.empty();
+    }
+
+    /**
+     * @param next makes or gives the tabs when the look is installed
+     */
+    private void wear(LabLook look, Supplier<LabTabs> next) {
         LabLook before = settings.look();
-        if (look.equals(before)) return;
         settings = settings.with(look);
         String focus = focused();
         String seen = content.seen();
-        String coming = content.shown();
+        String chosen = content.shown();
         // What is thrown away need not learn the new look first.
         place.removeAll();
         tabs.close();
@@ -138,8 +176,8 @@ public final class LabFrame extends JFrame {
             look.theme().install(look.textPercent());
             FlatLaf.updateUI();
         }
-        fill(LabTabs.create(models, language(), onFailure), seen);
-        content.show(coming);
+        fill(next.get(), seen);
+        content.show(chosen);
         giveFocus(focus);
         EventQueue.invokeLater(() -> giveFocus(focus));
         keeper.look();
@@ -168,7 +206,7 @@ public final class LabFrame extends JFrame {
         setTitle(texts.text("title"));
         DialogTexts.install(language());
         tabs = next;
-        content = new LabContent(tabs, tab, look(), this::wear);
+        content = new LabContent(tabs, tab, look(), this::choose);
         // The frame would lay out a new content pane at once; this is an event of its own.
         place.add(content);
         place.revalidate();
@@ -216,6 +254,7 @@ public final class LabFrame extends JFrame {
 
     private void end() {
         keeper.close();
+        forgetComing();
         tabs.close();
         models.close();
         // Else a later theme gives the closed window's controls their keys again, which keeps it.

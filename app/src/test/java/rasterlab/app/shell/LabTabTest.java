@@ -83,7 +83,16 @@ class LabTabTest {
         fails = false;
         tab.panel();
         assertEquals(
-                List.of("begun", "first", "closed", "begun", "first", "second", "filled", "measured"), events);
+                List.of(
+                        "begun",
+                        "first",
+                        "closed",
+                        "begun",
+                        "first",
+                        "second",
+                        "filled",
+                        "measured"),
+                events);
     }
 
     @Test
@@ -95,7 +104,19 @@ class LabTabTest {
                 });
         letEventsPass();
         assertEquals(
-                List.of("-", "begun", "-", "first", "-", "second", "-", "filled", "-", "measured", "-", "then"),
+                List.of(
+                        "-",
+                        "begun",
+                        "-",
+                        "first",
+                        "-",
+                        "second",
+                        "-",
+                        "filled",
+                        "-",
+                        "measured",
+                        "-",
+                        "then"),
                 events);
     }
 

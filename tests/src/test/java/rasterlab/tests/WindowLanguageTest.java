@@ -1,0 +1,77 @@
+package rasterlab.tests;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.EventQueue;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import javax.swing.JComboBox;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.language.Language;
+
+/** Another language chosen in the window. */
+class WindowLanguageTest extends WindowHarness {
+    /** Events between which a tab is made, at least. */
+    private static final int PARTS = 5;
+
+    @Test
+    void windowAnswersWhileItsTabIsMadeInTheOtherLanguage() {
+        var seen = new CopyOnWriteArrayList<Language>();
+        GuiActionRunner.execute(
+                () -> {
+                    choose(Language.RUSSIAN);
+                    note(seen);
+                });
+        await("Russian", () -> seen.contains(Language.RUSSIAN));
+        assertTrue(Collections.frequency(seen, Language.ENGLISH) > PARTS, seen::toString);
+    }
+
+    /** In each event, until the window speaks Russian. */
+    private void note(List<Language> seen) {
+        seen.add(frame.language());
+        if (frame.language() == Language.ENGLISH) EventQueue.invokeLater(() -> note(seen));
+    }
+
+    @Test
+    void languageChosenLastIsSpoken() {
+        GuiActionRunner.execute(
+                () -> {
+                    choose(Language.RUSSIAN);
+                    choose(Language.ENGLISH);
+                });
+        letAllEventsPass();
+        assertEquals(Language.ENGLISH, frame.language());
+        GuiActionRunner.execute(
+                () -> {
+                    choose(Language.RUSSIAN);
+                    choose(Language.ENGLISH);
+                    choose(Language.RUSSIAN);
+                });
+        await("Russian", () -> frame.language() == Language.RUSSIAN);
+    }
+
+    @Test
+    void windowClosedMeanwhileLearnsNoLanguage() {
+        GuiActionRunner.execute(
+                () -> {
+                    choose(Language.RUSSIAN);
+                    frame.dispose();
+                });
+        letAllEventsPass();
+        assertEquals(Language.ENGLISH, frame.language());
+    }
+
+    private void choose(Language language) {
+        robot.finder()
+                .findByName(frame, "language", JComboBox.class)
+                .setSelectedIndex(language.ordinal());
+    }
+
+    /** More than a tab is made in. */
+    private static void letAllEventsPass() {
+        for (int k = 0; k < 99; k++) GuiActionRunner.execute(() -> {});
+    }
+}
