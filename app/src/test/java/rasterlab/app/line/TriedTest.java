@@ -168,6 +168,7 @@ class TriedTest {
         EventQueue.invokeAndWait(
                 () -> {
                     var inspector = new LineInspector(model, texts);
+                    inspector.sections().forEach(Runnable::run);
                     inspector.refresh();
                     Stream.of(inspector.column().getComponents())
                             .filter(each -> "apart.value".equals(each.getName()))
