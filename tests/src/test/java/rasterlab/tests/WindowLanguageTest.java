@@ -7,10 +7,14 @@ import java.awt.EventQueue;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import javax.swing.JButton;
 import javax.swing.JComboBox;
+import javax.swing.JMenuItem;
+import javax.swing.MenuSelectionManager;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabTheme;
 
 /** Another language chosen in the window. */
 class WindowLanguageTest extends WindowHarness {
@@ -51,6 +55,20 @@ class WindowLanguageTest extends WindowHarness {
                     choose(Language.RUSSIAN);
                 });
         await("Russian", () -> frame.language() == Language.RUSSIAN);
+    }
+
+    @Test
+    void themeChosenMeanwhileLeavesTheLanguage() {
+        GuiActionRunner.execute(
+                () -> {
+                    choose(Language.RUSSIAN);
+                    robot.finder().findByName(frame, "look", JButton.class).doClick(0);
+                    robot.finder().findByName("theme.dark", JMenuItem.class).doClick(0);
+                    MenuSelectionManager.defaultManager().clearSelectedPath();
+                });
+        letAllEventsPass();
+        assertEquals(Language.RUSSIAN, frame.language());
+        assertEquals(LabTheme.DARK, frame.look().theme());
     }
 
     @Test

@@ -38,7 +38,7 @@ public final class LabFrame extends JFrame {
     private final transient StateKeeper keeper;
     private transient LabSettings settings;
     private transient LabTabs tabs;
-    private transient Optional<LabTabs> coming = Optional.empty();
+    private transient Optional<Coming> coming = Optional.empty();
     private LabContent content;
     private Rectangle unmaximised;
 
@@ -133,30 +133,34 @@ public final class LabFrame extends JFrame {
             wear(look, () -> LabTabs.create(models, look.language(), onFailure));
     }
 
+    /** Tabs in the language that was chosen, until the one that is seen is made. */
+    private record Coming(LabLook look, LabTabs tabs) {}
+
     /**
      * Does what the user chose: as {@link #wear}, but another language is worn when the tab that is
-     * seen is made in it, part by part, between which the window answers.
+     * seen is made in it, part by part, between which the window answers. What else is chosen
+     * meanwhile is worn with that language.
      */
     private void choose(LabLook look) {
-        if (look.language() == language() || !look.equals(settings.look().with(look.language()))) {
-            wear(look);
-            return;
-        }
-        forgetComing();
-        LabTabs next = LabTabs.create(models, look.language(), onFailure);
-        coming = Optional.of(next);
-        next.namedOrFirst(content.seen()).makeInEvents(() -> wearComing(look, next));
+        boolean otherLanguage = look.language() != language();
+        if (otherLanguage && look.equals(settings.look().with(look.language()))) {
+            forgetComing();
+            var next = new Coming(look, LabTabs.create(models, look.language(), onFailure));
+            coming = Optional.of(next);
+            next.tabs().namedOrFirst(content.seen()).makeInEvents(() -> wear(next));
+        } else if (otherLanguage || look.equals(settings.look())) wear(look);
+        else wear(look.with(coming.map(Coming::look).orElse(look).language()));
     }
 
     /** Unless something else was chosen, or the window closed, while they were made. */
-    private void wearComing(LabLook look, LabTabs next) {
+    private void wear(Coming next) {
         if (!coming.equals(Optional.of(next))) return;
         coming = Optional.empty();
-        wear(look, () -> next);
+        wear(next.look(), next::tabs);
     }
 
     private void forgetComing() {
-        coming.ifPresent(LabTabs::close);
+        coming.map(Coming::tabs).ifPresent(LabTabs::close);
         coming = Optional.empty();
     }
 
