@@ -82,17 +82,12 @@ class EndedWindowTest {
 
     /** The process as soon as it says that it changed what it shows. */
     private Process changed() throws IOException {
-        String classPath =
-                System.getProperty(
-                        "surefire.test.class.path", System.getProperty("java.class.path"));
         Process process =
                 new ProcessBuilder(
-                                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                                "-Xmx400m",
-                                "-cp",
-                                classPath,
-                                EndedWindow.class.getName(),
-                                settings().toString())
+                                JavaCommand.of(
+                                        List.of("-Xmx400m"),
+                                        EndedWindow.class.getName(),
+                                        List.of(settings().toString())))
                         .redirectError(ProcessBuilder.Redirect.INHERIT)
                         .start();
         String said = process.inputReader(StandardCharsets.UTF_8).readLine();

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
+import rasterlab.tests.JavaCommand;
 
 /**
  * {@code ./lab grader serve} as a real child process on a free port.
@@ -42,21 +43,12 @@ public record ServerProcess(Process process, URI address, String token, Path log
 
     /** The call of the server on that data folder, with more options. */
     static List<String> command(Path data, String... options) {
-        var command =
-                new ArrayList<>(
-                        List.of(
-                                Path.of(System.getProperty("java.home"), "bin", "java")
-                                        .toString()));
-        if (Runtime.version().feature() >= 24) command.add("--enable-native-access=ALL-UNNAMED");
-        var classPath =
-                System.getProperty(
-                        "surefire.test.class.path", System.getProperty("java.class.path"));
         // It lives for seconds, in which the second compiler would only cost time.
-        command.addAll(List.of("-Xmx400m", "-XX:TieredStopAtLevel=1"));
-        command.addAll(List.of("-cp", classPath, "rasterlab.grader.MainKt"));
-        command.addAll(List.of("serve", "--data", data.toString()));
-        command.addAll(List.of(options));
-        return command;
+        var java = new ArrayList<>(List.of("-Xmx400m", "-XX:TieredStopAtLevel=1"));
+        if (Runtime.version().feature() >= 24) java.add("--enable-native-access=ALL-UNNAMED");
+        var arguments = new ArrayList<>(List.of("serve", "--data", data.toString()));
+        arguments.addAll(List.of(options));
+        return JavaCommand.of(java, "rasterlab.grader.MainKt", arguments);
     }
 
     private static String lineAfter(String start, BufferedReader out, Path log) throws IOException {

@@ -22,10 +22,10 @@ final class FillBench {
     /** All boxes together, in pixels: about seven pictures. */
     private static final int AREA = 6_000_000;
 
-    private final int rounds;
+    private final int turns;
 
     FillBench(boolean quick) {
-        rounds = quick ? 10 : 40;
+        turns = quick ? 3 : 10;
     }
 
     /**
@@ -57,7 +57,7 @@ final class FillBench {
                         glMesh.draw();
                         GL11C.glFinish();
                     });
-            var turns = new Turns(rounds, runs.toArray(Runnable[]::new));
+            var times = new Turns(turns, runs.toArray(Runnable[]::new));
             int[] peer = target.read();
             var rows = new ArrayList<Row>();
             for (int k = 0; k < ways.size(); k++)
@@ -65,9 +65,9 @@ final class FillBench {
                         new Row(
                                 "%,d triangles of %d px with depth, %s"
                                         .formatted(mesh.triangleCount(), side, ways.get(k).name()),
-                                turns.text(k),
-                                "OpenGL " + turns.text(ways.size()),
-                                turns.ratio(ways.size(), k),
+                                times.text(k),
+                                "OpenGL " + times.text(ways.size()),
+                                times.ratio(ways.size(), k),
                                 goals.get(ways.get(k).lanes()),
                                 Difference.of(pictures.get(k).raster().argb(), peer).text()));
             return rows;

@@ -17,10 +17,10 @@ import rasterlab.engine.scene.VertexQuantity;
 final class OwnBench {
     private static final TorusScene SCENE = new TorusScene(100_000, 1280, 720);
 
-    private final int rounds;
+    private final int turns;
 
     OwnBench(boolean quick) {
-        rounds = quick ? 10 : 40;
+        turns = quick ? 3 : 10;
     }
 
     /** Two fills of plain arrays are what memory allows; the goal is 1.1 times their time. */
@@ -31,9 +31,9 @@ final class OwnBench {
         var out = new DepthRaster(1920, 1080);
         int[] argb = new int[1920 * 1080];
         float[] depth = new float[1920 * 1080];
-        var turns =
+        var times =
                 new Turns(
-                        5 * rounds,
+                        5 * turns,
                         () -> pipeline.drawOn(1, nothing, view, surface, out, () -> false),
                         () -> {
                             Arrays.fill(argb, 1);
@@ -41,9 +41,9 @@ final class OwnBench {
                         });
         return new Row(
                 "colour and depth clear of 1920×1080",
-                turns.text(0),
-                "two Arrays.fill " + turns.text(1),
-                turns.ratio(1, 0),
+                times.text(0),
+                "two Arrays.fill " + times.text(1),
+                times.ratio(1, 0),
                 1 / 1.1,
                 "");
     }
@@ -55,17 +55,17 @@ final class OwnBench {
         int[] copy = new int[1920 * 1080];
         var graphics = shown.createGraphics();
         graphics.setComposite(AlphaComposite.Src);
-        var turns =
+        var times =
                 new Turns(
-                        5 * rounds,
+                        5 * turns,
                         () -> graphics.drawImage(picture.image(), 0, 0, null),
                         () -> System.arraycopy(picture.argb(), 0, copy, 0, copy.length));
         graphics.dispose();
         return new Row(
                 "present a frame of 1920×1080",
-                turns.text(0),
-                "System.arraycopy " + turns.text(1),
-                turns.ratio(1, 0),
+                times.text(0),
+                "System.arraycopy " + times.text(1),
+                times.ratio(1, 0),
                 1 / 1.1,
                 "AlphaComposite.Src");
     }
@@ -79,9 +79,9 @@ final class OwnBench {
         int cells = SCENE.width() * SCENE.height();
         int[] argb = new int[cells];
         float[] depth = new float[cells];
-        var turns =
+        var times =
                 new Turns(
-                        rounds,
+                        turns,
                         () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
                         () -> {
                             Arrays.fill(argb, 1);
@@ -91,9 +91,9 @@ final class OwnBench {
                         });
         return new Row(
                 SCENE + ", Gouraud, beside the memory limit",
-                turns.text(0),
-                "the same bytes by Arrays.fill " + turns.text(1),
-                turns.ratio(1, 0),
+                times.text(0),
+                "the same bytes by Arrays.fill " + times.text(1),
+                times.ratio(1, 0),
                 0,
                 "");
     }
@@ -105,17 +105,17 @@ final class OwnBench {
         var out = new DepthRaster(SCENE.width(), SCENE.height());
         var alone = new DepthRaster(SCENE.width(), SCENE.height());
         try (var one = new TrianglePipeline(1)) {
-            var turns =
+            var times =
                     new Turns(
-                            rounds,
+                            turns,
                             () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
                             () -> one.drawOn(1, mesh, view, surface, alone, () -> false));
             boolean same = Arrays.equals(out.raster().argb(), alone.raster().argb());
             return new Row(
                     SCENE + ", threads 1 → " + pipeline.threads(),
-                    turns.text(0),
-                    "one thread " + turns.text(1),
-                    turns.ratio(1, 0),
+                    times.text(0),
+                    "one thread " + times.text(1),
+                    times.ratio(1, 0),
                     pipeline.threads() == 2 ? 1.85 : 0,
                     same ? "same picture bit for bit" : "the pictures differ");
         }
@@ -132,9 +132,9 @@ final class OwnBench {
         graphics.setColor(Color.ORANGE);
         int[] x = new int[3];
         int[] y = new int[3];
-        var turns =
+        var times =
                 new Turns(
-                        rounds,
+                        turns,
                         () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
                         () -> {
                             graphics.clearRect(0, 0, SCENE.width(), SCENE.height());
@@ -152,9 +152,9 @@ final class OwnBench {
                         });
         return new Row(
                 SCENE + ", Gouraud",
-                turns.text(0),
-                "Java2D, one colour, no depth " + turns.text(1),
-                turns.ratio(1, 0),
+                times.text(0),
+                "Java2D, one colour, no depth " + times.text(1),
+                times.ratio(1, 0),
                 0,
                 "");
     }

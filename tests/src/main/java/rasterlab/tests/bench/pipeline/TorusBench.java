@@ -7,12 +7,12 @@ import rasterlab.engine.pipeline.triangle.Surface;
 
 /** A torus by the pipeline and by OpenGL: clear, light, texture, draw, finish. */
 final class TorusBench {
-    private static final int ROUNDS = 40;
+    private static final int TURNS = 10;
 
-    private final int rounds;
+    private final int turns;
 
     TorusBench(boolean quick) {
-        rounds = quick ? ROUNDS / 4 : ROUNDS;
+        turns = quick ? TURNS / 4 : TURNS;
     }
 
     /** One row for each way, the goal in the first one's. */
@@ -30,16 +30,16 @@ final class TorusBench {
         }
         try (var torus = new GlTorus(scene, look, mesh)) {
             runs.add(torus::draw);
-            var turns = new Turns(rounds, runs.toArray(Runnable[]::new));
+            var times = new Turns(turns, runs.toArray(Runnable[]::new));
             int[] peer = torus.read();
             var rows = new ArrayList<Row>();
             for (int k = 0; k < ways.size(); k++)
                 rows.add(
                         new Row(
                                 "%s, %s, %s".formatted(scene, look.text(), ways.get(k).name()),
-                                turns.text(k),
-                                "OpenGL " + turns.text(ways.size()),
-                                turns.ratio(ways.size(), k),
+                                times.text(k),
+                                "OpenGL " + times.text(ways.size()),
+                                times.ratio(ways.size(), k),
                                 k == 0 ? goal : 0,
                                 Difference.of(pictures.get(k).raster().argb(), peer).text()));
             return rows;

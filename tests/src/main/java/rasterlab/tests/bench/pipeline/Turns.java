@@ -6,6 +6,9 @@ import java.util.Locale;
 /**
  * Times of several ways to do one thing, taken in turn, so that what slows the machine for a while
  * slows them all.
+ *
+ * <p>A turn is {@value #RUNS} runs on end, as one way draws an animation: most of them find in the
+ * caches what the way itself left there, not another one.
  */
 final class Turns {
     /** For each way: by then, on a quiet machine, the compiler has done with what is run most. */
@@ -13,18 +16,20 @@ final class Turns {
 
     private static final int WARM_UP_ROUNDS = 5;
 
-    private final Runnable[] ways;
+    private static final int RUNS = 8;
+
     private final double[][] millis;
 
     /**
-     * @param rounds how often each is timed, after some rounds to warm up
+     * @param turns how many turns each has, after it has warmed up
      */
-    Turns(int rounds, Runnable... ways) {
-        this.ways = ways.clone();
-        millis = new double[ways.length][rounds];
+    Turns(int turns, Runnable... ways) {
+        millis = new double[ways.length][turns * RUNS];
         for (Runnable way : ways) warmUp(way);
-        for (int round = 0; round < rounds; round++)
-            for (int way = 0; way < ways.length; way++) millis[way][round] = millis(ways[way]);
+        for (int turn = 0; turn < turns; turn++)
+            for (int way = 0; way < ways.length; way++)
+                for (int run = 0; run < RUNS; run++)
+                    millis[way][turn * RUNS + run] = millis(ways[way]);
         for (double[] each : millis) Arrays.sort(each);
     }
 

@@ -3,7 +3,12 @@ package rasterlab.tests.bench.window;
 import java.awt.AWTEvent;
 import java.awt.EventQueue;
 
-/** Measures how long the event thread is busy with one event. */
+/**
+ * Measures how long the event thread is busy with one event.
+ *
+ * <p>It stays until the process ends: Java gives a queue that gets its events back a second event
+ * thread if its own one has ended meanwhile, and then some events are never seen to.
+ */
 final class EventWatch extends EventQueue {
     private volatile long longestNanos;
 
@@ -19,10 +24,5 @@ final class EventWatch extends EventQueue {
         long found = longestNanos;
         longestNanos = 0;
         return found;
-    }
-
-    /** Gives events back to the queue before. */
-    void leave() {
-        pop();
     }
 }

@@ -154,7 +154,6 @@ public final class WindowBench {
                     });
             // The closed window keeps its settings in an event of its own.
             onEventThread(() -> null);
-            events.leave();
         }
         if (failure.get() != null)
             throw new IllegalStateException("the lab reported a failure", failure.get());

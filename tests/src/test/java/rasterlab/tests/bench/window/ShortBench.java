@@ -1,0 +1,12 @@
+package rasterlab.tests.bench.window;
+
+import java.io.IOException;
+
+/** The window's benchmark with one start and short drags, in a process of its own. */
+final class ShortBench {
+    private ShortBench() {}
+
+    public static void main(String[] none) throws IOException, InterruptedException {
+        new WindowBench(1, 0.5, 0, System.out).run();
+    }
+}
