@@ -25,19 +25,20 @@ final class BandStage {
         if (frame.surface instanceof Surface.PerPixel) pixels.begin(frame);
         for (int k = 0; k < chunks; k++) {
             TriangleChunk chunk = sorted[k];
-            for (int i = chunk.start[band]; i < chunk.start[band + 1]; i++) {
-                int entry = chunk.entries[i];
-                if (entry >= 0) draw(frame, frame.vertices, frame.mesh.triangles(), 3 * entry, top);
-                else draw(frame, chunk.clipped, chunk.clippedTriangles, 3 * ~entry, top);
+            int[] corners = chunk.corners;
+            for (int i = 3 * chunk.start[band]; i < 3 * chunk.start[band + 1]; i += 3) {
+                int first = corners[i];
+                int second = corners[i + 1];
+                int third = corners[i + 2];
+                if (first >= 0) draw(frame, frame.vertices, first, second, third, top);
+                else draw(frame, chunk.clipped, ~first, ~second, ~third, top);
             }
         }
         if (frame.surface instanceof Surface.PerPixel) pixels.flush();
     }
 
-    private void draw(Frame frame, ScreenVertices vertices, int[] triangles, int at, int top) {
-        int first = triangles[at];
-        int second = triangles[at + 1];
-        int third = triangles[at + 2];
+    private void draw(
+            Frame frame, ScreenVertices vertices, int first, int second, int third, int top) {
         if (tiny.load(vertices, first, second, third, frame.out, top)) {
             fillTiny(frame, vertices, third);
             return;
@@ -49,7 +50,7 @@ final class BandStage {
         }
         loops.scan(scan);
         if (frame.surface instanceof Surface.PerPixel) pixels.fill(scan, vertices, third);
-        else fillFlat(frame.out, vertices, FlatFill.argb(vertices.attributes, third));
+        else fillFlat(frame.out, vertices, FlatFill.argb(vertices, third));
     }
 
     private void fillFlat(DepthRaster out, ScreenVertices vertices, int argb) {
@@ -74,6 +75,6 @@ final class BandStage {
         tiny.look(frame.out.width());
         if (tiny.count == 0) return;
         if (frame.surface instanceof Surface.PerPixel) pixels.fill(tiny, vertices, third);
-        else TinyFill.flat(frame.out, tiny, vertices, FlatFill.argb(vertices.attributes, third));
+        else TinyFill.flat(frame.out, tiny, vertices, FlatFill.argb(vertices, third));
     }
 }

@@ -9,7 +9,7 @@ import java.util.Arrays;
  */
 final class Binner {
     private final Clipper clipper = new Clipper();
-    private int[] entry = new int[TriangleChunk.SIZE];
+    private int[] corners = new int[3 * TriangleChunk.SIZE];
     private int[] firstBand = new int[TriangleChunk.SIZE];
     private int[] lastBand = new int[TriangleChunk.SIZE];
     private int kept;
@@ -19,34 +19,42 @@ final class Binner {
     }
 
     void run(Frame frame, int index, TriangleChunk chunk) {
-        chunk.begin(frame.bands);
+        chunk.begin(frame.bands, frame.attributeCount);
         kept = 0;
-        int[] triangles = frame.mesh.triangles();
-        short[] code = frame.vertices.code;
         int from = index * TriangleChunk.SIZE;
         int to = Math.min(from + TriangleChunk.SIZE, frame.mesh.triangleCount());
-        for (int t = from; t < to; t++) {
-            int a = triangles[3 * t];
-            int b = triangles[3 * t + 1];
-            int c = triangles[3 * t + 2];
-            int any = code[a] | code[b] | code[c];
-            if (any == 0) keep(frame, frame.vertices, a, b, c, t, chunk);
-            else if (!ClipCode.outOfSight(code[a] & code[b] & code[c])) {
-                if (ClipCode.mustClip(any)) clip(frame, a, b, c, chunk);
-                else keep(frame, frame.vertices, a, b, c, t, chunk);
-            }
-        }
+        if (frame.anyBeyond) sortOutBeyond(frame, from, to, chunk);
+        else keepAll(frame, from, to, chunk);
         sort(chunk, frame.bands);
     }
 
-    private void keep(
-            Frame frame, ScreenVertices v, int a, int b, int c, int name, TriangleChunk chunk) {
-        int ax = v.x[a];
-        int ay = v.y[a];
-        int bx = v.x[b];
-        int by = v.y[b];
-        int cx = v.x[c];
-        int cy = v.y[c];
+    private void keepAll(Frame frame, int from, int to, TriangleChunk chunk) {
+        int[] triangles = frame.mesh.triangles();
+        for (int t = 3 * from; t < 3 * to; t += 3)
+            keep(frame, frame.vertices, triangles[t], triangles[t + 1], triangles[t + 2], chunk);
+    }
+
+    /** The same where some vertices lie beyond a plane. */
+    private void sortOutBeyond(Frame frame, int from, int to, TriangleChunk chunk) {
+        int[] triangles = frame.mesh.triangles();
+        short[] code = frame.vertices.code;
+        for (int t = 3 * from; t < 3 * to; t += 3) {
+            int a = triangles[t];
+            int b = triangles[t + 1];
+            int c = triangles[t + 2];
+            if (ClipCode.outOfSight(code[a] & code[b] & code[c])) continue;
+            if (ClipCode.mustClip(code[a] | code[b] | code[c])) clip(frame, a, b, c, chunk);
+            else keep(frame, frame.vertices, a, b, c, chunk);
+        }
+    }
+
+    private void keep(Frame frame, ScreenVertices v, int a, int b, int c, TriangleChunk chunk) {
+        int ax = v.x(a);
+        int ay = v.y(a);
+        int bx = v.x(b);
+        int by = v.y(b);
+        int cx = v.x(c);
+        int cy = v.y(c);
         // y grows down: what turns counter-clockwise on the picture has this sign.
         long twiceArea = (long) (by - ay) * (cx - ax) - (long) (bx - ax) * (cy - ay);
         if (!frame.view.culling().keeps(twiceArea)) return;
@@ -61,16 +69,24 @@ final class Binner {
         bottom = Math.min(bottom, frame.out.height());
         if (top >= bottom || Math.max(left, 0) >= Math.min(right, frame.out.width())) return;
         v.need(a, b, c);
-        add(name, top / TriangleScan.ROWS, (bottom - 1) / TriangleScan.ROWS, chunk);
+        int made = v == chunk.clipped ? -1 : 0;
+        add(a ^ made, b ^ made, c ^ made, top, bottom - 1, chunk);
     }
 
-    private void add(int name, int first, int last, TriangleChunk chunk) {
-        if (kept == entry.length) {
-            entry = Arrays.copyOf(entry, 2 * kept);
+    /**
+     * @param top row of pixels, in the picture
+     */
+    private void add(int a, int b, int c, int top, int bottom, TriangleChunk chunk) {
+        if (kept == firstBand.length) {
+            corners = Arrays.copyOf(corners, 6 * kept);
             firstBand = Arrays.copyOf(firstBand, 2 * kept);
             lastBand = Arrays.copyOf(lastBand, 2 * kept);
         }
-        entry[kept] = name;
+        corners[3 * kept] = a;
+        corners[3 * kept + 1] = b;
+        corners[3 * kept + 2] = c;
+        int first = top / TriangleScan.ROWS;
+        int last = bottom / TriangleScan.ROWS;
         firstBand[kept] = first;
         lastBand[kept++] = last;
         for (int band = first; band <= last; band++) chunk.start[band + 1]++;
@@ -82,10 +98,8 @@ final class Binner {
         if (polygon.size < 3) return;
         int first = chunk.clippedVertices;
         for (int k = 0; k < polygon.size; k++) addVertex(frame, polygon, k, c, chunk);
-        for (int k = 1; k + 1 < polygon.size; k++) {
-            int name = chunk.addClipped(first, first + k, first + k + 1);
-            keep(frame, chunk.clipped, first, first + k, first + k + 1, name, chunk);
-        }
+        for (int k = 1; k + 1 < polygon.size; k++)
+            keep(frame, chunk.clipped, first, first + k, first + k + 1, chunk);
     }
 
     /**
@@ -97,26 +111,26 @@ final class Binner {
             Frame frame, ClipPolygon polygon, int k, int third, TriangleChunk chunk) {
         ScreenVertices to = chunk.clipped;
         int at = chunk.clippedVertices++;
-        to.ensure(at + 1, frame.attributeCount);
+        to.ensure(at + 1);
         int vertex = polygon.vertex[k];
         if (vertex != ClipPolygon.NEW) {
-            to.x[at] = frame.vertices.x[vertex];
-            to.y[at] = frame.vertices.y[vertex];
-            to.depth[at] = frame.vertices.depth[vertex];
-            to.nearness[at] = frame.vertices.nearness[vertex];
+            ScreenVertices v = frame.vertices;
+            to.put(at, v.x(vertex), v.y(vertex), v.depth(vertex), v.nearness(vertex));
         } else {
             double[] clip = polygon.values[k];
             double nearness = 1 / clip[3];
-            to.x[at] = frame.subpixels.x(clip[0] * nearness);
-            to.y[at] = frame.subpixels.y(clip[1] * nearness);
             double depth = 0.5 + 0.5 * (clip[2] * nearness);
-            to.depth[at] = (float) Math.max(0, Math.min(1, depth));
-            to.nearness[at] = (float) nearness;
+            to.put(
+                    at,
+                    frame.subpixels.x(clip[0] * nearness),
+                    frame.subpixels.y(clip[1] * nearness),
+                    (float) Math.max(0, Math.min(1, depth)),
+                    (float) nearness);
         }
         for (int i = 0; i < frame.attributeCount; i++)
-            to.attributes[i][at] =
+            to.attributes[to.stride * at + i] =
                     frame.flatColors && Frame.isColor(frame.attribute[i])
-                            ? frame.vertices.attributes[i][third]
+                            ? frame.vertices.attribute(i, third)
                             : (float) polygon.attribute(k, i);
     }
 
@@ -124,12 +138,17 @@ final class Binner {
     private void sort(TriangleChunk chunk, int bands) {
         int[] start = chunk.start;
         for (int band = 0; band < bands; band++) start[band + 1] += start[band];
-        int total = start[bands];
-        if (chunk.entries.length < total)
-            chunk.entries = new int[Math.max(total, 3 * chunk.entries.length / 2)];
+        int total = 3 * start[bands];
+        if (chunk.corners.length < total)
+            chunk.corners = new int[Math.max(total, 3 * chunk.corners.length / 2)];
+        int[] sorted = chunk.corners;
         for (int k = 0; k < kept; k++)
-            for (int band = firstBand[k]; band <= lastBand[k]; band++)
-                chunk.entries[start[band]++] = entry[k];
+            for (int band = firstBand[k]; band <= lastBand[k]; band++) {
+                int at = 3 * start[band]++;
+                sorted[at] = corners[3 * k];
+                sorted[at + 1] = corners[3 * k + 1];
+                sorted[at + 2] = corners[3 * k + 2];
+            }
         // Each start has moved to its band's end, which is the next one's start.
         for (int band = bands; band > 0; band--) start[band] = start[band - 1];
         start[0] = 0;

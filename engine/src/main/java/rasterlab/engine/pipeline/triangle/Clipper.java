@@ -50,7 +50,7 @@ final class Clipper {
         for (int k = 0; k < polygon.planes; k++)
             polygon.values[at][4 + k] = ClipCode.distance(frame.view.worldPlanes()[k], x, y, z);
         for (int k = 0; k < polygon.attributes; k++)
-            polygon.values[at][4 + polygon.planes + k] = frame.vertices.attributes[k][vertex];
+            polygon.values[at][4 + polygon.planes + k] = frame.vertices.attribute(k, vertex);
     }
 
     private void cut(int plane) {

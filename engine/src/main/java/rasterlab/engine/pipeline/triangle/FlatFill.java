@@ -4,11 +4,11 @@ package rasterlab.engine.pipeline.triangle;
 final class FlatFill {
     private FlatFill() {}
 
-    /** An opaque colour from channels of 0 to 255. */
-    static int argb(float[][] rgb, int vertex) {
-        int red = (int) (rgb[0][vertex] + 0.5f);
-        int green = (int) (rgb[1][vertex] + 0.5f);
-        int blue = (int) (rgb[2][vertex] + 0.5f);
+    /** An opaque colour from the vertex's channels of 0 to 255. */
+    static int argb(ScreenVertices v, int vertex) {
+        int red = (int) (v.attribute(0, vertex) + 0.5f);
+        int green = (int) (v.attribute(1, vertex) + 0.5f);
+        int blue = (int) (v.attribute(2, vertex) + 0.5f);
         return 0xFF000000 | red << 16 | green << 8 | blue;
     }
 

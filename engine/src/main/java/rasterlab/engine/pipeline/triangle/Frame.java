@@ -25,6 +25,9 @@ final class Frame {
     /** Whether a triangle may have to be clipped: its vertices need attributes at once. */
     boolean clips;
 
+    /** Whether any vertex lies beyond a plane. */
+    boolean anyBeyond;
+
     /** Whether each band is cleared before it is drawn, and to what. */
     boolean clears;
 
@@ -43,8 +46,9 @@ final class Frame {
         for (VertexQuantity quantity : QUANTITIES)
             if (needs(quantity)) attribute[attributeCount++] = quantity;
         flatColors = vertexColors() instanceof Surface.Flat;
-        vertices.ensure(mesh.vertexCount(), attributeCount);
+        vertices.begin(mesh.vertexCount(), attributeCount);
         clips = false;
+        anyBeyond = false;
         bands = (out.height() + TriangleScan.ROWS - 1) / TriangleScan.ROWS;
     }
 

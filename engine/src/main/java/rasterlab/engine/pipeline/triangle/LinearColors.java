@@ -60,44 +60,39 @@ final class LinearColors {
     int blue;
 
     boolean fits(TriangleScan scan, ScreenVertices v) {
-        float qa = v.nearness[scan.a];
-        float qb = v.nearness[scan.b];
-        float qc = v.nearness[scan.c];
+        float qa = v.nearness(scan.a);
+        float qb = v.nearness(scan.b);
+        float qc = v.nearness(scan.c);
         float least = Math.min(qa, Math.min(qb, qc));
         float spread = Math.max(qa, Math.max(qb, qc)) - least;
         float most = TOLERANCE * 4 * least;
         if (255 * spread <= most) return true;
-        float range =
-                Math.max(
-                        range(v.attributes[0], scan),
-                        Math.max(range(v.attributes[1], scan), range(v.attributes[2], scan)));
+        float range = Math.max(range(v, 0, scan), Math.max(range(v, 1, scan), range(v, 2, scan)));
         return range * spread <= most;
     }
 
-    private static float range(float[] channel, TriangleScan scan) {
-        float a = channel[scan.a];
-        float b = channel[scan.b];
-        float c = channel[scan.c];
+    private static float range(ScreenVertices v, int channel, TriangleScan scan) {
+        float a = v.attribute(channel, scan.a);
+        float b = v.attribute(channel, scan.b);
+        float c = v.attribute(channel, scan.c);
         return Math.max(a, Math.max(b, c)) - Math.min(a, Math.min(b, c));
     }
 
     void load(TriangleScan scan, ScreenVertices v) {
-        int a = scan.a;
-        int b = scan.b;
-        int c = scan.c;
-        float[] reds = v.attributes[0];
-        float[] greens = v.attributes[1];
-        float[] blues = v.attributes[2];
+        int a = v.stride * scan.a;
+        int b = v.stride * scan.b;
+        int c = v.stride * scan.c;
+        float[] rgb = v.attributes;
         depth.load(scan, v);
-        ra = reds[a] * ONE + HALF;
-        rb = (reds[b] - reds[a]) * ONE;
-        rc = (reds[c] - reds[a]) * ONE;
-        ga = greens[a] * ONE + HALF;
-        gb = (greens[b] - greens[a]) * ONE;
-        gc = (greens[c] - greens[a]) * ONE;
-        ba = blues[a] * ONE + HALF;
-        bb = (blues[b] - blues[a]) * ONE;
-        bc = (blues[c] - blues[a]) * ONE;
+        ra = rgb[a] * ONE + HALF;
+        rb = (rgb[b] - rgb[a]) * ONE;
+        rc = (rgb[c] - rgb[a]) * ONE;
+        ga = rgb[a + 1] * ONE + HALF;
+        gb = (rgb[b + 1] - rgb[a + 1]) * ONE;
+        gc = (rgb[c + 1] - rgb[a + 1]) * ONE;
+        ba = rgb[a + 2] * ONE + HALF;
+        bb = (rgb[b + 2] - rgb[a + 2]) * ONE;
+        bc = (rgb[c + 2] - rgb[a + 2]) * ONE;
         double inverseArea = scan.inverseArea;
         double toB = scan.stepB * inverseArea;
         double toC = scan.stepC * inverseArea;

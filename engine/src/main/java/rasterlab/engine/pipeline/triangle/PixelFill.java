@@ -18,13 +18,15 @@ final class PixelFill {
     private final RowLoops loops;
     private final PixelSlopes slopes;
     private final float[][] values = new float[Frame.QUANTITIES.length][];
-    private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
+    private final boolean[] affine = new boolean[RowLoops.VALUES];
     private final boolean[] divided = new boolean[Frame.QUANTITIES.length];
 
-    /** The values that grow from corner to corner, and what each has there: a, b and c. */
-    private final float[][] growing = new float[Frame.QUANTITIES.length + 1][];
+    /**
+     * The values that grow from corner to corner, and what {@link RowLoops#corners} says of them.
+     */
+    private final float[][] growing = new float[RowLoops.VALUES][];
 
-    private final float[] corners = new float[3 * (Frame.QUANTITIES.length + 1)];
+    private final float[] corners = new float[3 * RowLoops.VALUES];
     private DepthRaster out;
     private PixelColors colors;
     private Blending blending;
@@ -111,9 +113,9 @@ final class PixelFill {
     private void collect(TinyScan scan, ScreenVertices v) {
         boolean early = blending.early();
         float[] depth = testedDepth();
-        float za = v.depth[scan.a];
-        float zb = v.depth[scan.b] - za;
-        float zc = v.depth[scan.c] - za;
+        float za = v.depth(scan.a);
+        float zb = v.depth(scan.b) - za;
+        float zc = v.depth(scan.c) - za;
         int kept = batch.count;
         for (int k = 0; k < scan.count; k++) {
             int cell = scan.cell[k];
@@ -133,32 +135,25 @@ final class PixelFill {
     /** Values divided by w are linear on the picture: for the batch's pixels from {@code first}. */
     private void interpolate(Scan scan, ScreenVertices v, int third, int first) {
         if (batch.count == first) return;
-        float qa = v.nearness[scan.a];
-        float qb = v.nearness[scan.b];
-        float qc = v.nearness[scan.c];
+        float qa = v.nearness(scan.a);
+        float qb = v.nearness(scan.b);
+        float qc = v.nearness(scan.c);
         if (fromBehind || scan.fromBehind) {
             fromBehind = true;
             Arrays.fill(batch.fromBehind, first, batch.count, scan.fromBehind);
         }
-        for (int k = 0; k < firstFlat; k++) {
-            float a = v.attributes[k][scan.a] * (affine[k] ? 1 : qa);
-            float b = v.attributes[k][scan.b] * (affine[k] ? 1 : qb) - a;
-            float c = v.attributes[k][scan.c] * (affine[k] ? 1 : qc) - a;
-            putCorners(k, a, b, c);
+        loops.corners(scan, v, affine, firstFlat, corners);
+        if (divides) {
+            corners[firstFlat] = qa;
+            corners[RowLoops.VALUES + firstFlat] = qb - qa;
+            corners[2 * RowLoops.VALUES + firstFlat] = qc - qa;
         }
-        if (divides) putCorners(firstFlat, qa, qb - qa, qc - qa);
         between(divides ? firstFlat + 1 : firstFlat, first);
         for (int k = firstFlat; k < count; k++) {
-            float value = v.attributes[k][third];
+            float value = v.attribute(k, third);
             loops.fill(batch, values[k], first, value);
         }
         slopes.interpolate(scan, v, first);
-    }
-
-    private void putCorners(int k, float a, float b, float c) {
-        corners[3 * k] = a;
-        corners[3 * k + 1] = b;
-        corners[3 * k + 2] = c;
     }
 
     /** A few pixels are not worth a call of loops in lanes. */

@@ -41,16 +41,16 @@ final class PixelSlopes {
         float rightC = scan.stepC * scan.inverseArea;
         float downB = scan.downB * scan.inverseArea;
         float downC = scan.downC * scan.inverseArea;
-        float qa = v.nearness[scan.a];
-        float qb = v.nearness[scan.b];
-        float qc = v.nearness[scan.c];
+        float qa = v.nearness(scan.a);
+        float qb = v.nearness(scan.b);
+        float qc = v.nearness(scan.c);
         loops.fill(batch, batch.nearnessRight, first, rightB * (qb - qa) + rightC * (qc - qa));
         loops.fill(batch, batch.nearnessDown, first, downB * (qb - qa) + downC * (qc - qa));
         for (int k = 0; k < count; k++) {
-            float[] values = v.attributes[attribute[k]];
-            float a = values[scan.a] * (affine[k] ? 1 : qa);
-            float b = values[scan.b] * (affine[k] ? 1 : qb) - a;
-            float c = values[scan.c] * (affine[k] ? 1 : qc) - a;
+            int of = attribute[k];
+            float a = v.attribute(of, scan.a) * (affine[k] ? 1 : qa);
+            float b = v.attribute(of, scan.b) * (affine[k] ? 1 : qb) - a;
+            float c = v.attribute(of, scan.c) * (affine[k] ? 1 : qc) - a;
             loops.fill(batch, right[k], first, rightB * b + rightC * c);
             loops.fill(batch, down[k], first, downB * b + downC * c);
         }

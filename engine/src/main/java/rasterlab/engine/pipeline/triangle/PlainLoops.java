@@ -106,13 +106,25 @@ final class PlainLoops implements RowLoops {
     }
 
     @Override
+    public void corners(Scan scan, ScreenVertices v, boolean[] affine, int n, float[] corners) {
+        for (int k = 0; k < n; k++) {
+            float a = v.attribute(k, scan.a) * (affine[k] ? 1 : v.nearness(scan.a));
+            float b = v.attribute(k, scan.b) * (affine[k] ? 1 : v.nearness(scan.b));
+            float c = v.attribute(k, scan.c) * (affine[k] ? 1 : v.nearness(scan.c));
+            corners[k] = a;
+            corners[VALUES + k] = b - a;
+            corners[2 * VALUES + k] = c - a;
+        }
+    }
+
+    @Override
     public void between(PixelBatch batch, float[][] to, float[] corners, int n, int first) {
         interpolate(batch, to, corners, n, first);
     }
 
     static void interpolate(PixelBatch batch, float[][] to, float[] corners, int n, int first) {
         for (int k = 0; k < n; k++)
-            between(batch, first, to[k], corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
+            between(batch, first, to[k], corners[k], corners[VALUES + k], corners[2 * VALUES + k]);
     }
 
     private static void between(

@@ -39,9 +39,9 @@ final class RowDepth {
     int first;
 
     void load(TriangleScan scan, ScreenVertices v) {
-        za = v.depth[scan.a];
-        zb = v.depth[scan.b] - za;
-        zc = v.depth[scan.c] - za;
+        za = v.depth(scan.a);
+        zb = v.depth(scan.b) - za;
+        zc = v.depth(scan.c) - za;
         double inverseArea = scan.inverseArea;
         double toB = scan.stepB * inverseArea;
         double toC = scan.stepC * inverseArea;

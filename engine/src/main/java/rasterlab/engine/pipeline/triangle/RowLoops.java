@@ -8,6 +8,9 @@ import rasterlab.engine.lanes.Lanes;
  * <p>All write the same bit for bit, but cells of a batch beyond its pixels.
  */
 interface RowLoops {
+    /** Room for all values that grow from corner to corner, a multiple of eight. */
+    int VALUES = Frame.QUANTITIES.length / 8 * 8 + 8;
+
     static RowLoops of(Lanes lanes) {
         return lanes.part(RowLoops.class, PlainLoops::new, "VectorLoops");
     }
@@ -34,10 +37,18 @@ interface RowLoops {
             float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch);
 
     /**
+     * Writes the first n attributes of a triangle's corner a, and from {@link #VALUES} and twice
+     * that on what b and c have more.
+     *
+     * @param affine which attributes are taken as they are; others are multiplied by 1/w
+     */
+    void corners(Scan scan, ScreenVertices v, boolean[] affine, int n, float[] corners);
+
+    /**
      * Writes {@code a + weightB·b + weightC·c} for the batch's pixels from {@code first} on, to
      * each of n arrays.
      *
-     * @param corners a, b and c of each array
+     * @param corners a, b and c of each array, as {@link #corners} writes them
      */
     void between(PixelBatch batch, float[][] to, float[] corners, int n, int first);
 

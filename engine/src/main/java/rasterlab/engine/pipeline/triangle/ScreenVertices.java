@@ -2,30 +2,34 @@ package rasterlab.engine.pipeline.triangle;
 
 import java.util.Arrays;
 
-/** Vertices on the picture, one array for each quantity; grows and never shrinks. */
+/** Vertices on the picture: what is read together lies together. Grows and never shrinks. */
 final class ScreenVertices {
     /** Successive vertices whose attributes are needed together or not at all. */
     static final int GROUP = 32;
 
-    /** Steps of 1/256 pixel; see {@link Subpixels}. */
-    int[] x = new int[0];
+    /** Loops that read eight numbers at a time may read so many beyond the last. */
+    private static final int LANES = 8;
 
-    int[] y = new int[0];
+    /** Of each vertex x and y, in steps of 1/256 pixel; see {@link Subpixels}. */
+    int[] places = new int[0];
 
-    /** 0 at the near plane, 1 at the far plane; linear on the picture. */
-    float[] depth = new float[0];
-
-    /** 1/w; linear on the picture. */
-    float[] nearness = new float[0];
+    /**
+     * Of each vertex its depth, 0 at the near plane and 1 at the far plane, and its nearness 1/w;
+     * both are linear on the picture.
+     */
+    float[] depths = new float[0];
 
     /** See {@link ClipCode}. */
     short[] code = new short[0];
 
     /**
-     * What the surface wants of a vertex, as {@link Frame#attribute} lists it; colours are levels 0
-     * to 255 for surfaces of vertices, else 0 to 1.
+     * Of each vertex, {@link #stride} numbers: what the surface wants, as {@link Frame#attribute}
+     * lists it; colours are levels 0 to 255 for surfaces of vertices, else 0 to 1.
      */
-    float[][] attributes = new float[0][];
+    float[] attributes = new float[0];
+
+    /** How many attributes a vertex has. */
+    int stride;
 
     /** For each group, whether a triangle in sight has one of its vertices. */
     boolean[] needed = new boolean[0];
@@ -36,22 +40,52 @@ final class ScreenVertices {
         needed[c / GROUP] = true;
     }
 
+    int x(int vertex) {
+        return places[2 * vertex];
+    }
+
+    int y(int vertex) {
+        return places[2 * vertex + 1];
+    }
+
+    float depth(int vertex) {
+        return depths[2 * vertex];
+    }
+
+    float nearness(int vertex) {
+        return depths[2 * vertex + 1];
+    }
+
+    float attribute(int k, int vertex) {
+        return attributes[stride * vertex + k];
+    }
+
+    void put(int vertex, int x, int y, float depth, float nearness) {
+        places[2 * vertex] = x;
+        places[2 * vertex + 1] = y;
+        depths[2 * vertex] = depth;
+        depths[2 * vertex + 1] = nearness;
+    }
+
+    /** Forgets all vertices and makes room for others. */
+    void begin(int vertices, int attributeCount) {
+        stride = attributeCount;
+        ensure(vertices);
+    }
+
     /** Makes room; what was there stays. */
-    void ensure(int vertices, int attributeCount) {
-        if (attributes.length < attributeCount) {
-            int had = attributes.length;
-            attributes = Arrays.copyOf(attributes, attributeCount);
-            for (int k = had; k < attributeCount; k++) attributes[k] = new float[x.length];
-        }
-        if (x.length >= vertices) return;
-        int room = Math.max(vertices, x.length + (x.length >> 1));
-        x = Arrays.copyOf(x, room);
-        y = Arrays.copyOf(y, room);
-        depth = Arrays.copyOf(depth, room);
-        nearness = Arrays.copyOf(nearness, room);
+    void ensure(int vertices) {
+        if (attributes.length < vertices * stride + LANES)
+            attributes = Arrays.copyOf(attributes, more(vertices) * stride + LANES);
+        if (code.length >= vertices) return;
+        int room = more(vertices);
+        places = Arrays.copyOf(places, 2 * room);
+        depths = Arrays.copyOf(depths, 2 * room);
         code = Arrays.copyOf(code, room);
         needed = new boolean[room / GROUP + 1];
-        for (int k = 0; k < attributes.length; k++)
-            attributes[k] = Arrays.copyOf(attributes[k], room);
+    }
+
+    private int more(int vertices) {
+        return Math.max(vertices, code.length + (code.length >> 1));
     }
 }

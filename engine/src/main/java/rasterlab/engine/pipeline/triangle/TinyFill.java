@@ -32,9 +32,9 @@ final class TinyFill {
     static void flat(DepthRaster out, TinyScan scan, ScreenVertices v, int color) {
         int[] argb = out.raster().argb();
         float[] depth = out.depth();
-        float za = v.depth[scan.a];
-        float zb = v.depth[scan.b] - za;
-        float zc = v.depth[scan.c] - za;
+        float za = v.depth(scan.a);
+        float zb = v.depth(scan.b) - za;
+        float zc = v.depth(scan.c) - za;
         for (int k = 0; k < scan.count; k++) {
             int cell = scan.cell[k];
             float weightB = scan.edgeB[k] * scan.inverseArea;

@@ -54,12 +54,12 @@ final class TinyScan extends Scan {
      * @param bandTop first row of the band
      */
     boolean load(ScreenVertices v, int first, int second, int third, DepthRaster out, int bandTop) {
-        int ax = v.x[first];
-        int ay = v.y[first];
-        int bx = v.x[second] - ax;
-        int by = v.y[second] - ay;
-        int cx = v.x[third] - ax;
-        int cy = v.y[third] - ay;
+        int ax = v.x(first);
+        int ay = v.y(first);
+        int bx = v.x(second) - ax;
+        int by = v.y(second) - ay;
+        int cx = v.x(third) - ax;
+        int cy = v.y(third) - ay;
         int minX = Math.min(0, Math.min(bx, cx));
         int maxX = Math.max(0, Math.max(bx, cx));
         int minY = Math.min(0, Math.min(by, cy));

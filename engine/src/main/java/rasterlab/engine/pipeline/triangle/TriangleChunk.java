@@ -5,38 +5,26 @@ import java.util.Arrays;
 /**
  * Some successive triangles of the mesh, sorted into bands of rows, each band in the mesh's order.
  *
- * <p>An entry t ≥ 0 is triangle t of the mesh; an entry ~t is triangle t of those that clipping
- * made, whose vertices are the chunk's own.
+ * <p>A corner v ≥ 0 is vertex v of the mesh; a corner ~v is vertex v of those that clipping made,
+ * which are the chunk's own.
  */
 final class TriangleChunk {
     /** Triangles of a chunk. */
     static final int SIZE = 2048;
 
-    int[] entries = new int[0];
+    /** Three for each triangle. */
+    int[] corners = new int[0];
 
-    /** Band b has the entries from start[b] to start[b + 1]. */
+    /** Band b has the triangles from start[b] to start[b + 1]. */
     int[] start = new int[0];
 
     final ScreenVertices clipped = new ScreenVertices();
     int clippedVertices;
-    int[] clippedTriangles = new int[0];
-    int clippedCount;
 
-    void begin(int bands) {
+    void begin(int bands, int attributeCount) {
         if (start.length < bands + 1) start = new int[bands + 1];
         Arrays.fill(start, 0);
         clippedVertices = 0;
-        clippedCount = 0;
-    }
-
-    /** Adds a clipped triangle and returns its entry. */
-    int addClipped(int a, int b, int c) {
-        int at = 3 * clippedCount;
-        if (clippedTriangles.length < at + 3)
-            clippedTriangles = Arrays.copyOf(clippedTriangles, 2 * at + 48);
-        clippedTriangles[at] = a;
-        clippedTriangles[at + 1] = b;
-        clippedTriangles[at + 2] = c;
-        return ~clippedCount++;
+        clipped.begin(0, attributeCount);
     }
 }

@@ -72,6 +72,7 @@ final class VertexStage {
         if (planes.length > 0)
             for (int i = from; i < from + block.count; i++)
                 any |= out.code[i] |= (short) ClipCode.ofUser(planes, x[i], y[i], z[i]);
+        if (any != 0) frame.anyBeyond = true;
         if (ClipCode.mustClip(any)) frame.clips = true;
     }
 
@@ -102,10 +103,12 @@ final class VertexStage {
             int code = seen ? 0 : ClipCode.of(x, y, z, w);
             any |= code;
             out.code[from + i] = (short) code;
-            out.x[from + i] = subpixels.x(x * nearness);
-            out.y[from + i] = subpixels.y(y * nearness);
-            out.depth[from + i] = (float) (0.5 + 0.5 * (z * nearness));
-            out.nearness[from + i] = (float) nearness;
+            out.put(
+                    from + i,
+                    subpixels.x(x * nearness),
+                    subpixels.y(y * nearness),
+                    (float) (0.5 + 0.5 * (z * nearness)),
+                    (float) nearness);
         }
         return any;
     }
@@ -139,18 +142,27 @@ final class VertexStage {
         for (int k = 0; k < frame.attributeCount; k++) {
             VertexQuantity quantity = frame.attribute[k];
             if (Frame.isColor(quantity)) return;
-            float[] to = frame.vertices.attributes[k];
+            ScreenVertices to = frame.vertices;
             switch (quantity) {
-                case X -> System.arraycopy(block.x, 0, to, from, block.count);
-                case Y -> System.arraycopy(block.y, 0, to, from, block.count);
-                case Z -> System.arraycopy(block.z, 0, to, from, block.count);
-                case NORMAL_X -> System.arraycopy(block.nx, 0, to, from, block.count);
-                case NORMAL_Y -> System.arraycopy(block.ny, 0, to, from, block.count);
-                case NORMAL_Z -> System.arraycopy(block.nz, 0, to, from, block.count);
-                default ->
-                        System.arraycopy(frame.mesh.values(quantity), from, to, from, block.count);
+                case X -> keep(block.x, 0, to, k, from);
+                case Y -> keep(block.y, 0, to, k, from);
+                case Z -> keep(block.z, 0, to, k, from);
+                case NORMAL_X -> keep(block.nx, 0, to, k, from);
+                case NORMAL_Y -> keep(block.ny, 0, to, k, from);
+                case NORMAL_Z -> keep(block.nz, 0, to, k, from);
+                default -> keep(frame.mesh.values(quantity), from, to, k, from);
             }
         }
+    }
+
+    /**
+     * Makes attribute {@code k} of the block's vertices of {@code values} from {@code first} on.
+     */
+    private void keep(float[] values, int first, ScreenVertices to, int k, int from) {
+        float[] attributes = to.attributes;
+        int stride = to.stride;
+        int at = stride * from + k;
+        for (int i = 0; i < block.count; i++) attributes[at + stride * i] = values[first + i];
     }
 
     private void color(Frame frame, int from) {
@@ -160,16 +172,14 @@ final class VertexStage {
         channel(frame.mesh, VertexQuantity.ALPHA, from, block.alpha);
         frame.vertexColors().colors().color(block);
         float most = frame.surface instanceof Surface.PerPixel ? 1 : 255;
-        for (int k = 0; k < frame.attributeCount; k++) {
-            float[] to = frame.vertices.attributes[k];
+        for (int k = 0; k < frame.attributeCount; k++)
             switch (frame.attribute[k]) {
-                case RED -> cut(block.red, most, from, to);
-                case GREEN -> cut(block.green, most, from, to);
-                case BLUE -> cut(block.blue, most, from, to);
-                case ALPHA -> cut(block.alpha, most, from, to);
+                case RED -> keep(cut(block.red, most), 0, frame.vertices, k, from);
+                case GREEN -> keep(cut(block.green, most), 0, frame.vertices, k, from);
+                case BLUE -> keep(cut(block.blue, most), 0, frame.vertices, k, from);
+                case ALPHA -> keep(cut(block.alpha, most), 0, frame.vertices, k, from);
                 default -> {}
             }
-        }
     }
 
     private void channel(TriangleMesh mesh, VertexQuantity quantity, int from, float[] out) {
@@ -177,8 +187,9 @@ final class VertexStage {
         else Arrays.fill(out, 0, block.count, 1);
     }
 
-    private void cut(float[] channel, float most, int from, float[] out) {
+    private float[] cut(float[] channel, float most) {
         for (int i = 0; i < block.count; i++)
-            out[from + i] = most * Math.max(0, Math.min(1, channel[i]));
+            channel[i] = most * Math.max(0, Math.min(1, channel[i]));
+        return channel;
     }
 }

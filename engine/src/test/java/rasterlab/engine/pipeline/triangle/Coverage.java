@@ -23,19 +23,18 @@ final class Coverage {
             new Binner().run(frame, k, chunk);
             for (int band = 0; band < frame.bands; band++)
                 for (int i = chunk.start[band]; i < chunk.start[band + 1]; i++)
-                    coverage.add(frame, chunk, chunk.entries[i], band);
+                    coverage.add(frame, chunk, i, band);
         }
         return coverage;
     }
 
-    private void add(Frame frame, TriangleChunk chunk, int entry, int band) {
-        boolean whole = entry >= 0;
-        int[] triangles = whole ? frame.mesh.triangles() : chunk.clippedTriangles;
+    private void add(Frame frame, TriangleChunk chunk, int triangle, int band) {
+        int at = 3 * triangle;
+        boolean whole = chunk.corners[at] >= 0;
         var vertices = whole ? frame.vertices : chunk.clipped;
-        int at = 3 * (whole ? entry : ~entry);
-        int first = triangles[at];
-        int second = triangles[at + 1];
-        int third = triangles[at + 2];
+        int first = whole ? chunk.corners[at] : ~chunk.corners[at];
+        int second = whole ? chunk.corners[at + 1] : ~chunk.corners[at + 1];
+        int third = whole ? chunk.corners[at + 2] : ~chunk.corners[at + 2];
         int top = band * TriangleScan.ROWS;
         var tiny = new TinyScan();
         if (tiny.load(vertices, first, second, third, frame.out, top)) {

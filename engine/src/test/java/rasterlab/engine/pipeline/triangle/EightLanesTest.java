@@ -113,9 +113,9 @@ class EightLanesTest {
     void stayInTheirBand(int top, int end) {
         var out = new DepthRaster(5, 70);
         var vertices = new ScreenVertices();
-        vertices.ensure(3, 0);
-        vertices.x[1] = 4 * Subpixels.ONE;
-        vertices.y[2] = 80 * Subpixels.ONE;
+        vertices.begin(3, 0);
+        vertices.put(1, 4 * Subpixels.ONE, 0, 0, 0);
+        vertices.put(2, 0, 80 * Subpixels.ONE, 0, 0);
         var scan = new TriangleScan();
         scan.load(vertices, 0, 1, 2, out, top);
         assertEquals(end * 5, scan.end);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
+import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.RepetitionInfo;
 
@@ -27,7 +28,7 @@ class LinearColorsTest {
         int seed = repetition.getCurrentRepetition();
         var random = new Random(seed);
         var out = new DepthRaster(SIDE, SIDE);
-        v.ensure(3, 3);
+        v.begin(3, 3);
         int compact = 0;
         int others = 0;
         for (int round = 0; round < 500; round++) {
@@ -50,17 +51,16 @@ class LinearColorsTest {
         int thick = 1 << random.nextInt(12);
         for (int k = 0; k < 3; k++) {
             int along = random.nextInt(20 * Subpixels.ONE);
-            v.x[k] = along + random.nextInt(thick);
-            v.y[k] = 20 * Subpixels.ONE - along + random.nextInt(thick);
-            v.depth[k] = random.nextFloat();
-            v.nearness[k] = 1;
-            for (float[] channel : v.attributes) channel[k] = random.nextInt(256);
+            int x = along + random.nextInt(thick);
+            int y = 20 * Subpixels.ONE - along + random.nextInt(thick);
+            v.put(k, x, y, random.nextFloat(), 1);
+            for (int i = 0; i < 3; i++) v.attributes[3 * k + i] = random.nextInt(256);
         }
     }
 
     private long area() {
-        return (long) (v.x[1] - v.x[0]) * (v.y[2] - v.y[0])
-                - (long) (v.x[2] - v.x[0]) * (v.y[1] - v.y[0]);
+        return (long) (v.x(1) - v.x(0)) * (v.y(2) - v.y(0))
+                - (long) (v.x(2) - v.x(0)) * (v.y(1) - v.y(0));
     }
 
     private void assertRow(int row, String place) {
@@ -71,13 +71,15 @@ class LinearColorsTest {
             double b = (scan.edgeB[row] + k * scan.stepB) / area;
             double c = (scan.edgeC[row] + k * scan.stepC) / area;
             float z = at.z + (at.first + k) * at.stepZ;
-            assertEquals(between(v.depth, b, c), z, DEPTH, place);
+            assertEquals(between(v::depth, b, c), z, DEPTH, place);
             double red = (colors.red + k * colors.stepRed) / 65536.0 - 0.5;
-            assertEquals(between(v.attributes[0], b, c), red, LEVEL, place);
+            assertEquals(between(vertex -> v.attribute(0, vertex), b, c), red, LEVEL, place);
         }
     }
 
-    private double between(float[] values, double b, double c) {
-        return values[scan.a] * (1 - b - c) + values[scan.b] * b + values[scan.c] * c;
+    private double between(IntToDoubleFunction of, double b, double c) {
+        return of.applyAsDouble(scan.a) * (1 - b - c)
+                + of.applyAsDouble(scan.b) * b
+                + of.applyAsDouble(scan.c) * c;
     }
 }

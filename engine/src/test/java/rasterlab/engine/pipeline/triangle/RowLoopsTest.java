@@ -146,7 +146,7 @@ class RowLoopsTest {
         for (int round = 0; round < 400; round++) {
             int tall = 1 << random.nextInt(13);
             var v = triangle(WIDTH, height, RowDepth.WIDEST, tall);
-            int middle = v.y[0] / Subpixels.ONE / TriangleScan.ROWS * TriangleScan.ROWS;
+            int middle = v.y(0) / Subpixels.ONE / TriangleScan.ROWS * TriangleScan.ROWS;
             if (middle < 0 || middle >= height) continue;
             scan.load(v, 0, 1, 2, expected, middle);
             if (scan.rows <= 0 || scan.boxLeft >= scan.boxRight) continue;
@@ -162,32 +162,58 @@ class RowLoopsTest {
     /** Corners within so many pixels, the first of them in the picture or beside it. */
     private ScreenVertices triangle(int width, int height, int columns, int rows) {
         var v = new ScreenVertices();
-        v.ensure(3, 3);
+        v.begin(3, 3);
         int left = random.nextInt(width + columns) - columns;
         int top = random.nextInt(height + rows) - rows;
         for (int k = 0; k < 3; k++) {
-            v.x[k] = left * Subpixels.ONE + random.nextInt(columns * Subpixels.ONE);
-            v.y[k] = top * Subpixels.ONE + random.nextInt(rows * Subpixels.ONE);
-            v.depth[k] = random.nextFloat();
-            v.nearness[k] = 0.5f + random.nextFloat();
-            for (float[] channel : v.attributes) channel[k] = random.nextInt(256);
+            int x = left * Subpixels.ONE + random.nextInt(columns * Subpixels.ONE);
+            int y = top * Subpixels.ONE + random.nextInt(rows * Subpixels.ONE);
+            v.put(k, x, y, random.nextFloat(), 0.5f + random.nextFloat());
         }
-        return v;
+        return colored(v);
     }
 
     /** A triangle with a right angle in the band's last row, left of a column. */
     private ScreenVertices corner(int right) {
         var v = new ScreenVertices();
-        v.ensure(3, 3);
-        v.x[0] = v.x[1] = right * Subpixels.ONE;
-        v.x[2] = (right - 1 - random.nextInt(right)) * Subpixels.ONE;
-        v.y[0] = -random.nextInt(9) * Subpixels.ONE;
-        v.y[1] = v.y[2] = TriangleScan.ROWS * Subpixels.ONE;
-        for (int k = 0; k < 3; k++) {
-            v.depth[k] = random.nextFloat();
-            for (float[] channel : v.attributes) channel[k] = random.nextInt(256);
-        }
+        v.begin(3, 3);
+        int x = right * Subpixels.ONE;
+        int bottom = TriangleScan.ROWS * Subpixels.ONE;
+        v.put(0, x, -random.nextInt(9) * Subpixels.ONE, random.nextFloat(), 0);
+        v.put(1, x, bottom, random.nextFloat(), 0);
+        int left = (right - 1 - random.nextInt(right)) * Subpixels.ONE;
+        v.put(2, left, bottom, random.nextFloat(), 0);
+        return colored(v);
+    }
+
+    private ScreenVertices colored(ScreenVertices v) {
+        for (int k = 0; k < 9; k++) v.attributes[k] = random.nextInt(256);
         return v;
+    }
+
+    @RepeatedTest(20)
+    void findTheSameCorners() {
+        int count = 1 + random.nextInt(RowLoops.VALUES);
+        var v = new ScreenVertices();
+        v.begin(3, count);
+        for (int k = 0; k < 3; k++) v.put(k, 0, 0, 0, 0.5f + random.nextFloat());
+        for (int k = 0; k < 3 * count; k++) v.attributes[k] = random.nextFloat();
+        boolean[] affine = new boolean[RowLoops.VALUES];
+        for (int k = 0; k < count; k++) affine[k] = random.nextBoolean();
+        var scan = new TinyScan();
+        scan.a = 2;
+        scan.c = 1;
+        float[] expected = new float[3 * RowLoops.VALUES];
+        float[] actual = new float[3 * RowLoops.VALUES];
+        one.corners(scan, v, affine, count, expected);
+        eight.corners(scan, v, affine, count, actual);
+        for (int k = 0; k < 3; k++) {
+            int from = k * RowLoops.VALUES;
+            assertArrayEquals(
+                    Arrays.copyOfRange(expected, from, from + count),
+                    Arrays.copyOfRange(actual, from, from + count),
+                    "seed %d, corner %d".formatted(seed, k));
+        }
     }
 
     @RepeatedTest(40)
@@ -202,8 +228,8 @@ class RowLoopsTest {
             System.arraycopy(b, 0, each.weightB, 0, b.length);
             System.arraycopy(c, 0, each.weightC, 0, c.length);
         }
-        float[] corners = shares(9);
-        for (int k = 0; k < 9; k++) corners[k] /= 3;
+        float[] corners = shares(3 * RowLoops.VALUES);
+        for (int k = 0; k < corners.length; k++) corners[k] /= 3;
         int growing = random.nextInt(4);
         float[][] expectedRgb = rgb(one, expected, first, corners, growing);
         float[][] actualRgb = rgb(eight, actual, first, corners, growing);

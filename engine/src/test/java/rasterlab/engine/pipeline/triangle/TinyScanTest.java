@@ -21,7 +21,7 @@ class TinyScanTest {
 
     @Test
     void ownsTheSamePixelsWithTheSameWeights() {
-        v.ensure(3, 0);
+        v.begin(3, 0);
         var random = new Random(1988);
         int found = 0;
         for (int round = 0; round < TRIANGLES; round++) {
@@ -47,14 +47,18 @@ class TinyScanTest {
         for (int k = 0; k < 3; k++) {
             boolean whole = random.nextInt(3) == 0;
             int step = whole ? Subpixels.ONE : 1;
-            v.x[k] = x + random.nextInt(reach * Subpixels.ONE / step) * step;
-            v.y[k] = y + random.nextInt(reach * Subpixels.ONE / step) * step;
+            v.put(
+                    k,
+                    x + random.nextInt(reach * Subpixels.ONE / step) * step,
+                    y + random.nextInt(reach * Subpixels.ONE / step) * step,
+                    0,
+                    0);
         }
     }
 
     private long area() {
-        return (long) (v.x[1] - v.x[0]) * (v.y[2] - v.y[0])
-                - (long) (v.x[2] - v.x[0]) * (v.y[1] - v.y[0]);
+        return (long) (v.x(1) - v.x(0)) * (v.y(2) - v.y(0))
+                - (long) (v.x(2) - v.x(0)) * (v.y(1) - v.y(0));
     }
 
     private void compare(String triangle) {
@@ -74,16 +78,16 @@ class TinyScanTest {
     }
 
     private void assertMisses(BitSet owned, String triangle) {
-        int left = Subpixels.firstPixel(Math.min(v.x[0], Math.min(v.x[1], v.x[2])));
-        int top = Subpixels.firstPixel(Math.min(v.y[0], Math.min(v.y[1], v.y[2])));
-        int right = Subpixels.endPixel(Math.max(v.x[0], Math.max(v.x[1], v.x[2])));
-        int bottom = Subpixels.endPixel(Math.max(v.y[0], Math.max(v.y[1], v.y[2])));
+        int left = Subpixels.firstPixel(Math.min(v.x(0), Math.min(v.x(1), v.x(2))));
+        int top = Subpixels.firstPixel(Math.min(v.y(0), Math.min(v.y(1), v.y(2))));
+        int right = Subpixels.endPixel(Math.max(v.x(0), Math.max(v.x(1), v.x(2))));
+        int bottom = Subpixels.endPixel(Math.max(v.y(0), Math.max(v.y(1), v.y(2))));
         if (right - left != 1 || bottom - top != 1) return;
         if (left < 0 || left >= SIDE || rows.rows != 1) return;
         assertEquals(
                 owned.isEmpty(),
                 TinyScan.misses(
-                        left, top, v.x[0], v.y[0], v.x[1], v.y[1], v.x[2], v.y[2], area() < 0),
+                        left, top, v.x(0), v.y(0), v.x(1), v.y(1), v.x(2), v.y(2), area() < 0),
                 triangle);
     }
 }

@@ -158,11 +158,33 @@ final class VectorLoops implements RowLoops {
     }
 
     @Override
+    public void corners(Scan scan, ScreenVertices v, boolean[] affine, int n, float[] corners) {
+        float[] attributes = v.attributes;
+        for (int k = 0; k < n; k += LANES) {
+            var asIs = VectorMask.fromArray(FLOATS, affine, k);
+            FloatVector a = weighed(attributes, v.stride * scan.a + k, v.nearness(scan.a), asIs);
+            a.intoArray(corners, k);
+            weighed(attributes, v.stride * scan.b + k, v.nearness(scan.b), asIs)
+                    .sub(a)
+                    .intoArray(corners, VALUES + k);
+            weighed(attributes, v.stride * scan.c + k, v.nearness(scan.c), asIs)
+                    .sub(a)
+                    .intoArray(corners, 2 * VALUES + k);
+        }
+    }
+
+    private static FloatVector weighed(
+            float[] attributes, int at, float nearness, VectorMask<Float> asIs) {
+        FloatVector values = FloatVector.fromArray(FLOATS, attributes, at);
+        return values.mul(nearness).blend(values, asIs);
+    }
+
+    @Override
     public void between(PixelBatch batch, float[][] to, float[] corners, int n, int first) {
         int k = 0;
-        for (; k + 3 <= n; k += 3) three(batch, first, to[k], to[k + 1], to[k + 2], corners, 3 * k);
+        for (; k + 3 <= n; k += 3) three(batch, first, to[k], to[k + 1], to[k + 2], corners, k);
         for (; k < n; k++)
-            one(batch, first, to[k], corners[3 * k], corners[3 * k + 1], corners[3 * k + 2]);
+            one(batch, first, to[k], corners[k], corners[VALUES + k], corners[2 * VALUES + k]);
     }
 
     private static void one(PixelBatch batch, int first, float[] to, float a, float b, float c) {
@@ -184,14 +206,14 @@ final class VectorLoops implements RowLoops {
             float[] corners,
             int at) {
         float a0 = corners[at];
-        float b0 = corners[at + 1];
-        float c0 = corners[at + 2];
-        float a1 = corners[at + 3];
-        float b1 = corners[at + 4];
-        float c1 = corners[at + 5];
-        float a2 = corners[at + 6];
-        float b2 = corners[at + 7];
-        float c2 = corners[at + 8];
+        float a1 = corners[at + 1];
+        float a2 = corners[at + 2];
+        float b0 = corners[VALUES + at];
+        float b1 = corners[VALUES + at + 1];
+        float b2 = corners[VALUES + at + 2];
+        float c0 = corners[2 * VALUES + at];
+        float c1 = corners[2 * VALUES + at + 1];
+        float c2 = corners[2 * VALUES + at + 2];
         for (int i = first; i < batch.count; i += LANES) {
             FloatVector b = FloatVector.fromArray(FLOATS, batch.weightB, i);
             FloatVector c = FloatVector.fromArray(FLOATS, batch.weightC, i);
