@@ -138,18 +138,14 @@ final class VectorTexels implements TexelLoops {
     public void mix(int n, TexelBlock.Corners around) {
         mixAcross(n, around.leftBelow, around.rightBelow, around.toRight);
         mixAcross(n, around.leftAbove, around.rightAbove, around.toRight);
-        mixPairs(
-                n,
-                around.leftBelow,
-                around.rightBelow,
-                around.leftAbove,
-                around.rightAbove,
-                around.up);
+        mixPair(n, around.leftBelow, around.leftAbove, around.up);
+        mixPair(n, around.rightBelow, around.rightAbove, around.up);
     }
 
     @Override
     public void mixLevels(int n, TexelBlock.Corners fine, TexelBlock.Corners coarse, int[] lambda) {
-        mixPairs(n, fine.leftBelow, fine.rightBelow, coarse.leftBelow, coarse.rightBelow, lambda);
+        mixPair(n, fine.leftBelow, coarse.leftBelow, lambda);
+        mixPair(n, fine.rightBelow, coarse.rightBelow, lambda);
     }
 
     /** Leaves red and blue in the left one, alpha and green in the right one. */
@@ -158,39 +154,45 @@ final class VectorTexels implements TexelLoops {
             IntVector a = IntVector.fromArray(INTS, left, i);
             IntVector b = IntVector.fromArray(INTS, right, i);
             IntVector share = IntVector.fromArray(INTS, toRight, i);
-            mixed(a.and(LEVELS), b.and(LEVELS), share).intoArray(left, i);
-            mixed(odd(a), odd(b), share).intoArray(right, i);
+            IntVector even = a.and(LEVELS);
+            b.and(LEVELS)
+                    .sub(even)
+                    .mul(share)
+                    .add(even.lanewise(VectorOperators.LSHL, PARTS))
+                    .add(HALVES)
+                    .lanewise(VectorOperators.LSHR, PARTS)
+                    .and(LEVELS)
+                    .intoArray(left, i);
+            IntVector odd = a.lanewise(VectorOperators.LSHR, 8).and(LEVELS);
+            b.lanewise(VectorOperators.LSHR, 8)
+                    .and(LEVELS)
+                    .sub(odd)
+                    .mul(share)
+                    .add(odd.lanewise(VectorOperators.LSHL, PARTS))
+                    .add(HALVES)
+                    .lanewise(VectorOperators.LSHR, PARTS)
+                    .and(LEVELS)
+                    .intoArray(right, i);
         }
     }
 
     /**
-     * Mixes pairs of channels, into the first ones.
+     * Mixes a pair of channels, into the first one.
      *
      * @param shares the lowest eight bits count
      */
-    private static void mixPairs(
-            int n, int[] even, int[] odd, int[] otherEven, int[] otherOdd, int[] shares) {
+    private static void mixPair(int n, int[] pair, int[] other, int[] shares) {
         for (int i = 0; i < n; i += LANES) {
-            IntVector share = IntVector.fromArray(INTS, shares, i).and(WHOLE - 1);
-            IntVector a = IntVector.fromArray(INTS, even, i);
-            mixed(a, IntVector.fromArray(INTS, otherEven, i), share).intoArray(even, i);
-            IntVector b = IntVector.fromArray(INTS, odd, i);
-            mixed(b, IntVector.fromArray(INTS, otherOdd, i), share).intoArray(odd, i);
+            IntVector a = IntVector.fromArray(INTS, pair, i);
+            IntVector.fromArray(INTS, other, i)
+                    .sub(a)
+                    .mul(IntVector.fromArray(INTS, shares, i).and(WHOLE - 1))
+                    .add(a.lanewise(VectorOperators.LSHL, PARTS))
+                    .add(HALVES)
+                    .lanewise(VectorOperators.LSHR, PARTS)
+                    .and(LEVELS)
+                    .intoArray(pair, i);
         }
-    }
-
-    private static IntVector odd(IntVector argb) {
-        return argb.lanewise(VectorOperators.LSHR, 8).and(LEVELS);
-    }
-
-    /** As {@link PlainTexels} has it. */
-    private static IntVector mixed(IntVector a, IntVector b, IntVector share) {
-        return b.sub(a)
-                .mul(share)
-                .add(a.lanewise(VectorOperators.LSHL, PARTS))
-                .add(HALVES)
-                .lanewise(VectorOperators.LSHR, PARTS)
-                .and(LEVELS);
     }
 
     @Override

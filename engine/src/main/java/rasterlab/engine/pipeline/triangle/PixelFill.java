@@ -83,7 +83,7 @@ final class PixelFill {
         float[] depth = testedDepth();
         weights.load(scan, v);
         while (weights.row < scan.rows) {
-            if (batch.count == PixelBatch.SIZE) flush();
+            if (batch.count > PixelBatch.SIZE - RowLoops.MOST_LANES) flush();
             int first = batch.count;
             loops.collect(depth, scan, weights, blending.early(), batch);
             interpolate(scan, v, third, first);

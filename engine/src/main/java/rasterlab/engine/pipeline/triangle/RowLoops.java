@@ -8,6 +8,9 @@ import rasterlab.engine.lanes.Lanes;
  * <p>All write the same bit for bit, but cells of a batch beyond its pixels.
  */
 interface RowLoops {
+    /** The most pixels that are computed at a time. */
+    int MOST_LANES = 8;
+
     /** Room for all values that grow from corner to corner, a multiple of eight. */
     int VALUES = Frame.QUANTITIES.length / 8 * 8 + 8;
 
@@ -29,7 +32,7 @@ interface RowLoops {
 
     /**
      * Adds pixels to a batch that are nearer than what is there, from where the weights' row is,
-     * until the triangle has no more or the batch is full.
+     * until the triangle has no more or the batch has no room for {@link #MOST_LANES}.
      *
      * @param early whether their depth is written at once
      */
