@@ -22,8 +22,8 @@ public final class PixelBatch {
     private final Set<VertexQuantity> wanted = EnumSet.noneOf(VertexQuantity.class);
     private final Set<VertexQuantity> sloping = EnumSet.noneOf(VertexQuantity.class);
 
-    /** Loops that write eight numbers at a time may write so many beyond the last. */
-    static final int ROOM = SIZE + 8;
+    /** Loops in lanes may write beyond the last pixel. */
+    static final int ROOM = SIZE + RowLoops.MOST_LANES;
 
     /** The cell of the picture. */
     final int[] cell = new int[ROOM];

@@ -11,8 +11,8 @@ interface RowLoops {
     /** The most pixels that are computed at a time. */
     int MOST_LANES = 8;
 
-    /** Room for all values that grow from corner to corner, a multiple of eight. */
-    int VALUES = Frame.QUANTITIES.length / 8 * 8 + 8;
+    /** Room for all values that grow from corner to corner, whole lanes. */
+    int VALUES = (Frame.QUANTITIES.length / MOST_LANES + 1) * MOST_LANES;
 
     static RowLoops of(Lanes lanes) {
         return lanes.part(RowLoops.class, PlainLoops::new, "VectorLoops");

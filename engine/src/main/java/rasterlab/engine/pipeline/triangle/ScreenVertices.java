@@ -7,9 +7,6 @@ final class ScreenVertices {
     /** Successive vertices whose attributes are needed together or not at all. */
     static final int GROUP = 32;
 
-    /** Loops that read eight numbers at a time may read so many beyond the last. */
-    private static final int LANES = 8;
-
     /** Of each vertex x and y, in steps of 1/256 pixel; see {@link Subpixels}. */
     int[] places = new int[0];
 
@@ -75,8 +72,9 @@ final class ScreenVertices {
 
     /** Makes room; what was there stays. */
     void ensure(int vertices) {
-        if (attributes.length < vertices * stride + LANES)
-            attributes = Arrays.copyOf(attributes, more(vertices) * stride + LANES);
+        // Loops in lanes read beyond the last one.
+        if (attributes.length < vertices * stride + RowLoops.MOST_LANES)
+            attributes = Arrays.copyOf(attributes, more(vertices) * stride + RowLoops.MOST_LANES);
         if (code.length >= vertices) return;
         int room = more(vertices);
         places = Arrays.copyOf(places, 2 * room);
