@@ -46,11 +46,11 @@ public enum LabTheme {
      */
     public void install(int textPercent) {
         FlatLaf.setGlobalExtraDefaults(colours);
-        UIManager.put("defaultFont", null);
-        UIManager.put(StageColours.HIGH_CONTRAST, this == PROJECTOR);
+        // Before any other use of UIManager, which would make Java's own look first.
         if (this == DARK) FlatDarkLaf.setup();
         else FlatLightLaf.setup();
-        Font usual = UIManager.getFont("defaultFont");
+        UIManager.put(StageColours.HIGH_CONTRAST, this == PROJECTOR);
+        Font usual = UIManager.getLookAndFeelDefaults().getFont("defaultFont");
         double size = usual.getSize2D() * type * textPercent / 100;
         UIManager.put("defaultFont", usual.deriveFont((float) size));
         UIManager.put("ScrollBar.showButtons", false);
