@@ -80,7 +80,7 @@ public final class LabFrame extends JFrame {
         this.models = models;
         this.settings = settings;
         this.onFailure = onFailure;
-        models.exercises().keepIn(file.folder());
+        models.keepSourcesIn(file.folder());
         LabLayout.showInspectors(settings.controls());
         setName("lab");
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
@@ -241,8 +241,7 @@ public final class LabFrame extends JFrame {
     /** Asks the user where a source would be lost. */
     private boolean mayClose() {
         try {
-            return Closing.allowed(
-                    models.exercises().unsavedDrafts(), new ClosingDialog(this, language()));
+            return Closing.allowed(models.unsavedDrafts(), new ClosingDialog(this, language()));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return false;

@@ -1,16 +1,23 @@
 package rasterlab.app.shell;
 
 import java.awt.EventQueue;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipTopics;
 import rasterlab.app.coordinates.CoordinatesLabModel;
 import rasterlab.app.exercise.ExerciseLabModel;
+import rasterlab.app.exercise.UnsavedDraft;
 import rasterlab.app.light.LightLabModel;
 import rasterlab.app.line.LineLabModel;
 import rasterlab.app.opengl.OpenGlLabModel;
@@ -24,21 +31,173 @@ import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.exercises.catalogue.Catalogue;
 
-/** The labs' models, which outlive the panels that show them; used on the event thread. */
-public record LabModels(
-        CoordinatesLabModel coordinates,
-        LineLabModel line,
-        PolygonLabModel polygon,
-        ClipLabModel clip,
-        VisibilityLabModel visibility,
-        LightLabModel light,
-        SplineLabModel spline,
-        OpenGlLabModel opengl,
-        StudyLabModel study,
-        ExerciseLabModel exercises)
-        implements AutoCloseable {
+/**
+ * The labs' models, which outlive the panels that show them; used on the event thread. Each is made
+ * when it is first asked for; since that takes long, {@link #make} asks on another thread before.
+ */
+public final class LabModels implements AutoCloseable {
+    /** By the names of their tabs. */
+    private final Map<String, LabModel<?>> labs = new LinkedHashMap<>();
+
+    private final Executor events;
+    private final Consumer<Map<String, Kept<?>>> bringBack;
+    private final Consumer<Throwable> onFailure;
+
+    /** What the labs showed when they were made, by the name under which it is kept. */
+    private final Map<String, Object> asMade = new ConcurrentHashMap<>();
+
+    private final LabModel<CoordinatesLabModel> coordinates;
+    private final LabModel<LineLabModel> line;
+    private final LabModel<PolygonLabModel> polygon;
+    private final LabModel<ClipLabModel> clip;
+    private final LabModel<VisibilityLabModel> visibility;
+    private final LabModel<LightLabModel> light;
+    private final LabModel<SplineLabModel> spline;
+    private final LabModel<OpenGlLabModel> opengl;
+    private final LabModel<StudyLabModel> study;
+    private final LabModel<ExerciseLabModel> exercises;
+
+    private LabModels(
+            Executor events,
+            Consumer<Map<String, Kept<?>>> bringBack,
+            Consumer<Throwable> onFailure) {
+        this.events = events;
+        this.bringBack = bringBack;
+        this.onFailure = onFailure;
+        coordinates = coordinatesLab();
+        line = lineLab();
+        polygon = polygonLab();
+        clip = clipLab();
+        visibility = visibilityLab();
+        light = lightLab();
+        spline = splineLab();
+        opengl = openglLab();
+        study = studyLab();
+        exercises = exercisesLab();
+    }
+
+    private LabModel<CoordinatesLabModel> coordinatesLab() {
+        return lab(
+                "coordinates",
+                held -> new CoordinatesLabModel(held, onFailure),
+                LabModels::keepCoordinates,
+                CoordinatesLabModel::close);
+    }
+
+    private LabModel<LineLabModel> lineLab() {
+        return lab(
+                "line",
+                held -> new LineLabModel(new LineTopic(), held, onFailure),
+                (model, kept) -> {
+                    kept.put("line", model);
+                    kept.put("line.figures", model.figures());
+                    kept.put("line.mode", model.keptMode());
+                },
+                LineLabModel::close);
+    }
+
+    private LabModel<PolygonLabModel> polygonLab() {
+        return lab(
+                "polygon",
+                held -> new PolygonLabModel(new PolygonTopics(), held, onFailure),
+                (model, kept) -> kept.put("polygon", model),
+                PolygonLabModel::close);
+    }
+
+    private LabModel<ClipLabModel> clipLab() {
+        return lab(
+                "clip",
+                held -> new ClipLabModel(new ClipTopics(), held, onFailure),
+                (model, kept) -> kept.put("clip", model),
+                ClipLabModel::close);
+    }
+
+    private LabModel<VisibilityLabModel> visibilityLab() {
+        return lab(
+                "visibility",
+                held -> new VisibilityLabModel(PictureMaker.by(new Renderer()), held, onFailure),
+                (model, kept) -> {
+                    kept.put("visibility", model);
+                    kept.put("visibility.rows", model.rows());
+                    kept.put("visibility.rows.open", model.rows().keptOpen());
+                },
+                VisibilityLabModel::close);
+    }
+
+    private LabModel<LightLabModel> lightLab() {
+        return lab(
+                "light",
+                held -> new LightLabModel(held, onFailure),
+                (model, kept) -> {
+                    kept.put("light", model);
+                    kept.put("light.rows", model.rows());
+                    kept.put("light.rows.open", model.rows().keptOpen());
+                },
+                LightLabModel::close);
+    }
+
+    private LabModel<SplineLabModel> splineLab() {
+        return lab(
+                "spline",
+                held -> new SplineLabModel(held, onFailure),
+                (model, kept) -> {
+                    kept.put("spline", model);
+                    kept.put("spline.curve", model.curve());
+                    kept.put("spline.function", model.function());
+                },
+                SplineLabModel::close);
+    }
+
+    private LabModel<OpenGlLabModel> openglLab() {
+        return lab(
+                "opengl",
+                held -> new OpenGlLabModel(held, onFailure),
+                (model, kept) -> kept.put("opengl", model),
+                OpenGlLabModel::close);
+    }
+
+    private LabModel<StudyLabModel> studyLab() {
+        return lab(
+                "study",
+                held -> new StudyLabModel(Topics.all(), held, onFailure),
+                (model, kept) -> kept.put("study", model),
+                StudyLabModel::close);
+    }
+
+    private LabModel<ExerciseLabModel> exercisesLab() {
+        return lab(
+                "exercises",
+                held -> new ExerciseLabModel(() -> Catalogue.builtIn().all(), held, onFailure),
+                (model, kept) -> kept.put("exercises", model),
+                ExerciseLabModel::close);
+    }
+
+    private <M> LabModel<M> lab(
+            String tab,
+            Function<Executor, M> making,
+            BiConsumer<M, Map<String, Kept<?>>> parts,
+            Consumer<M> closing) {
+        var lab = new LabModel<>(making, parts, closing, events, this::begin);
+        labs.put(tab, lab);
+        return lab;
+    }
+
+    private void begin(Map<String, Kept<?>> kept) {
+        bringBack.accept(kept);
+        asMade.putAll(LabsFile.choices(kept));
+    }
+
+    private static void keepCoordinates(CoordinatesLabModel model, Map<String, Kept<?>> kept) {
+        kept.put("coordinates", model);
+        kept.put("coordinates.views", model.views());
+        kept.put("coordinates.transformations", model.transformations());
+        kept.put("coordinates.stack", model.stack());
+        kept.put("coordinates.rotation", model.rotation());
+        kept.put("coordinates.meeting", model.meeting());
+    }
+
     /**
-     * Every lab as it opens.
+     * Every lab as it opens, made.
      *
      * @param onFailure told what background work threw, on any thread
      */
@@ -46,67 +205,108 @@ public record LabModels(
         return first(EventQueue::invokeLater, onFailure);
     }
 
-    /**
-     * Every lab as it opens, made on one thread and used on that of the events.
-     *
-     * @param events runs what it is given on one thread, in order, once the models are made
-     * @param onFailure told what background work threw, on any thread
-     */
+    /** The same with other events than the window's. */
     static LabModels first(Executor events, Consumer<Throwable> onFailure) {
-        return new LabModels(
-                new CoordinatesLabModel(events, onFailure),
-                new LineLabModel(new LineTopic(), events, onFailure),
-                new PolygonLabModel(new PolygonTopics(), events, onFailure),
-                new ClipLabModel(new ClipTopics(), events, onFailure),
-                new VisibilityLabModel(PictureMaker.by(new Renderer()), events, onFailure),
-                new LightLabModel(events, onFailure),
-                new SplineLabModel(events, onFailure),
-                new OpenGlLabModel(events, onFailure),
-                new StudyLabModel(Topics.all(), events, onFailure),
-                new ExerciseLabModel(() -> Catalogue.builtIn().all(), events, onFailure));
+        LabModels models = unmade(events, kept -> {}, onFailure);
+        models.makeAll();
+        return models;
     }
 
-    /** What opens as it was left, by the name under which it is kept. */
+    /**
+     * None of them made.
+     *
+     * @param events runs what it is given on one thread, in order
+     * @param bringBack brings parts of a lab that is made, by the name under which they are kept,
+     *     to what they showed; on the thread that makes the lab
+     * @param onFailure told what background work threw, on any thread
+     */
+    static LabModels unmade(
+            Executor events,
+            Consumer<Map<String, Kept<?>>> bringBack,
+            Consumer<Throwable> onFailure) {
+        return new LabModels(events, bringBack, onFailure);
+    }
+
+    /**
+     * Makes what is not made of what a tab needs, the first one for a name that none has; those
+     * with ways into other tabs need all. What is closed meanwhile is not made.
+     */
+    void make(String tab) {
+        if (List.of("study", "exercises").contains(tab)) makeAll();
+        else labs.getOrDefault(tab, coordinates).prepare();
+    }
+
+    /** Makes what is not made and not closed meanwhile. */
+    void makeAll() {
+        labs.values().forEach(LabModel::prepare);
+    }
+
+    public CoordinatesLabModel coordinates() {
+        return coordinates.get();
+    }
+
+    public LineLabModel line() {
+        return line.get();
+    }
+
+    public PolygonLabModel polygon() {
+        return polygon.get();
+    }
+
+    public ClipLabModel clip() {
+        return clip.get();
+    }
+
+    public VisibilityLabModel visibility() {
+        return visibility.get();
+    }
+
+    public LightLabModel light() {
+        return light.get();
+    }
+
+    public SplineLabModel spline() {
+        return spline.get();
+    }
+
+    public OpenGlLabModel opengl() {
+        return opengl.get();
+    }
+
+    public StudyLabModel study() {
+        return study.get();
+    }
+
+    public ExerciseLabModel exercises() {
+        return exercises.get();
+    }
+
+    /** Keeps the exercises' sources in a folder. */
+    void keepSourcesIn(Path folder) {
+        exercises.whenMade(model -> model.keepIn(folder));
+    }
+
+    /** The sources that are not on the disk; tries once more to write them, and waits for that. */
+    List<UnsavedDraft> unsavedDrafts() throws InterruptedException {
+        Optional<ExerciseLabModel> made = exercises.ifMade();
+        return made.isPresent() ? made.get().unsavedDrafts() : List.of();
+    }
+
+    /** What opens as it was left, of the labs that are made, by the name under which it is kept. */
     Map<String, Kept<?>> kept() {
         var kept = new LinkedHashMap<String, Kept<?>>();
-        kept.put("coordinates", coordinates);
-        kept.put("coordinates.views", coordinates.views());
-        kept.put("coordinates.transformations", coordinates.transformations());
-        kept.put("coordinates.stack", coordinates.stack());
-        kept.put("coordinates.rotation", coordinates.rotation());
-        kept.put("coordinates.meeting", coordinates.meeting());
-        kept.put("line", line);
-        kept.put("line.figures", line.figures());
-        kept.put("line.mode", line.keptMode());
-        kept.put("polygon", polygon);
-        kept.put("clip", clip);
-        kept.put("visibility", visibility);
-        kept.put("visibility.rows", visibility.rows());
-        kept.put("visibility.rows.open", visibility.rows().keptOpen());
-        kept.put("light", light);
-        kept.put("light.rows", light.rows());
-        kept.put("light.rows.open", light.rows().keptOpen());
-        kept.put("spline", spline);
-        kept.put("spline.curve", spline.curve());
-        kept.put("spline.function", spline.function());
-        kept.put("opengl", opengl);
-        kept.put("study", study);
-        kept.put("exercises", exercises);
+        labs.values().forEach(lab -> kept.putAll(lab.kept()));
         return kept;
     }
 
-    /** Ends background work. */
+    /** What the made labs showed when they were made, by the same names. */
+    Map<String, Object> asMade() {
+        return Map.copyOf(asMade);
+    }
+
+    /** Ends background work; what is not made stays so. */
     @Override
     public void close() {
-        coordinates.close();
-        line.close();
-        polygon.close();
-        clip.close();
-        visibility.close();
-        light.close();
-        spline.close();
-        opengl.close();
-        study.close();
-        exercises.close();
+        labs.values().forEach(LabModel::close);
     }
 }

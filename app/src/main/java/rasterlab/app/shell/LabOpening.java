@@ -30,7 +30,6 @@ final class LabOpening implements OpenInLab {
     }
 
     private final Map<String, Topic<?, ?, ?>> topics = new TreeMap<>();
-    private final TopicWays ways;
 
     /** What makes an input of a topic from JSON, for the topics of exercises. */
     private final Map<String, Function<String, Object>> readers = Map.of("line", LineInput::read);
@@ -41,6 +40,8 @@ final class LabOpening implements OpenInLab {
     private final Executor background;
     private final Executor events;
     private final Consumer<Throwable> onFailure;
+    private final LabModels models;
+    private Optional<TopicWays> ways = Optional.empty();
     private Consumer<String> showTab = tab -> {};
 
     /** Counts what was asked for, so that only the newest is shown. */
@@ -54,7 +55,7 @@ final class LabOpening implements OpenInLab {
     LabOpening(
             LabModels models, Executor background, Executor events, Consumer<Throwable> onFailure) {
         for (Topic<?, ?, ?> topic : Topics.all()) topics.put(topic.name(), topic);
-        ways = new TopicWays(models);
+        this.models = models;
         tried =
                 Map.of(
                         "line",
@@ -75,7 +76,7 @@ final class LabOpening implements OpenInLab {
     @Override
     public Optional<Unshown> obstacleTo(String topic, String hazard) {
         input(topic, hazard);
-        return ways.of(topic).isPresent() ? Optional.empty() : Optional.of(Unshown.NO_TAB);
+        return ways().of(topic).isPresent() ? Optional.empty() : Optional.of(Unshown.NO_TAB);
     }
 
     /** What takes long comes once it is found. */
@@ -153,11 +154,17 @@ final class LabOpening implements OpenInLab {
 
     private TopicWay way(String topic, String method) {
         if (!method.isEmpty()) named(topic).method(method);
-        return ways.of(topic)
+        return ways().of(topic)
                 .orElseThrow(
                         () ->
                                 new IllegalArgumentException(
                                         "no tab shows inputs of topic " + topic));
+    }
+
+    /** Asks for all models, which whoever opens the window need not wait for. */
+    private TopicWays ways() {
+        if (ways.isEmpty()) ways = Optional.of(new TopicWays(models));
+        return ways.get();
     }
 
     private void show(TopicWay way, TopicInput input, String method) {

@@ -53,7 +53,10 @@ public final class LabTabs implements AutoCloseable {
                 (name, begun) ->
                         tabs.add(
                                 new LabTab(
-                                        name, texts.text("tab." + name), Optional.empty(), begun));
+                                        name,
+                                        texts.text("tab." + name),
+                                        Optional.of(() -> models.make(name)),
+                                        begun));
         var opening =
                 new LabOpening(models, LabTabs::tryHazard, EventQueue::invokeLater, onFailure);
         add.accept(
@@ -72,7 +75,11 @@ public final class LabTabs implements AutoCloseable {
                 new LabTab(
                         "exercises",
                         texts.text("tab.exercises"),
-                        Optional.of(() -> ExercisePanel.prepare(models.exercises())),
+                        Optional.of(
+                                () -> {
+                                    models.make("exercises");
+                                    ExercisePanel.prepare(models.exercises());
+                                }),
                         () -> new ExercisePanel(models.exercises(), opening, language, onFailure)));
         return new LabTabs(language, tabs, opening, onFailure);
     }

@@ -37,17 +37,22 @@ import rasterlab.exercises.json.JsonMistake;
  * left. What an older version did not keep of a lab yet is as on the first run.
  */
 public final class LabsFile {
-    private static final ObjectMapper JSON =
-            JsonMapper.builder()
-                    .addModule(new Jdk8Module())
-                    .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
-                    .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
-                    .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
-                    .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
-                    .visibility(PropertyAccessor.GETTER, Visibility.NONE)
-                    .visibility(PropertyAccessor.IS_GETTER, Visibility.NONE)
-                    .visibility(PropertyAccessor.FIELD, Visibility.ANY)
-                    .build();
+    /** Takes long to load, and a first run has nothing to read. */
+    private static final class Json {
+        private static final ObjectMapper MAPPER =
+                JsonMapper.builder()
+                        .addModule(new Jdk8Module())
+                        .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
+                        .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
+                        .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
+                        .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+                        .visibility(PropertyAccessor.GETTER, Visibility.NONE)
+                        .visibility(PropertyAccessor.IS_GETTER, Visibility.NONE)
+                        .visibility(PropertyAccessor.FIELD, Visibility.ANY)
+                        .build();
+
+        private Json() {}
+    }
 
     private final Path file;
     private final Consumer<Problem> problem;
@@ -94,7 +99,7 @@ public final class LabsFile {
     }
 
     private ObjectNode root() throws IOException {
-        if (JSON.readTree(file.toFile()) instanceof ObjectNode root) return root;
+        if (Json.MAPPER.readTree(file.toFile()) instanceof ObjectNode root) return root;
         throw new IOException("not a JSON object");
     }
 
@@ -103,9 +108,13 @@ public final class LabsFile {
         problem.accept(Problem.of("labs.notUsed", file.toString(), reason));
     }
 
-    /** Brings every lab to what it showed. On the thread that uses the models. */
-    void bringBack(Content content, LabModels models) {
-        models.kept().forEach((name, lab) -> bringBack(name, lab, content.root.path(name)));
+    /**
+     * Brings labs to what they showed. On the thread that uses them.
+     *
+     * @param labs by the names of their parts of the file
+     */
+    void bringBack(Content content, Map<String, Kept<?>> labs) {
+        labs.forEach((name, lab) -> bringBack(name, lab, content.root.path(name)));
     }
 
     /** The choices without those that the file holds no usable part of. */
@@ -119,8 +128,8 @@ public final class LabsFile {
     private <C> void bringBack(String name, Kept<C> lab, JsonNode kept) {
         if (kept.isMissingNode()) return;
         try {
-            JsonNode whole = completed(kept, JSON.valueToTree(lab.kept()), lab.keptType());
-            lab.bringBack(JSON.treeToValue(whole, lab.keptType()));
+            JsonNode whole = completed(kept, Json.MAPPER.valueToTree(lab.kept()), lab.keptType());
+            lab.bringBack(Json.MAPPER.treeToValue(whole, lab.keptType()));
         } catch (JsonProcessingException | RuntimeException e) {
             // A file that was changed by hand can miss more than a lab's own checks look at.
             String reason = e instanceof JsonMappingException part ? reasonOf(part) : reason(e);
@@ -132,7 +141,7 @@ public final class LabsFile {
     /** What was kept, and of the record's components that it has not, the usual ones. */
     private static JsonNode completed(JsonNode kept, JsonNode usual, Class<?> type) {
         if (!type.isRecord() || !kept.isObject() || !usual.isObject()) return kept;
-        ObjectNode whole = JSON.createObjectNode().setAll((ObjectNode) kept);
+        ObjectNode whole = Json.MAPPER.createObjectNode().setAll((ObjectNode) kept);
         for (RecordComponent part : type.getRecordComponents()) {
             String name = part.getName();
             whole.set(
@@ -156,10 +165,15 @@ public final class LabsFile {
                 + " is missing or not what it should be";
     }
 
-    /** What every lab shows, by the names of their parts of the file. On the event thread. */
+    /** What every made lab shows, by the names of their parts of the file. On the event thread. */
     static Map<String, Object> choices(LabModels models) {
+        return choices(models.kept());
+    }
+
+    /** What those labs show. On the thread that uses them. */
+    static Map<String, Object> choices(Map<String, Kept<?>> labs) {
         var choices = new LinkedHashMap<String, Object>();
-        models.kept().forEach((name, lab) -> choices.put(name, lab.kept()));
+        labs.forEach((name, lab) -> choices.put(name, lab.kept()));
         return choices;
     }
 
@@ -172,15 +186,16 @@ public final class LabsFile {
      */
     synchronized boolean save(Map<String, Object> choices, Set<String> changed) {
         Optional<ObjectNode> held = held();
-        ObjectNode root = held.orElseGet(JSON::createObjectNode);
+        ObjectNode root = held.orElseGet(Json.MAPPER::createObjectNode);
         choices.forEach(
                 (name, choice) -> {
                     if (held.isEmpty() || changed.contains(name) || !root.has(name))
-                        root.set(name, JSON.valueToTree(choice));
+                        root.set(name, Json.MAPPER.valueToTree(choice));
                 });
         try {
             WholeFile.requireFolder(file.toAbsolutePath().getParent());
-            WholeFile.write(file, JSON.writerWithDefaultPrettyPrinter().writeValueAsBytes(root));
+            WholeFile.write(
+                    file, Json.MAPPER.writerWithDefaultPrettyPrinter().writeValueAsBytes(root));
             return true;
         } catch (IOException | Complaint e) {
             problem.accept(Problem.of("labs.notKept", reason(e)));

@@ -47,7 +47,12 @@ final class StateKeeper implements AutoCloseable {
     private final Set<String> unkept = ConcurrentHashMap.newKeySet();
 
     private LabSettings lastSettings;
+
+    /** Of the labs that were made by then. */
     private Map<String, Object> lastChoices;
+
+    /** Names of what has been looked at. */
+    private final Set<String> looked = new HashSet<>();
 
     /**
      * Begins to look. On the event thread.
@@ -64,7 +69,9 @@ final class StateKeeper implements AutoCloseable {
         this.settings = settings;
         this.models = models;
         lastSettings = settings.get();
-        lastChoices = labsFile.used(LabsFile.choices(models));
+        Map<String, Object> choices = LabsFile.choices(models);
+        looked.addAll(choices.keySet());
+        lastChoices = labsFile.used(choices);
         Runtime.getRuntime().addShutdownHook(atTheEnd);
         timer.start();
     }
@@ -76,10 +83,12 @@ final class StateKeeper implements AutoCloseable {
             writer.execute(() -> settingsKept = file.save(nowSettings));
         lastSettings = nowSettings;
         Map<String, Object> nowChoices = LabsFile.choices(models);
+        Map<String, Object> asMade = labsFile.used(models.asMade());
         Set<String> changed = new HashSet<>();
         nowChoices.forEach(
                 (name, choice) -> {
-                    if (!choice.equals(lastChoices.get(name))) changed.add(name);
+                    boolean first = looked.add(name);
+                    if (!choice.equals((first ? asMade : lastChoices).get(name))) changed.add(name);
                 });
         if (!changed.isEmpty()) writer.execute(() -> keep(nowChoices, changed));
         lastChoices = nowChoices;

@@ -38,23 +38,31 @@ public final class WindowStart {
 
     private void open(Path place) {
         Thread.setDefaultUncaughtExceptionHandler(reports);
-        var events = new HeldEvents(EventQueue::invokeLater);
-        var models = beside("models", () -> LabModels.first(events, reports));
-        var labsFile = beside("labs file", () -> LabsFile.beside(place, problems));
-        var kept = labsFile.thenApply(LabsFile::read);
+        var labsFile = LabsFile.beside(place, problems);
+        var kept = beside("labs file", labsFile::read);
+        LabModels models =
+                LabModels.unmade(
+                        EventQueue::invokeLater,
+                        labs -> kept.join().ifPresent(left -> labsFile.bringBack(left, labs)),
+                        reports);
+        var made = beside("models", () -> makeFirst(models));
         // Before there is any component, the look can be made on any thread.
         settings.look().theme().install(settings.look().textPercent());
         keep(settings, file, place, problems);
         SwingClasses.load(settings.look().language().locale());
-        kept.join().ifPresent(left -> labsFile.join().bringBack(left, models.join()));
-        LabModels made = models.join();
+        made.join();
         EventQueue.invokeLater(
                 () -> {
-                    events.letGo();
-                    tabs = LabTabs.create(made, settings.look().language(), reports);
+                    tabs = LabTabs.create(models, settings.look().language(), reports);
                     tabs.namedOrFirst(settings.tab())
-                            .makeInEvents(() -> openFrame(made, labsFile.join()));
+                            .makeInEvents(() -> openFrame(models, labsFile));
                 });
+    }
+
+    /** What the tab that is shown first needs. */
+    private LabModels makeFirst(LabModels models) {
+        models.make(settings.tab());
+        return models;
     }
 
     private static <T> CompletableFuture<T> beside(String name, Supplier<T> work) {
@@ -68,7 +76,16 @@ public final class WindowStart {
                         frame::addNotify,
                         frame::validate,
                         () -> frame.setVisible(true),
-                        () -> problems.showIn(frame)));
+                        () -> new Thread(() -> makeRest(models), "models").start()));
+    }
+
+    /** While the first tab is looked at; then all is known that could not be brought back. */
+    private void makeRest(LabModels models) {
+        try {
+            models.makeAll();
+        } finally {
+            problems.showIn(frame);
+        }
     }
 
     /** Each in an event of its own; one that throws ends it. */

@@ -244,7 +244,7 @@ class LabsFileTest {
     }
 
     private static void load(LabsFile file, LabModels models) {
-        file.read().ifPresent(content -> file.bringBack(content, models));
+        file.read().ifPresent(content -> file.bringBack(content, models.kept()));
     }
 
     private void save(LabModels models) {

@@ -3,6 +3,7 @@ package rasterlab.app.shell;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
+import rasterlab.app.spline.SplineMode;
 
 @Timeout(60)
 class StateKeeperTest {
@@ -47,7 +49,7 @@ class StateKeeperTest {
                                         problem -> problems.add(problem.toString()));
                         var labsFile =
                                 new LabsFile(labs(), problem -> problems.add(problem.toString()));
-                        labsFile.read().ifPresent(kept -> labsFile.bringBack(kept, models));
+                        labsFile.read().ifPresent(kept -> labsFile.bringBack(kept, models.kept()));
                         var keeper = new StateKeeper(file, labsFile, () -> FIRST, models);
                         during.accept(models, keeper);
                         keeper.close();
@@ -132,6 +134,36 @@ class StateKeeperTest {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    @Test
+    void labThatIsMadeLateIsWrittenWhereItWasChangedOnly() throws Exception {
+        live(
+                models -> {
+                    models.line().chooseMethod("dda");
+                    models.spline().show(SplineMode.FUNCTION);
+                });
+        OffscreenPainter.onEventThread(
+                () -> {
+                    var labsFile = new LabsFile(labs(), problem -> fail(problem.toString()));
+                    LabsFile.Content kept = labsFile.read().orElseThrow();
+                    var file = new SettingsFile(folder.resolve("window.properties"), problem -> {});
+                    try (var models =
+                            LabModels.unmade(
+                                    Runnable::run,
+                                    labs -> labsFile.bringBack(kept, labs),
+                                    failure -> problems.add(failure.toString()))) {
+                        var keeper = new StateKeeper(file, labsFile, () -> FIRST, models);
+                        models.line().chooseMethod("naive");
+                        models.spline();
+                        another("spline", "written meanwhile");
+                        keeper.close();
+                    }
+                });
+        String left = Files.readString(labs());
+        assertTrue(left.contains("naive"), left);
+        assertTrue(left.contains("written meanwhile"), left);
+        assertEquals(List.of(), problems);
     }
 
     @Test

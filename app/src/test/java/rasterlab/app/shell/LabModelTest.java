@@ -1,0 +1,56 @@
+package rasterlab.app.shell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import org.junit.jupiter.api.Test;
+
+class LabModelTest {
+    private final List<String> done = new ArrayList<>();
+    private final LabModel<Object> lab =
+            new LabModel<>(
+                    this::made,
+                    (model, kept) -> {},
+                    model -> done.add("closed"),
+                    Runnable::run,
+                    kept -> done.add("brought back"));
+
+    private Object made(Executor events) {
+        done.add("made");
+        events.execute(() -> done.add("answered"));
+        return new Object();
+    }
+
+    @Test
+    void modelIsMadeOnceWhenItIsAskedForAndHandsItsWorkOutWhenItIsAsItWasLeft() {
+        lab.whenMade(model -> done.add("told"));
+        assertEquals(List.of(), done);
+        assertSame(lab.get(), lab.get());
+        assertEquals(List.of("made", "brought back", "told", "answered"), done);
+        lab.whenMade(model -> done.add("told later"));
+        assertEquals("told later", done.get(4));
+    }
+
+    @Test
+    void modelThatIsNotMadeKeepsNothingAndIsNotMadeToBeClosed() {
+        assertEquals(Optional.empty(), lab.ifMade());
+        assertEquals(Map.of(), lab.kept());
+        lab.close();
+        lab.prepare();
+        assertEquals(List.of(), done);
+        assertThrows(IllegalStateException.class, lab::get);
+    }
+
+    @Test
+    void madeModelIsClosed() {
+        lab.prepare();
+        lab.close();
+        assertEquals("closed", done.get(done.size() - 1));
+    }
+}
