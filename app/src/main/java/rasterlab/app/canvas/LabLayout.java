@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Container;
 import javax.swing.BorderFactory;
@@ -97,12 +98,14 @@ public final class LabLayout extends JPanel {
         return inspector.getMinimumSize().width + bar;
     }
 
+    /**
+     * In a layout that asks its parts for no more sizes than it needs: MigLayout asks for each
+     * several times, and one in another as often as the product of both.
+     */
     private static JPanel column(Inspector inspector, JComponent actions) {
-        var column =
-                new JPanel(
-                        new MigLayout("insets 0, gap 0 8, wrap 1", "[grow,fill]", "[grow,fill][]"));
-        column.add(scrolled(inspector), "hmin 0");
-        column.add(actions);
+        var column = new JPanel(new BorderLayout(0, 8));
+        column.add(scrolled(inspector));
+        column.add(actions, BorderLayout.SOUTH);
         return column;
     }
 

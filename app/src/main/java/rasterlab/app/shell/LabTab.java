@@ -1,10 +1,13 @@
 package rasterlab.app.shell;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.EventQueue;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import java.util.function.Supplier;
+import javax.swing.JEditorPane;
 import rasterlab.app.canvas.LabPanel;
 
 /** One tab of the window, whose panel is made when it is first asked for. On the event thread. */
@@ -91,9 +94,20 @@ public final class LabTab implements AutoCloseable {
         LabPanel first = begun.get();
         panel = Optional.of(first);
         parts.addAll(first.parts());
-        parts.add(first::refresh);
+        parts.add(
+                () -> {
+                    first.refresh();
+                    measurePages(first);
+                });
         // What takes long when it is measured first is quick when the window lays it out.
         parts.add(first::getPreferredSize);
+    }
+
+    /** Adds a part for each page of text, in which most of the measuring goes. */
+    private void measurePages(Container of) {
+        for (Component each : of.getComponents())
+            if (each instanceof JEditorPane page) parts.addFirst(page::getPreferredSize);
+            else if (each instanceof Container inner) measurePages(inner);
     }
 
     private void forget() {

@@ -6,9 +6,6 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
-import java.io.IOException;
-import java.io.StringReader;
-import java.io.UncheckedIOException;
 import java.text.BreakIterator;
 import java.text.NumberFormat;
 import java.util.List;
@@ -28,10 +25,7 @@ import javax.swing.JSpinner;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
-import javax.swing.text.BadLocationException;
 import javax.swing.text.NumberFormatter;
-import javax.swing.text.html.HTMLDocument;
-import javax.swing.text.html.HTMLEditorKit;
 import javax.swing.text.html.InlineView;
 import javax.swing.text.html.ParagraphView;
 import net.miginfocom.swing.MigLayout;
@@ -71,7 +65,6 @@ final class SwingClasses {
         new MigLayout("insets 0, gap 6", "[grow,fill]8[]", "[center]");
         NumberFormat.getInstance(language).format(0.5);
         BreakIterator.getLineInstance(language).setText("a b");
-        parse("<html><body><p style='margin: 0 0 5 0'><b>a</b> b</p></body></html>");
         draw();
     }
 
@@ -80,17 +73,6 @@ final class SwingClasses {
             Class.forName(type.getName(), true, type.getClassLoader());
         } catch (ClassNotFoundException e) {
             throw new AssertionError(type + " names itself wrongly", e);
-        }
-    }
-
-    private static void parse(String page) {
-        var kit = new HTMLEditorKit();
-        try {
-            kit.read(new StringReader(page), (HTMLDocument) kit.createDefaultDocument(), 0);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        } catch (BadLocationException e) {
-            throw new AssertionError("no place 0 in an empty document", e);
         }
     }
 

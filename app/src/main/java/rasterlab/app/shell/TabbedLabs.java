@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
@@ -142,10 +143,7 @@ final class TabbedLabs extends JTabbedPane {
     /** Part by part; then what shows the panel. */
     private void make(int index) {
         LabTab tab = tabs.get(index);
-        if (tab.isWhole())
-            inTurn(
-                    index,
-                    List.of(() -> fill(index), () -> layOut(index), () -> setSelectedIndex(index)));
+        if (tab.isWhole()) later(index, () -> show(index));
         else
             later(
                     index,
@@ -155,10 +153,14 @@ final class TabbedLabs extends JTabbedPane {
                     });
     }
 
-    private void layOut(int index) {
+    /** Puts a panel that is whole in place, and shows it when it is laid out. */
+    private void show(int index) {
+        fill(index);
         JPanel place = place(index);
         place.setBounds(getSelectedComponent().getBounds());
-        place.validate();
+        var steps = new ArrayList<>(LayoutParts.of(place));
+        steps.add(() -> setSelectedIndex(index));
+        inTurn(index, steps);
     }
 
     /** Each in an event of its own, after this one. */

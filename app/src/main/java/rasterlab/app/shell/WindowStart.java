@@ -3,6 +3,7 @@ package rasterlab.app.shell;
 import java.awt.EventQueue;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
@@ -15,8 +16,8 @@ import rasterlab.app.language.Texts;
  * Opens the window as it was left.
  *
  * <p>Settings and what the labs showed are read, the labs' models and the look made on threads
- * beside each other. Then come events: one for each part of the first tab, and some for the frame,
- * its layout and its picture.
+ * beside each other, and meanwhile components used in events. Then come more events: one for each
+ * part of the first tab, and some for the frame, its layout and its picture.
  */
 public final class WindowStart {
     private final Problems problems = new Problems();
@@ -48,15 +49,25 @@ public final class WindowStart {
         var made = beside("models", () -> makeFirst(models));
         // Before there is any component, the look can be made on any thread.
         settings.look().theme().install(settings.look().textPercent());
+        CompletableFuture<Void> used = useComponents();
         keep(settings, file, place, problems);
         SwingClasses.load(settings.look().language().locale());
         made.join();
-        EventQueue.invokeLater(
-                () -> {
-                    tabs = LabTabs.create(models, settings.look().language(), reports);
-                    tabs.namedOrFirst(settings.tab())
-                            .makeInEvents(() -> openFrame(models, labsFile));
-                });
+        used.join();
+        inTurn(
+                List.of(
+                        () -> tabs = LabTabs.create(models, settings.look().language(), reports),
+                        () ->
+                                tabs.namedOrFirst(settings.tab())
+                                        .makeInEvents(() -> openFrame(models, labsFile))));
+    }
+
+    /** Each in an event of its own; done when all are. */
+    private static CompletableFuture<Void> useComponents() {
+        CompletableFuture<Void> used = CompletableFuture.completedFuture(null);
+        for (Runnable use : FirstComponents.uses())
+            used = used.thenRunAsync(use, EventQueue::invokeLater);
+        return used;
     }
 
     /** What the tab that is shown first needs. */
@@ -71,12 +82,12 @@ public final class WindowStart {
 
     private void openFrame(LabModels models, LabsFile labsFile) {
         frame = new LabFrame(models, tabs, settings, file, labsFile, reports);
-        inTurn(
-                List.of(
-                        frame::addNotify,
-                        frame::validate,
-                        () -> frame.setVisible(true),
-                        () -> new Thread(() -> makeRest(models), "models").start()));
+        var steps = new ArrayList<Runnable>();
+        steps.add(frame::addNotify);
+        steps.addAll(LayoutParts.of(frame));
+        steps.add(() -> frame.setVisible(true));
+        steps.add(() -> new Thread(() -> makeRest(models), "models").start());
+        inTurn(steps);
     }
 
     /** While the first tab is looked at; then all is known that could not be brought back. */

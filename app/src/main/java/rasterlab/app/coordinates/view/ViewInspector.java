@@ -135,6 +135,11 @@ final class ViewInspector {
 
     /** Shows the model's present state. */
     void refresh() {
+        showChoice();
+        showNumbers();
+    }
+
+    void showChoice() {
         ViewChoice choice = model.choice();
         kind.show(choice.kind().code());
         numbers.forEach(
@@ -152,7 +157,6 @@ final class ViewInspector {
         vanishing.setSelected(choice.vanishing());
         method.show(choice.method());
         vertex.show(String.valueOf(choice.vertex()));
-        showNumbers();
     }
 
     /** The window's size where it matters, and the eyes' distance where there are two. */
@@ -166,7 +170,7 @@ final class ViewInspector {
         };
     }
 
-    private void showNumbers() {
+    void showNumbers() {
         var readings = new ViewReadings(model, texts);
         stage.setText(readings.stage());
         family.setText(readings.family());

@@ -17,8 +17,12 @@ public final class ViewPanel extends LabCard {
 
     private final transient ViewLabModel model;
     private final transient Texts texts;
-    private final ViewStageView stage;
     private final transient ViewInspector inspector;
+    private final transient Consumer<Throwable> onFailure;
+    private ViewStageView stage;
+    private Chips situations;
+    private StepPlayer stages;
+    private transient Runnable endOfStage = () -> {};
 
     /**
      * @param onMode told when another lab is chosen
@@ -31,32 +35,45 @@ public final class ViewPanel extends LabCard {
             Consumer<Throwable> onFailure) {
         super("views", model, language);
         this.model = model;
+        this.onFailure = onFailure;
         texts = Texts.of("coordinates.view", language);
-        stage = new ViewStageView(model, texts, onFailure);
         inspector = new ViewInspector(model, texts, modes(CoordinatesMode.VIEWS, language, onMode));
+    }
+
+    @Override
+    public List<Runnable> parts() {
+        var parts = new ArrayList<Runnable>();
+        parts.add(this::addStage);
+        parts.addAll(inspector.sections());
+        parts.add(this::addRows);
+        parts.add(this::putTogether);
+        // What has been shown once is quick to show again.
+        parts.add(inspector::showChoice);
+        parts.add(inspector::showNumbers);
+        return parts;
+    }
+
+    private void addStage() {
+        stage = new ViewStageView(model, texts, onFailure);
+        endOfStage = stage::close;
+    }
+
+    private void addRows() {
         addCopies(
                 stage::shown,
                 () -> stage.shown().svg(),
                 () -> Optional.of(ViewCommand.of(model.scene(), model.step())),
                 onFailure);
-    }
-
-    @Override
-    public List<Runnable> parts() {
-        var parts = new ArrayList<>(inspector.sections());
-        parts.add(this::putTogether);
-        return parts;
-    }
-
-    private void putTogether() {
-        play(
-                situations(model, texts),
-                stage,
-                inspector.column(),
+        situations = situations(model, texts);
+        stages =
                 new StepPlayer(
                         Texts.of("canvas", texts.language()),
                         model,
-                        () -> texts.text("space." + model.stage().space().code() + ".short")));
+                        () -> texts.text("space." + model.stage().space().code() + ".short"));
+    }
+
+    private void putTogether() {
+        play(situations, stage, inspector.column(), stages);
     }
 
     private static Chips situations(ViewLabModel model, Texts texts) {
@@ -83,6 +100,6 @@ public final class ViewPanel extends LabCard {
 
     @Override
     protected void closeStage() {
-        stage.close();
+        endOfStage.run();
     }
 }
