@@ -1,6 +1,8 @@
 package rasterlab.app.shell;
 
 import java.awt.EventQueue;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -82,11 +84,17 @@ public final class WindowStart {
 
     private void openFrame(LabModels models, LabsFile labsFile) {
         frame = new LabFrame(models, tabs, settings, file, labsFile, reports);
+        frame.addWindowListener(
+                new WindowAdapter() {
+                    @Override
+                    public void windowOpened(WindowEvent e) {
+                        new Thread(() -> makeRest(models), "models").start();
+                    }
+                });
         var steps = new ArrayList<Runnable>();
         steps.add(frame::addNotify);
         steps.addAll(LayoutParts.of(frame));
         steps.add(() -> frame.setVisible(true));
-        steps.add(() -> new Thread(() -> makeRest(models), "models").start());
         inTurn(steps);
     }
 
