@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -17,16 +16,16 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.engine.clip.segment.ClipWindow;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 
 @Timeout(60)
 class ClipLabModelTest {
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final ClipLabModel model =
-            new ClipLabModel(new ClipTopics(), events::add, failures::add);
+    private final ClipLabModel model = new ClipLabModel(new ClipTopics(), thread, failures::add);
 
     @AfterEach
     void close() {
@@ -36,12 +35,7 @@ class ClipLabModelTest {
 
     /** Waits for the answers and hands them to the model. */
     private void settle() {
-        try {
-            model.settle();
-        } catch (InterruptedException e) {
-            throw new AssertionError("the test was interrupted", e);
-        }
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+        thread.settle(model::settle);
     }
 
     private Clipping clipping() {

@@ -12,7 +12,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.BooleanSupplier;
@@ -21,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.contract.Reflection;
 import rasterlab.engine.light.LightTerm;
@@ -33,9 +33,9 @@ class LightLabModelTest {
     private static final int WIDTH = 150;
     private static final int HEIGHT = 180;
 
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final LightLabModel model = new LightLabModel(events::add, failures::add);
+    private final LightLabModel model = new LightLabModel(thread, failures::add);
 
     @AfterEach
     void close() {
@@ -43,10 +43,9 @@ class LightLabModelTest {
         assertEquals(List.of(), failures);
     }
 
-    private LightFrame.Drawn drawn() throws InterruptedException {
+    private LightFrame.Drawn drawn() {
         model.resize(WIDTH, HEIGHT);
-        model.settle();
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+        thread.settle(model::settle);
         return model.state().drawn().orElseThrow();
     }
 
@@ -76,7 +75,7 @@ class LightLabModelTest {
                         done.countDown();
                     }
                 };
-        var lab = new LightLabModel(maker, events::add, failures::add);
+        var lab = new LightLabModel(maker, thread, failures::add);
         lab.resize(WIDTH, HEIGHT);
         drawing.await();
         lab.close();
@@ -94,14 +93,14 @@ class LightLabModelTest {
     }
 
     @Test
-    void threeShadingsOfOneBodyDiffer() throws InterruptedException {
+    void threeShadingsOfOneBodyDiffer() {
         LightFrame.Drawn drawn = drawn();
         assertFalse(Arrays.equals(pixels(drawn, 0), pixels(drawn, 1)));
         assertFalse(Arrays.equals(pixels(drawn, 1), pixels(drawn, 2)));
     }
 
     @Test
-    void formulaGivesThePixelOfPhongsShading() throws InterruptedException {
+    void formulaGivesThePixelOfPhongsShading() {
         for (Reflection reflection : Reflection.values()) {
             model.choose(choice -> choice.with(reflection));
             LightFrame.Drawn drawn = drawn();
@@ -122,7 +121,7 @@ class LightLabModelTest {
     }
 
     @Test
-    void lampThatIsOffAddsNothing() throws InterruptedException {
+    void lampThatIsOffAddsNothing() {
         model.choose(choice -> choice.withLamp(0, choice.lamps().get(0).switched(false)));
         model.choose(choice -> choice.withLamp(1, choice.lamps().get(1).switched(false)));
         PointReading point = drawn().point().orElseThrow();
@@ -132,7 +131,7 @@ class LightLabModelTest {
     }
 
     @Test
-    void termLeftOutIsLeftOutOfPictureAndFormula() throws InterruptedException {
+    void termLeftOutIsLeftOutOfPictureAndFormula() {
         model.choose(choice -> choice.withTerms(Set.of(LightTerm.EMISSION)));
         LightFrame.Drawn drawn = drawn();
         assertArrayEquals(new double[3], drawn.point().orElseThrow().sum());
@@ -140,7 +139,7 @@ class LightLabModelTest {
     }
 
     @Test
-    void farLampIsWeakerByItsAttenuation() throws InterruptedException {
+    void farLampIsWeakerByItsAttenuation() {
         double near = drawn().point().orElseThrow().lamps().get(0).factor();
         assertEquals(1, near);
         model.choose(choice -> choice.withLamp(choice.lamp().attenuated(2, 0, 1)));
@@ -166,7 +165,7 @@ class LightLabModelTest {
     }
 
     @Test
-    void draggedLampStaysUnderTheMouseAndKeepsItsDepth() throws InterruptedException {
+    void draggedLampStaysUnderTheMouseAndKeepsItsDepth() {
         drawn();
         var grips = new LightGrips(model);
         var plan = new StagePlan(3 * WIDTH + 12, (int) (HEIGHT / 0.58), 0);
@@ -183,7 +182,7 @@ class LightLabModelTest {
     }
 
     @Test
-    void dragOfALampIsOneChangeForUndo() throws InterruptedException {
+    void dragOfALampIsOneChangeForUndo() {
         drawn();
         LightChoice before = model.state().choice();
         var grips = new LightGrips(model);
@@ -207,7 +206,7 @@ class LightLabModelTest {
     }
 
     @Test
-    void cubeOfAveragedNormalsIsRoundAndOfItsOwnIsNot() throws InterruptedException {
+    void cubeOfAveragedNormalsIsRoundAndOfItsOwnIsNot() {
         model.choose(choice -> choice.with(new Body("cube", 12, Body.OWN)).withArrows(true));
         double[] own = drawn().cornerArrows();
         model.choose(choice -> choice.with(new Body("cube", 12, "angle")));
@@ -217,7 +216,7 @@ class LightLabModelTest {
     }
 
     @Test
-    void profileOfFlatShadingHasStepsThatTheEyeExaggerates() throws InterruptedException {
+    void profileOfFlatShadingHasStepsThatTheEyeExaggerates() {
         LightFrame.Picture flat = drawn().pictures().get(0);
         double highest = Arrays.stream(flat.brightness()).max().orElseThrow();
         assertTrue(Arrays.stream(flat.reported()).max().orElseThrow() > highest + 0.02);
@@ -225,7 +224,7 @@ class LightLabModelTest {
 
     @ParameterizedTest(name = "the hazard is drawn with a failure: {0}")
     @EnumSource
-    void everyHazardIsAPicture(LightHazard hazard) throws InterruptedException {
+    void everyHazardIsAPicture(LightHazard hazard) {
         model.choose(choice -> hazard.shown());
         assertEquals(hazard.shown().body(), drawn().choice().body());
     }

@@ -11,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
@@ -22,6 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Pipe;
@@ -36,9 +36,9 @@ import rasterlab.engine.transform.SphericalView;
 class OpenedLitSceneTest {
     @TempDir Path folder;
 
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final LightLabModel model = new LightLabModel(events::add, failures::add);
+    private final LightLabModel model = new LightLabModel(thread, failures::add);
 
     @AfterEach
     void close() {
@@ -48,13 +48,13 @@ class OpenedLitSceneTest {
 
     @ParameterizedTest(name = "a saved scene is opened with other light or material: {0}")
     @EnumSource(LightHazard.class)
-    void opensWhatWasSaved(LightHazard hazard) throws InterruptedException {
+    void opensWhatWasSaved(LightHazard hazard) {
         assertOpened(hazard.shown());
     }
 
     @Test
     @DisplayName("a setting of the lab is lost between saving and opening")
-    void opensAllThatWasChosen() throws InterruptedException {
+    void opensAllThatWasChosen() {
         Lamp spot =
                 Lamp.at(50, 60, 90)
                         .withKind(Lamp.Kind.SPOT)
@@ -84,7 +84,7 @@ class OpenedLitSceneTest {
                         .withTwoSides(false));
     }
 
-    private void assertOpened(LightChoice saved) throws InterruptedException {
+    private void assertOpened(LightChoice saved) {
         Path file = folder.resolve("lit.scene.json");
         LitSceneFile.write(saved, file);
         LightChoice before = model.state().choice();
@@ -101,10 +101,9 @@ class OpenedLitSceneTest {
         assertEquals(before, model.state().choice());
     }
 
-    private void open(Path file) throws InterruptedException {
+    private void open(Path file) {
         model.open(file);
-        model.settle();
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+        thread.settle(model::settle);
     }
 
     private static int[] picture(LightChoice choice) {
@@ -119,7 +118,7 @@ class OpenedLitSceneTest {
 
     @Test
     @DisplayName("a scene by name loses its detail, or the lamps of the lab")
-    void opensScenesByName() throws IOException, InterruptedException {
+    void opensScenesByName() throws IOException {
         LightChoice before = model.state().choice();
         open(written("\"torus\", \"detail\": 20"));
         assertEquals(new Body("torus", 20, Body.OWN), model.state().choice().body());
@@ -135,7 +134,7 @@ class OpenedLitSceneTest {
 
     @ParameterizedTest(name = "a file is refused for a zoom that the lab has not: {0}")
     @CsvSource({"16, 8", "0.1, 0.25"})
-    void cutsTheZoomToItsOwn(double said, double shown) throws IOException, InterruptedException {
+    void cutsTheZoomToItsOwn(double said, double shown) throws IOException {
         open(written("\"torus\", \"detail\": 20, \"zoom\": " + said));
         assertEquals("torus", model.state().choice().body().name());
         assertEquals(shown, model.state().choice().zoom());
@@ -162,7 +161,7 @@ class OpenedLitSceneTest {
                         + " | shading, texture, wrap, environment",
                 "{\"version\": 1, \"topic\": \"line\", \"input\": {}} | lab run",
             })
-    void saysWhatIsNotShown(String text, String part) throws IOException, InterruptedException {
+    void saysWhatIsNotShown(String text, String part) throws IOException {
         Path file = Files.writeString(folder.resolve("one.scene.json"), text);
         open(file);
         String problem = model.state().problem();
@@ -180,7 +179,7 @@ class OpenedLitSceneTest {
 
     @Test
     @DisplayName("what a file says as the lab draws it anyway is said to be passed over")
-    void saysNothingOfWhatIsDrawn() throws IOException, InterruptedException {
+    void saysNothingOfWhatIsDrawn() throws IOException {
         open(
                 written(
                         """
@@ -209,7 +208,7 @@ class OpenedLitSceneTest {
                 "(?s)\"alpha\" : 1.0(.*\"ambient\" : \\[ )0.2 | \"alpha\" : 0.5$10.75 | both",
             })
     void saysWhichLightOrMaterialStays(String pattern, String replacement, String what)
-            throws IOException, InterruptedException {
+            throws IOException {
         Path file = folder.resolve("lit.scene.json");
         LitSceneFile.write(
                 LightChoice.first()

@@ -15,7 +15,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -24,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.cli.Lab;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -33,9 +33,9 @@ import rasterlab.engine.study.Verdict;
 
 @Timeout(180)
 class FigureLabModelTest {
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final FigureLabModel model = new FigureLabModel(events::add, failures::add);
+    private final FigureLabModel model = new FigureLabModel(thread, failures::add);
 
     @AfterEach
     void close() {
@@ -44,12 +44,7 @@ class FigureLabModelTest {
     }
 
     private FigureDrawing drawing() {
-        try {
-            model.settle();
-        } catch (InterruptedException e) {
-            throw new AssertionError("the test was interrupted", e);
-        }
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+        thread.settle(model::settle);
         return model.state().drawing();
     }
 

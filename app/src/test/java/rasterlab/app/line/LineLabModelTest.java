@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -17,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.LineWalk;
 import rasterlab.engine.line.Segment;
@@ -31,10 +31,9 @@ class LineLabModelTest {
     private static final Segment WINDOWED =
             new Segment(-20, -3, 41, 14).in(new PixelWindow(0, 0, 20, 20));
 
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final LineLabModel model =
-            new LineLabModel(new LineTopic(), events::add, failures::add);
+    private final LineLabModel model = new LineLabModel(new LineTopic(), thread, failures::add);
 
     @AfterEach
     void close() {
@@ -44,12 +43,7 @@ class LineLabModelTest {
 
     /** Waits for the drawings and hands them to the model. */
     private void settle() {
-        try {
-            model.settle();
-        } catch (InterruptedException e) {
-            throw new AssertionError("the test was interrupted", e);
-        }
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+        thread.settle(model::settle);
     }
 
     @Test
@@ -265,7 +259,7 @@ class LineLabModelTest {
     @Test
     void exactLineOfTheSameSegmentIsMadeOnce() {
         var counting = new CountingTopic();
-        try (var counted = new LineLabModel(counting, events::add, failures::add)) {
+        try (var counted = new LineLabModel(counting, thread, failures::add)) {
             counted.compareWith("naive");
             counted.settle();
             counted.chooseMethod("dda");
@@ -279,13 +273,13 @@ class LineLabModelTest {
     @Test
     void drawingsOfADragDoNotPileUp() throws InterruptedException {
         var counting = new CountingTopic();
-        try (var counted = new LineLabModel(counting, events::add, failures::add)) {
+        try (var counted = new LineLabModel(counting, thread, failures::add)) {
             counting.mayGoOn.drainPermits();
             for (int x = 100; x < 600; x++) counted.moveEnd(End.B, x, 40);
             counting.mayGoOn.release(10_000);
             counted.settle();
             assertTrue(counting.made.get() <= 4, "exact lines made: " + counting.made.get());
-            for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+            thread.runAll();
             assertEquals(599, counted.state().drawings().choice().segment().x1());
         }
     }

@@ -8,7 +8,6 @@ import java.awt.EventQueue;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
@@ -18,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.LineTopic;
@@ -32,10 +32,9 @@ class TriedTest {
     private static final Segment SHORT = new Segment(0, 0, 2, 0);
     private static final Segment LONG = new Segment(0, 0, 9_999, 0);
 
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final LineLabModel model =
-            new LineLabModel(new LineTopic(), events::add, failures::add);
+    private final LineLabModel model = new LineLabModel(new LineTopic(), thread, failures::add);
 
     @AfterEach
     void close() {
@@ -50,12 +49,7 @@ class TriedTest {
     }
 
     private LineDrawings settled() {
-        try {
-            model.settle();
-        } catch (InterruptedException e) {
-            throw new AssertionError("the test was interrupted", e);
-        }
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+        thread.settle(model::settle);
         return model.state().drawings();
     }
 

@@ -6,13 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.contract.FillRule;
@@ -21,10 +21,10 @@ import rasterlab.engine.study.Verdict;
 
 @Timeout(120)
 class PolygonLabModelTest {
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     private final PolygonLabModel model =
-            new PolygonLabModel(new PolygonTopics(), events::add, failures::add);
+            new PolygonLabModel(new PolygonTopics(), thread, failures::add);
 
     @AfterEach
     void close() {
@@ -34,12 +34,7 @@ class PolygonLabModelTest {
 
     /** Waits for the answers and hands them to the model. */
     private void settle() {
-        try {
-            model.settle();
-        } catch (InterruptedException e) {
-            throw new AssertionError("the test was interrupted", e);
-        }
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+        thread.settle(model::settle);
     }
 
     private Outcome outcome() {

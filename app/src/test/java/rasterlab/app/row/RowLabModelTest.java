@@ -10,7 +10,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -18,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -27,10 +27,10 @@ import rasterlab.engine.texture.mapping.MappingTopic;
 import rasterlab.engine.visibility.depth.DepthBufferTopic;
 
 class RowLabModelTest {
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final RowLabModel depths = RowLabModel.ofDepths(events::add, failures::add);
-    private final RowLabModel textures = RowLabModel.ofTextures(events::add, failures::add);
+    private final RowLabModel depths = RowLabModel.ofDepths(thread, failures::add);
+    private final RowLabModel textures = RowLabModel.ofTextures(thread, failures::add);
 
     @AfterEach
     void end() {
@@ -62,12 +62,7 @@ class RowLabModelTest {
     /** Waits for what is asked for and hands the answer to the model. */
     private void settle(RowLabModel model) {
         model.shown();
-        try {
-            model.settle();
-        } catch (InterruptedException e) {
-            throw new IllegalStateException(e);
-        }
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+        thread.settle(model::settle);
     }
 
     private static RowScene scene(RowLabModel model) {
@@ -220,7 +215,7 @@ class RowLabModelTest {
     @Test
     void methodThatCrashesIsSaidToAndTheNextRowIsShown() {
         var kind = new DepthKind(new CrashingDepths("z24"));
-        var model = new RowLabModel(List.of(kind), events::add, failures::add);
+        var model = new RowLabModel(List.of(kind), thread, failures::add);
         try {
             model.show("depth-buffer", "crossing", "z24");
             settle(model);

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.engine.spline.CurveJoint;
 import rasterlab.engine.spline.CurveTask;
 import rasterlab.engine.spline.CurveTopic;
@@ -24,9 +25,9 @@ import rasterlab.engine.study.Verdict;
 
 @Timeout(120)
 class CurveLabModelTest {
-    private final Settled thread = new Settled();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final CurveLabModel model = new CurveLabModel(thread.events::add, failures::add);
+    private final CurveLabModel model = new CurveLabModel(thread, failures::add);
 
     @AfterEach
     void close() {

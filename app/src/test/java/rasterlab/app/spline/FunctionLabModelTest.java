@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.contract.SplineEnds;
 import rasterlab.engine.spline.SplineFunctionTopic;
 import rasterlab.engine.spline.SplineProblem;
@@ -22,9 +23,9 @@ import rasterlab.engine.study.Verdict;
 
 @Timeout(60)
 class FunctionLabModelTest {
-    private final Settled thread = new Settled();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final FunctionLabModel model = new FunctionLabModel(thread.events::add, failures::add);
+    private final FunctionLabModel model = new FunctionLabModel(thread, failures::add);
 
     @AfterEach
     void close() {

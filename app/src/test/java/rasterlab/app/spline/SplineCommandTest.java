@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.cli.Lab;
 import rasterlab.contract.SplineEnds;
 
@@ -43,10 +44,10 @@ class SplineCommandTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("curves")
     void curvesCommandSendsTheSamePoints(Consumer<CurveLabModel> change) throws IOException {
-        var thread = new Settled();
+        var thread = new ModelThread();
         try (var model =
                 new CurveLabModel(
-                        thread.events::add,
+                        thread,
                         e -> {
                             throw new AssertionError(e);
                         })) {
@@ -84,10 +85,10 @@ class SplineCommandTest {
     @MethodSource("functions")
     void functionsCommandFindsTheSameCoefficients(Consumer<FunctionLabModel> change)
             throws IOException {
-        var thread = new Settled();
+        var thread = new ModelThread();
         try (var model =
                 new FunctionLabModel(
-                        thread.events::add,
+                        thread,
                         e -> {
                             throw new AssertionError(e);
                         })) {

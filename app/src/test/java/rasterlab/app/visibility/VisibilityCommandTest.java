@@ -15,7 +15,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -26,6 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.cli.Lab;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Cull;
@@ -155,14 +155,12 @@ class VisibilityCommandTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("mistakes")
     void copiedCommandDrawsTheSamePicture(UnaryOperator<VisibilityChoice> change) throws Exception {
-        var events = new ConcurrentLinkedQueue<Runnable>();
+        var thread = new ModelThread();
         var failures = new CopyOnWriteArrayList<Throwable>();
-        try (var model =
-                new VisibilityLabModel(new Renderer()::render, events::add, failures::add)) {
+        try (var model = new VisibilityLabModel(new Renderer()::render, thread, failures::add)) {
             model.resize(211, 97);
             model.choose(change);
-            model.settle();
-            for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+            thread.settle(model::settle);
             assertEquals(List.of(), failures);
             BufferedImage drawn = drawn(VisibilityCommand.of(model));
             assertArrayEquals(

@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Semaphore;
 import java.util.function.BooleanSupplier;
@@ -19,6 +18,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.study.ChartSize;
@@ -29,12 +29,12 @@ import rasterlab.engine.scene.Vase;
 
 @Timeout(30)
 class VisibilityLabModelTest {
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     private final List<RenderRequest> begun = new CopyOnWriteArrayList<>();
     private final Semaphore mayDraw = new Semaphore(10_000);
     private final VisibilityLabModel model =
-            new VisibilityLabModel(this::draw, events::add, failures::add);
+            new VisibilityLabModel(this::draw, thread, failures::add);
 
     /** Exact pictures are white; a textbook picture has one wrong pixel. */
     private Raster draw(RenderRequest request, BooleanSupplier cancelled) {
@@ -55,13 +55,12 @@ class VisibilityLabModelTest {
     }
 
     /** Waits for the pictures and hands their answers to the model. */
-    private void settle() throws InterruptedException {
-        model.settle();
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+    private void settle() {
+        thread.settle(model::settle);
     }
 
     @Test
-    void drawsNothingBeforeItKnowsTheSize() throws InterruptedException {
+    void drawsNothingBeforeItKnowsTheSize() {
         model.turn(0.1, 0);
         settle();
         assertTrue(begun.isEmpty());
@@ -71,7 +70,7 @@ class VisibilityLabModelTest {
     }
 
     @Test
-    void framesOfADragDoNotPileUp() throws InterruptedException {
+    void framesOfADragDoNotPileUp() {
         mayDraw.drainPermits();
         model.resize(8, 6);
         for (int i = 0; i < 500; i++) model.turn(0.01, 0);
@@ -84,7 +83,7 @@ class VisibilityLabModelTest {
     }
 
     @Test
-    void countsWrongPixelsAgainstTheExactPicture() throws InterruptedException {
+    void countsWrongPixelsAgainstTheExactPicture() {
         model.resize(10, 10);
         model.choose(choice -> choice.withDifference(true).withVisibility("painter-textbook"));
         settle();
@@ -94,7 +93,7 @@ class VisibilityLabModelTest {
     }
 
     @Test
-    void turningDropsTheDifferenceOfTheOldView() throws InterruptedException {
+    void turningDropsTheDifferenceOfTheOldView() {
         model.resize(10, 10);
         model.choose(choice -> choice.withDifference(true));
         settle();
@@ -110,12 +109,12 @@ class VisibilityLabModelTest {
         model.settle();
         mayDraw.drainPermits(); // Nothing of the new view can be finished from here on.
         model.turn(0.2, 0);
-        for (Runnable late = events.poll(); late != null; late = events.poll()) late.run();
+        thread.runAll();
         assertTrue(model.state().difference().isEmpty(), "the old view's difference came back");
     }
 
     @Test
-    void failureOfTheRendererIsTold() throws InterruptedException {
+    void failureOfTheRendererIsTold() {
         model.resize(4, 4);
         model.retreat(1000);
         settle();
@@ -169,7 +168,7 @@ class VisibilityLabModelTest {
     }
 
     @Test
-    void frameTimeNeedsThreePicturesOfTheSameMethod() throws InterruptedException {
+    void frameTimeNeedsThreePicturesOfTheSameMethod() {
         model.resize(4, 4);
         settle();
         assertEquals(0, model.state().medianNanos());
@@ -192,7 +191,7 @@ class VisibilityLabModelTest {
     }
 
     @Test
-    void everyHazardViewIsAPictureTheEngineAccepts() throws InterruptedException {
+    void everyHazardViewIsAPictureTheEngineAccepts() {
         model.resize(40, 30);
         for (HazardView view : HazardView.values()) {
             model.choose(view::shown);
@@ -202,7 +201,7 @@ class VisibilityLabModelTest {
     }
 
     @Test
-    void comparedPicturesShareTheStage() throws InterruptedException {
+    void comparedPicturesShareTheStage() {
         model.resize(106, 40);
         model.choose(choice -> choice.withComparison("newell").withDifference(true));
         settle();
@@ -216,7 +215,7 @@ class VisibilityLabModelTest {
     }
 
     @Test
-    void stepsAreAllDrawnUntilOneIsChosen() throws InterruptedException {
+    void stepsAreAllDrawnUntilOneIsChosen() {
         model.resize(60, 40);
         model.watchSteps(true);
         settle();
@@ -235,7 +234,7 @@ class VisibilityLabModelTest {
     }
 
     @Test
-    void fewStepsLeaveAnEmptierPicture() throws InterruptedException {
+    void fewStepsLeaveAnEmptierPicture() {
         model.resize(60, 40);
         model.watchSteps(true);
         settle();
@@ -253,7 +252,7 @@ class VisibilityLabModelTest {
     }
 
     @Test
-    void pixelsHistoryIsThatOfThePresentPicture() throws InterruptedException {
+    void pixelsHistoryIsThatOfThePresentPicture() {
         model.resize(60, 40);
         model.choosePixel(new ChosenPixel(false, 500, 20));
         assertEquals(59, model.state().chosen().orElseThrow().x(), "outside goes to the edge");
@@ -269,13 +268,12 @@ class VisibilityLabModelTest {
     }
 
     @Test
-    void methodThatRefusesSaysWhyInsteadOfFailing() throws InterruptedException {
+    void methodThatRefusesSaysWhyInsteadOfFailing() {
         try (var real = new Renderer();
-                var lab = new VisibilityLabModel(real::render, events::add, failures::add)) {
+                var lab = new VisibilityLabModel(real::render, thread, failures::add)) {
             lab.resize(30, 20);
             lab.choose(choice -> choice.withVisibility("convex").withDifference(true));
-            lab.settle();
-            for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+            thread.settle(lab::settle);
             String said = lab.state().picture().orElseThrow().refusal().orElseThrow();
             assertTrue(said.contains("convex closed body"), said);
             assertEquals(List.of(), failures);
@@ -335,7 +333,7 @@ class VisibilityLabModelTest {
     }
 
     @Test
-    void countedChartIsShownAndACancelledOneIsNot() throws InterruptedException {
+    void countedChartIsShownAndACancelledOneIsNot() {
         model.charts().ask(asked(StageView.PRECISION, StageColours.LIGHT));
         settle();
         assertEquals(StageView.PRECISION, model.charts().chart().orElseThrow().asked().view());
@@ -347,7 +345,7 @@ class VisibilityLabModelTest {
 
     @Test
     @DisplayName("a chart keeps the colours of the theme before")
-    void chartStandsOnTheGroundOfItsTheme() throws InterruptedException {
+    void chartStandsOnTheGroundOfItsTheme() {
         for (StageColours colours :
                 List.of(StageColours.DARK, StageColours.LIGHT, StageColours.PROJECTOR)) {
             model.charts().ask(asked(StageView.PRECISION, colours));

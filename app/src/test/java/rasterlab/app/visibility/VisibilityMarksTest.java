@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.pipeline.Renderer;
@@ -20,10 +20,10 @@ import rasterlab.engine.pipeline.Renderer;
 /** What stands over the pictures, and how long: marks of wrong pixels, problems with files. */
 @Timeout(30)
 class VisibilityMarksTest {
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     private final VisibilityLabModel model =
-            new VisibilityLabModel(new Renderer()::render, events::add, failures::add);
+            new VisibilityLabModel(new Renderer()::render, thread, failures::add);
 
     @AfterEach
     void close() {
@@ -32,9 +32,8 @@ class VisibilityMarksTest {
     }
 
     /** Waits for the pictures and hands their answers to the model. */
-    private void settle() throws InterruptedException {
-        model.settle();
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+    private void settle() {
+        thread.settle(model::settle);
     }
 
     @Test
@@ -61,7 +60,7 @@ class VisibilityMarksTest {
     }
 
     @Test
-    void wrongPixelsAreCountedWhenTheLabOpensThoughNotMarked() throws InterruptedException {
+    void wrongPixelsAreCountedWhenTheLabOpensThoughNotMarked() {
         model.resize(60, 40);
         settle();
         assertFalse(model.state().choice().difference());
@@ -75,7 +74,7 @@ class VisibilityMarksTest {
     }
 
     @Test
-    void wrongPixelsAreMarkedAtTheLastStepOnly() throws InterruptedException {
+    void wrongPixelsAreMarkedAtTheLastStepOnly() {
         model.resize(60, 40);
         model.compare("cyclic-overlap", "painter", "");
         model.watchSteps(true);

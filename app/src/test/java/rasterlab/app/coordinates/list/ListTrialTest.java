@@ -18,7 +18,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
@@ -27,6 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.Unlike;
 import rasterlab.app.coordinates.Answered;
 import rasterlab.app.coordinates.figure.Box;
@@ -51,9 +51,9 @@ class ListTrialTest {
                     "transform turn-about-a-far-point", EnumSet.of(POINTS_TOGETHER),
                     "rotate-axis axis-through-far-point", EnumSet.of(POINTS_TOGETHER));
 
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final ListLabModel model = new ListLabModel(events::add, failures::add);
+    private final ListLabModel model = new ListLabModel(thread, failures::add);
 
     @AfterEach
     void close() {
@@ -78,12 +78,7 @@ class ListTrialTest {
     }
 
     private Optional<TrialScene> settled() {
-        try {
-            model.settle();
-        } catch (InterruptedException e) {
-            throw new AssertionError("the test was interrupted", e);
-        }
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+        thread.settle(model::settle);
         return model.trial();
     }
 
@@ -227,7 +222,7 @@ class ListTrialTest {
         model.show(new Trial("view", "pole", "one-matrix"));
         model.settle();
         model.show(new Trial("view", "far-eye", "one-matrix"));
-        events.remove().run();
+        thread.runOne();
         assertEquals(Optional.empty(), model.trial());
         assertEquals("far-eye", settled().orElseThrow().trial().hazard());
     }

@@ -5,21 +5,21 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Verdict;
 import rasterlab.engine.transform.rotate.Turns;
 
 @Timeout(60)
 class TurnLabModelTest {
-    private final ConcurrentLinkedQueue<Runnable> events = new ConcurrentLinkedQueue<>();
+    private final ModelThread thread = new ModelThread();
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
-    private final TurnLabModel model = new TurnLabModel(events::add, failures::add);
+    private final TurnLabModel model = new TurnLabModel(thread, failures::add);
 
     @AfterEach
     void close() {
@@ -29,12 +29,7 @@ class TurnLabModelTest {
 
     /** Waits for the answers and hands them to the model. */
     private TurnScene settled() {
-        try {
-            model.settle();
-        } catch (InterruptedException e) {
-            throw new AssertionError("the test was interrupted", e);
-        }
-        for (Runnable event = events.poll(); event != null; event = events.poll()) event.run();
+        thread.settle(model::settle);
         return model.scene();
     }
 
