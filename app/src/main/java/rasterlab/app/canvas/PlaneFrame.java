@@ -63,10 +63,16 @@ record PlaneFrame(
         List<Label> labels = labels(inner);
         picture.leaving(taken(labels)).paint(inner, map, colours, cancelled);
         paintPoints(inner, labels);
-        if (!note.isEmpty()) Plates.sentence(inner, note, width, colours);
+        note(picture, note, new Dimension(width, height), font).paint(inner, colours);
         inner.dispose();
         g.setStroke(new BasicStroke(1f));
         if (picture.ruled()) rulers.paintMargins(g);
+    }
+
+    /** A sentence over a picture, beside its rulers if it has any. */
+    static StageNote note(PlanePicture picture, String said, Dimension stage, Font label) {
+        Rectangle inside = picture.ruled() ? Rulers.inside(stage) : new Rectangle(stage);
+        return new StageNote(said, inside, label);
     }
 
     private void paintGround(Graphics2D g) {

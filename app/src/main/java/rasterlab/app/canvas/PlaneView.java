@@ -191,7 +191,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     }
 
     private Rectangle besideTheNote() {
-        return Plates.below(note, this, UIManager.getFont("Label.font"));
+        return PlaneFrame.note(picture, note, getSize(), UIManager.getFont("Label.font")).below();
     }
 
     /**

@@ -19,6 +19,7 @@ import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageNote;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.line.Segment;
 
@@ -61,46 +62,42 @@ record LineFrame(
         rulers.paintGrid(g);
         new LinePainter(g, grid, colours, cancelled).paint(drawings, step);
         g.setFont(font.deriveFont(Font.BOLD));
-        paintLetters(g);
+        var said = new StageNote(note, Rulers.inside(new Dimension(width, height)), font);
+        paintLetters(g, said.below());
         rulers.paintMargins(g);
-        g.setFont(font);
-        if (!note.isEmpty()) Plates.sentence(g, note, width, colours);
+        said.paint(g, colours);
     }
 
     /**
      * The square around an end; of an end out of sight, at the edge.
      *
-     * @param width of the stage
-     * @param height of the stage
+     * @param sight what rulers and the note leave of the stage
      */
-    static Rectangle around(End end, Segment segment, PixelGrid grid, int width, int height) {
+    static Rectangle around(End end, Segment segment, PixelGrid grid, Rectangle sight) {
         int size = (int) Math.max(UIScale.scale(26), Math.min(60, grid.cell() * 1.5 + 6));
+        int right = sight.x + sight.width;
+        int bottom = sight.y + sight.height;
         return new Rectangle(
-                Rulers.square(grid.viewX(end.x(segment)), Rulers.left(), width, size),
-                Rulers.square(grid.viewY(end.y(segment)), Rulers.top(), height, size),
+                Rulers.square(grid.viewX(end.x(segment)), sight.x, right, size),
+                Rulers.square(grid.viewY(end.y(segment)), sight.y, bottom, size),
                 size,
                 size);
     }
 
     /** The ends' letters and coordinates. */
-    private void paintLetters(Graphics2D g) {
+    private void paintLetters(Graphics2D g, Rectangle sight) {
         Segment segment = drawings.choice().segment();
         FontMetrics metrics = g.getFontMetrics();
-        var within =
-                new Rectangle(
-                        Rulers.left() + 3,
-                        Rulers.top() + 4,
-                        width - Rulers.left() - 8,
-                        height - Rulers.top() - 11);
+        var within = new Rectangle(sight.x + 3, sight.y + 4, sight.width - 8, sight.height - 11);
         List<Rectangle2D> seen = marked();
-        for (End end : End.values()) seen.add(around(end, segment, grid, width, height));
+        for (End end : End.values()) seen.add(around(end, segment, grid, sight));
         for (End end : End.values()) {
             String text = label(end, segment, locale);
             Rectangle place =
                     EndLabels.place(
                             metrics.stringWidth(text) + 8,
                             metrics.getHeight() + 1,
-                            around(end, segment, grid, width, height),
+                            around(end, segment, grid, sight),
                             (end == End.A) == (segment.y0() <= segment.y1()),
                             within,
                             seen);

@@ -5,6 +5,7 @@ import java.awt.EventQueue;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.MouseAdapter;
@@ -22,12 +23,13 @@ import javax.swing.UIManager;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.PixelGrid;
-import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.ReadOut;
+import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageNote;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.canvas.Zooming;
@@ -140,11 +142,13 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     }
 
     private PixelGrid grid() {
-        return chosen.orElseGet(
-                () ->
-                        LineFraming.of(
-                                model.state(),
-                                Plates.below(note(), this, UIManager.getFont("Label.font"))));
+        return chosen.orElseGet(() -> LineFraming.of(model.state(), sight()));
+    }
+
+    /** What rulers and the note leave. */
+    private Rectangle sight() {
+        var inside = Rulers.inside(getSize());
+        return new StageNote(note(), inside, UIManager.getFont("Label.font")).below();
     }
 
     private String note() {
@@ -162,7 +166,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         Segment segment = model.state().choice().segment();
         for (End end : End.values()) {
             EndHandle handle = handles.get(end.ordinal());
-            handle.setBounds(LineFrame.around(end, segment, grid(), getWidth(), getHeight()));
+            handle.setBounds(LineFrame.around(end, segment, grid(), sight()));
             handle.getAccessibleContext()
                     .setAccessibleName(
                             texts.text(

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.awt.Color;
 import java.awt.Font;
@@ -12,6 +13,7 @@ import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -20,16 +22,21 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.StageNote;
 import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelDifference;
+import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.raster.PixelWindow;
+import rasterlab.engine.raster.Plotted;
 
 @Timeout(30)
 class LineStageTest {
@@ -174,6 +181,44 @@ class LineStageTest {
         PixelGrid grid = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
         assertTrue(grid.viewX(50) < 500 && grid.viewY(60) < 300, grid.toString());
         assertTrue(grid.viewX(0) > 0 && grid.viewY(0) > 0, grid.toString());
+    }
+
+    @ParameterizedTest(name = "the note covers a handle: {argumentSetName}")
+    @MethodSource("noted")
+    void noteCoversNoHandle(Segment segment, Language language) throws InterruptedException {
+        var first = new PixelRecording(4000);
+        for (int x = 0; x < 4000; x++) first.plot(x, 0);
+        model.showTried(segment, "bresenham", Optional.of(new Plotted(first, true)));
+        model.settle();
+        String said =
+                LineNotes.about(model.state().drawings(), Texts.of("line", language)).orElseThrow();
+        // In the smallest window, in type of 150 %.
+        var inside = new Rectangle(66, 33, 314, 237);
+        var note = new StageNote(said, inside, new Font(Font.SANS_SERIF, Font.PLAIN, 20));
+        var image = new BufferedImage(380, 270, BufferedImage.TYPE_INT_ARGB);
+        note.paint(image.createGraphics(), StageColours.LIGHT);
+        PixelGrid grid = LineFraming.of(model.state(), note.below());
+        for (End end : End.values()) {
+            Rectangle handle = LineFrame.around(end, segment, grid, note.below());
+            for (int x = handle.x; x < handle.x + handle.width; x++)
+                for (int y = handle.y; y < handle.y + handle.height; y++)
+                    assertEquals(0, image.getRGB(x, y), end + " " + handle);
+        }
+    }
+
+    static Stream<Arguments> noted() {
+        return Stream.of(Language.values())
+                .flatMap(
+                        language ->
+                                Stream.of(
+                                        argumentSet(
+                                                "of end A, " + language,
+                                                new Segment(0, 0, 9_999, 0),
+                                                language),
+                                        argumentSet(
+                                                "of end B beyond the upper edge, " + language,
+                                                new Segment(0, 0, 3_000, -9_000),
+                                                language)));
     }
 
     @Test
