@@ -34,9 +34,16 @@ final class DriftChart extends SelfDrawn {
     private static final int DECADES = (int) Math.round(Math.log10(TurnScene.CHARTED));
     private static final int BESIDE = 10;
     private static final int LEAD = 18;
+    private static final int BEHIND = 12;
+
+    /** Between and beside the words and the curves. */
+    private static final int BESIDES = 2 * BESIDE + LEAD + BEHIND;
 
     /** The least width of the curves, in widths of a letter. */
     private static final int LETTERS = 6;
+
+    /** View units of type that is not made smaller. */
+    private static final float LEAST_TYPE = 14;
 
     private static final double DOT = 3;
 
@@ -71,21 +78,47 @@ final class DriftChart extends SelfDrawn {
     /** In which the names do not lie over the curves, nor over each other. */
     @Override
     public Dimension getMinimumSize() {
-        FontMetrics metrics = metrics();
-        int width = left() + LETTERS * metrics.charWidth('m') + right();
+        FontMetrics metrics = getFontMetrics(usual());
+        int width = words(usual()) + BESIDES + LETTERS * metrics.charWidth('m');
         return new Dimension(width, metrics.getHeight() * (drifts.size() + 4));
     }
 
-    private static Font font() {
+    private static Font usual() {
         return UIManager.getFont("Label.font");
+    }
+
+    /** The usual one, or as much smaller as leaves half of the width to the curves. */
+    private Font font() {
+        float size = usual().getSize2D();
+        float fitting = size * (getWidth() / 2f - BESIDES) / words(usual());
+        return usual().deriveFont(Math.min(size, Math.max(LEAST_TYPE, fitting)));
     }
 
     private FontMetrics metrics() {
         return getFontMetrics(font());
     }
 
+    /** Width of the words on both sides of the curves. */
+    private int words(Font font) {
+        return numbers(font) + names(font);
+    }
+
+    private int numbers(Font font) {
+        return getFontMetrics(font).stringWidth(power(LOWEST));
+    }
+
+    /** Of the longest of the methods' names. */
+    private int names(Font font) {
+        FontMetrics metrics = getFontMetrics(font.deriveFont(Font.BOLD));
+        return drifts.stream().mapToInt(each -> metrics.stringWidth(each.method())).max().orElse(0);
+    }
+
     private int left() {
-        return metrics().stringWidth(power(LOWEST)) + 2 * BESIDE;
+        return numbers(font()) + 2 * BESIDE;
+    }
+
+    private int right() {
+        return names(font()) + LEAD + BEHIND;
     }
 
     private int top() {
@@ -124,17 +157,6 @@ final class DriftChart extends SelfDrawn {
         paintGrid(g, colours);
         drifts.forEach(each -> paintCurve(g, each, colours));
         paintNames(g, colours);
-    }
-
-    /** Room for the longest of the methods' names. */
-    private int right() {
-        FontMetrics metrics = getFontMetrics(font().deriveFont(Font.BOLD));
-        return LEAD
-                + 12
-                + drifts.stream()
-                        .mapToInt(each -> metrics.stringWidth(each.method()))
-                        .max()
-                        .orElse(0);
     }
 
     private double x(double decade) {

@@ -1,0 +1,66 @@
+package rasterlab.app.coordinates.turn;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import javax.swing.UIManager;
+import javax.swing.plaf.FontUIResource;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+
+class DriftChartTest {
+    private final Object usual = UIManager.get("Label.font");
+
+    @BeforeEach
+    void largeType() {
+        UIManager.put("Label.font", new FontUIResource("SansSerif", 0, 20));
+    }
+
+    @AfterEach
+    void usualType() {
+        UIManager.put("Label.font", usual);
+    }
+
+    @ParameterizedTest(name = "words in large type leave the curves no room: {0}")
+    @EnumSource(Language.class)
+    void curvesHaveAThirdOfTheSmallestChart(Language language) {
+        BufferedImage image = painted(language, 380, 270);
+        Color curve = MethodColours.edgeOn(StageColours.now().ground(), MethodColours.of("float"));
+        int left = image.getWidth();
+        int right = 0;
+        for (int y = 0; y < image.getHeight(); y++)
+            for (int x = 0; x < image.getWidth(); x++)
+                if (image.getRGB(x, y) == curve.getRGB()) {
+                    left = Math.min(left, x);
+                    right = Math.max(right, x);
+                }
+        assertTrue(right - left >= 380 / 3, left + " to " + right);
+    }
+
+    private static BufferedImage painted(Language language, int width, int height) {
+        var failures = new CopyOnWriteArrayList<Throwable>();
+        var thread = new ModelThread();
+        var chart = new DriftChart(Texts.of("coordinates.turn", language));
+        try (var model = new TurnLabModel(thread, failures::add)) {
+            model.begin();
+            thread.settle(model::settle);
+            chart.show(model.scene(), false);
+        }
+        assertEquals(List.of(), failures);
+        chart.setSize(width, height);
+        var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        chart.draw(image.createGraphics());
+        return image;
+    }
+}
