@@ -8,7 +8,7 @@ package rasterlab.app.study;
  * @param dots of the picture in each unit
  */
 public record ChartSize(int width, int height, double dots) {
-    /** Of files, and of charts that only fit together so large. */
+    /** Of files. */
     public static final ChartSize USUAL = new ChartSize(ChartLook.WIDTH, ChartLook.HEIGHT, 1);
 
     /** A chart that is smaller, in its own type, is laid out so large and made smaller. */
@@ -24,10 +24,21 @@ public record ChartSize(int width, int height, double dots) {
      * @param wanted size of the window's type, 1 for the usual one
      */
     public static ChartSize filling(int width, int height, double wanted) {
+        return filling(width, height, wanted, LEAST_WIDTH, LEAST_HEIGHT);
+    }
+
+    /**
+     * The same of a chart that needs more or less room.
+     *
+     * @param leastWidth smaller than which the chart is not laid out, in its own units
+     * @param leastHeight the same of its height
+     */
+    public static ChartSize filling(
+            int width, int height, double wanted, int leastWidth, int leastHeight) {
         double type =
                 Math.min(
                         wanted,
-                        Math.min(width / (double) LEAST_WIDTH, height / (double) LEAST_HEIGHT));
+                        Math.min(width / (double) leastWidth, height / (double) leastHeight));
         return new ChartSize(
                 (int) Math.round(width / type), (int) Math.round(height / type), Math.max(1, type));
     }

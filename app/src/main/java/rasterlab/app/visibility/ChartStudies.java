@@ -100,7 +100,9 @@ final class ChartStudies implements AutoCloseable {
                     () -> DepthPrecisionChart.svg(language, paper));
         GrowthChart counted = counted(cancelled);
         return new Chart(
-                question, counted.image(language, paper), () -> counted.svg(language, paper));
+                question,
+                counted.image(language, paper, question.size()),
+                () -> counted.svg(language, paper));
     }
 
     /** Only the worker's thread comes here. */

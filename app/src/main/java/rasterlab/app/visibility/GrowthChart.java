@@ -1,6 +1,7 @@
 package rasterlab.app.visibility;
 
 import java.awt.BasicStroke;
+import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
@@ -22,16 +23,20 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.ChartLook;
+import rasterlab.app.study.ChartSize;
 import rasterlab.app.study.MethodLook;
 import rasterlab.engine.visibility.hidden.Growth;
 import rasterlab.engine.visibility.hidden.Growth.Axis;
 
 /** Counted work of the visibility methods over faces and over pixels, all axes logarithmic. */
 public final class GrowthChart {
-    private static final int TITLE = 40;
-    private static final int PANEL_WIDTH = ChartLook.WIDTH / 2;
-    private static final int PANEL_HEIGHT = (ChartLook.HEIGHT - TITLE) / 2;
-    private static final int ROW = 19;
+    /** Height of the title above the charts. */
+    static final int TITLE = 40;
+
+    /** Less, in units of which its type is 14 high, is too little for the charts and the table. */
+    private static final int LEAST_WIDTH = 780;
+
+    private static final int LEAST_HEIGHT = 580;
 
     /** Pixels of a dash of lines in one place. */
     private static final float DASH = 9;
@@ -40,7 +45,18 @@ public final class GrowthChart {
     private final Map<String, MethodLook> looks = MethodLook.of(methods);
 
     /** What was counted; empty until it is asked for, as that takes some seconds. */
-    private List<Growth> growths = List.of();
+    private List<Growth> growths;
+
+    public GrowthChart() {
+        this(List.of());
+    }
+
+    /**
+     * @param growths of all methods on all axes, none for those that are counted when asked for
+     */
+    GrowthChart(List<Growth> growths) {
+        this.growths = growths;
+    }
 
     /**
      * A chart whose work is counted at once.
@@ -49,9 +65,7 @@ public final class GrowthChart {
      * @throws CancellationException soon after {@code cancelled} says true
      */
     static GrowthChart counted(DoubleConsumer progress, BooleanSupplier cancelled) {
-        var chart = new GrowthChart();
-        chart.growths = Growth.all(progress, cancelled);
-        return chart;
+        return new GrowthChart(Growth.all(progress, cancelled));
     }
 
     private List<Growth> growths() {
@@ -59,9 +73,19 @@ public final class GrowthChart {
         return growths;
     }
 
+    /** Like {@link ChartSize#filling}, of this chart. */
+    static ChartSize filling(int width, int height, double wanted) {
+        return ChartSize.filling(width, height, wanted, LEAST_WIDTH, LEAST_HEIGHT);
+    }
+
     /** The methods in teaching order. */
     public List<String> methods() {
         return methods;
+    }
+
+    /** How a method's line and marks look on white paper. */
+    MethodLook look(String method) {
+        return looks.get(method);
     }
 
     /** How a method's work grows along an axis. */
@@ -73,11 +97,15 @@ public final class GrowthChart {
     }
 
     public BufferedImage image(Language language, ChartLook paper) {
-        return paper.image(graphics -> paint(graphics, language, paper));
+        return image(language, paper, ChartSize.USUAL);
+    }
+
+    BufferedImage image(Language language, ChartLook paper, ChartSize size) {
+        return paper.image(size, graphics -> paint(graphics, language, paper, size));
     }
 
     public byte[] svg(Language language, ChartLook paper) {
-        return paper.svg(graphics -> paint(graphics, language, paper));
+        return paper.svg(graphics -> paint(graphics, language, paper, ChartSize.USUAL));
     }
 
     /** All points as comma-separated values. */
@@ -97,30 +125,44 @@ public final class GrowthChart {
                 .collect(Collectors.joining("\r\n", "method,axis,size,work\r\n", "\r\n"));
     }
 
-    private static String code(Axis axis) {
+    static String code(Axis axis) {
         return axis.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    private void paint(Graphics2D graphics, Language language, ChartLook paper) {
+    private void paint(Graphics2D graphics, Language language, ChartLook paper, ChartSize size) {
         Texts texts = Texts.of("visibility", language);
         graphics.setColor(paper.ink());
-        graphics.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
-        String title = texts.text("growth.title");
-        int width = graphics.getFontMetrics().stringWidth(title);
-        graphics.drawString(title, (ChartLook.WIDTH - width) / 2, 26);
+        title(graphics, texts.text("growth.title"), size.width());
+        var panel = new Dimension(size.width() / 2, (size.height() - TITLE) / 2);
         Axis[] axes = Axis.values();
         for (int i = 0; i < axes.length; i++) {
-            var panel =
-                    (Graphics2D)
-                            graphics.create(
-                                    i % 2 * PANEL_WIDTH,
-                                    TITLE + i / 2 * PANEL_HEIGHT,
-                                    PANEL_WIDTH,
-                                    PANEL_HEIGHT);
-            chart(axes[i], texts, paper).paint(panel, PANEL_WIDTH, PANEL_HEIGHT);
-            panel.dispose();
+            var part = part(graphics, i % 2, i / 2, panel);
+            chart(axes[i], texts, paper).paint(part, panel.width, panel.height);
+            part.dispose();
         }
-        table(graphics, texts, paper);
+        var rest = part(graphics, 1, 1, panel);
+        new GrowthTable(this, texts, paper).paint(rest, panel);
+        rest.dispose();
+    }
+
+    /** One of four parts of equal size below the title. */
+    private static Graphics2D part(Graphics2D graphics, int column, int row, Dimension panel) {
+        return (Graphics2D)
+                graphics.create(
+                        column * panel.width,
+                        TITLE + row * panel.height,
+                        panel.width,
+                        panel.height);
+    }
+
+    /** In the middle, in smaller type where it is too long. */
+    private static void title(Graphics2D graphics, String title, int width) {
+        graphics.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
+        double wide = graphics.getFontMetrics().stringWidth(title);
+        float points = (float) Math.min(18, 18 * (width - 20) / wide);
+        graphics.setFont(graphics.getFont().deriveFont(points));
+        wide = graphics.getFontMetrics().stringWidth(title);
+        graphics.drawString(title, (float) (width - wide) / 2, 26);
     }
 
     private XYChart chart(Axis axis, Texts texts, ChartLook paper) {
@@ -139,7 +181,7 @@ public final class GrowthChart {
                             method,
                             Arrays.stream(growth.sizes()).asDoubleStream().toArray(),
                             Arrays.stream(growth.work()).asDoubleStream().toArray());
-            looks.get(method).on(paper).style(series);
+            look(method).on(paper).style(series);
             List<String> together = together(method, axis);
             if (together.size() > 1)
                 share(chart, series, together.indexOf(method), together.size());
@@ -190,38 +232,5 @@ public final class GrowthChart {
         styler.setMarkerSize(5);
         styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
         styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
-    }
-
-    /** The exponents, in the corner that the three charts leave. */
-    private void table(Graphics2D graphics, Texts texts, ChartLook paper) {
-        int left = PANEL_WIDTH + 40;
-        int y = TITLE + PANEL_HEIGHT + 22;
-        graphics.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 13));
-        graphics.setColor(paper.ink());
-        graphics.drawString(texts.text("growth.exponents"), left, y);
-        y += ROW;
-        int column = 0;
-        for (Axis axis : Axis.values())
-            graphics.drawString(
-                    texts.text("growth." + code(axis) + ".short"), left + 150 + 105 * column++, y);
-        for (String method : methods) {
-            y += ROW;
-            MethodLook look = looks.get(method).on(paper);
-            graphics.setColor(look.colour());
-            var line = (Graphics2D) graphics.create();
-            line.setStroke(look.stroke());
-            line.drawLine(left - 20, y - 5, left + 12, y - 5);
-            line.dispose();
-            look.marker().paint(graphics, left - 4, y - 5, 9);
-            graphics.setColor(paper.ink());
-            graphics.drawString(method, left + 18, y);
-            column = 0;
-            for (Axis axis : Axis.values())
-                graphics.drawString(
-                        String.format(texts.locale(), "%.2f", growth(method, axis).exponent())
-                                .replace('-', '−'),
-                        left + 150 + 105 * column++,
-                        y);
-        }
     }
 }

@@ -146,11 +146,11 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     private void askForChart() {
         StageView view = model.state().choice().view();
         if (!view.isChart() || getWidth() < 1 || getHeight() < 1) return;
-        // What counts work are four charts that stand beside each other in one size only.
+        double type = UIScale.getUserScaleFactor();
         ChartSize size =
                 view == StageView.GROWTH
-                        ? ChartSize.USUAL
-                        : ChartSize.filling(getWidth(), getHeight(), UIScale.getUserScaleFactor());
+                        ? GrowthChart.filling(getWidth(), getHeight(), type)
+                        : ChartSize.filling(getWidth(), getHeight(), type);
         var colours = StageColours.now();
         model.charts().ask(new ChartStudies.Question(view, texts.language(), colours, size));
     }
