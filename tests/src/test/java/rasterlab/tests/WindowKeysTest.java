@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.FocusTraversalPolicy;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
@@ -262,15 +264,39 @@ class WindowKeysTest extends WindowHarness {
     }
 
     @Test
-    void editorInWhichTabIndentsIsLeftByAnotherKey() {
+    void tabIndentsInTheEditor() {
         show("exercises");
         focus("source");
-        Component source = window.robot().finder().findByName(frame, "source");
         press(KeyEvent.VK_TAB);
-        assertTrue(source.isFocusOwner(), "Tab does not indent");
+        assertTrue(source().isFocusOwner(), "Tab leaves the editor");
+    }
+
+    @ParameterizedTest(name = "F6 stays in the editor, Shift: {0}")
+    @ValueSource(booleans = {false, true})
+    void editorIsLeftForWhatFollowsItOrStandsBeforeIt(boolean back) {
+        show("exercises");
+        // In a wide window the panes beside each other have a F6 of their own.
+        window.resizeTo(new Dimension(960, 640));
+        await("the editor behind a tab", () -> isSeen("rooms"));
+        window.tabbedPane("rooms").selectTab(1);
+        focus("source");
+        Component wanted = GuiActionRunner.execute(() -> besideTheEditor(back));
+        if (back) robot.pressKey(KeyEvent.VK_SHIFT);
         press(KeyEvent.VK_F6);
-        await("another component", () -> !source.isFocusOwner());
+        if (back) robot.releaseKey(KeyEvent.VK_SHIFT);
+        await(wanted.toString(), wanted::isFocusOwner);
         assertEquals("exercises", frame.shownTab());
+    }
+
+    private Component source() {
+        return window.robot().finder().findByName(frame, "source");
+    }
+
+    private Component besideTheEditor(boolean back) {
+        FocusTraversalPolicy order = frame.getFocusTraversalPolicy();
+        return back
+                ? order.getComponentBefore(frame, source())
+                : order.getComponentAfter(frame, source());
     }
 
     private void pressWithControl(int key) {
