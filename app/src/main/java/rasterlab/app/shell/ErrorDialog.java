@@ -5,7 +5,6 @@ import java.awt.Font;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import javax.swing.JButton;
-import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -13,6 +12,7 @@ import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.Copying;
+import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 
@@ -47,9 +47,9 @@ final class ErrorDialog {
         copy.addActionListener(e -> Copying.text(details, refused -> area.selectAll()));
 
         var panel = new JPanel(new MigLayout("insets 0, wrap 1, gap 8", "[grow,fill]"));
-        var sentence = new JLabel(sentence(failure));
-        sentence.setName("error.sentence");
-        panel.add(sentence);
+        var sentence = new WrappedText("error.sentence");
+        sentence.show(sentence(failure));
+        panel.add(sentence, "wmin 0");
         panel.add(new JScrollPane(area), "hmin 120");
         panel.add(copy, "growx 0");
         return panel;
