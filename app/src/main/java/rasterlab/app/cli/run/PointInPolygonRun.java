@@ -8,7 +8,6 @@ import rasterlab.app.cli.run.json.Given;
 import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.PointInPolygon;
-import rasterlab.engine.polygon.Membership;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.inside.EdgeWalk;
 import rasterlab.engine.polygon.inside.PointInPolygonTopic;
@@ -67,15 +66,8 @@ public final class PointInPolygonRun implements TopicRun {
         double[] polygonY = polygon.ys();
         PointInPolygon judge = topic.method(method).implementation();
         if (steps) return stepped(method, judge, polygon, points);
-        Membership inside =
-                watch.call(
-                        method,
-                        () ->
-                                new Membership(
-                                        points,
-                                        points.size(),
-                                        (x, y) -> judge.contains(polygonX, polygonY, x, y)));
-        return json -> InsideJson.write(json, inside);
+        return InsideAnswer.of(
+                watch, method, points, (x, y) -> judge.contains(polygonX, polygonY, x, y));
     }
 
     /** An edge looked at, with the count after it. */
@@ -94,22 +86,21 @@ public final class PointInPolygonRun implements TopicRun {
         double[] polygonX = polygon.xs();
         double[] polygonY = polygon.ys();
         var steps = new ArrayList<List<Step>>();
-        Membership inside =
-                watch.call(
-                        method,
-                        () ->
-                                new Membership(
-                                        points,
-                                        points.size(),
-                                        (x, y) -> {
-                                            EdgeWalk walk = stepped.walk(polygonX, polygonY, x, y);
-                                            steps.add(drained(walk));
-                                            return walk.inside();
-                                        }));
-        return json -> {
-            InsideJson.write(json, inside);
-            Steps.writeLists(json, stepped.countFormula(), steps, (out, step) -> step.write(out));
-        };
+        return InsideAnswer.of(
+                watch,
+                method,
+                points,
+                (x, y) -> {
+                    EdgeWalk walk = stepped.walk(polygonX, polygonY, x, y);
+                    steps.add(drained(walk));
+                    return walk.inside();
+                },
+                json ->
+                        Steps.writeLists(
+                                json,
+                                stepped.countFormula(),
+                                steps,
+                                (out, step) -> step.write(out)));
     }
 
     private static List<Step> drained(EdgeWalk walk) {

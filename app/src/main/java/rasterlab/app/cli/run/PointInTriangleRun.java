@@ -9,7 +9,6 @@ import rasterlab.app.cli.run.json.JsonField;
 import rasterlab.app.cli.run.json.JsonNumbers;
 import rasterlab.app.cli.run.json.StrictJson;
 import rasterlab.contract.PointInTriangle;
-import rasterlab.engine.polygon.Membership;
 import rasterlab.engine.polygon.Points;
 import rasterlab.engine.polygon.triangle.PointInTriangleTopic;
 import rasterlab.engine.polygon.triangle.SideWalk;
@@ -61,17 +60,11 @@ public final class PointInTriangleRun implements TopicRun {
         Points points = Points.of(given.get(POINTS));
         PointInTriangle triangle = topic.method(method).implementation();
         if (steps) return stepped(method, triangle, t, points);
-        Membership inside =
-                watch.call(
-                        method,
-                        () ->
-                                new Membership(
-                                        points,
-                                        points.size(),
-                                        (x, y) ->
-                                                triangle.contains(
-                                                        t[0], t[1], t[2], t[3], t[4], t[5], x, y)));
-        return json -> InsideJson.write(json, inside);
+        return InsideAnswer.of(
+                watch,
+                method,
+                points,
+                (x, y) -> triangle.contains(t[0], t[1], t[2], t[3], t[4], t[5], x, y));
     }
 
     /** A side asked, with what it said. */
@@ -86,25 +79,21 @@ public final class PointInTriangleRun implements TopicRun {
         SteppedTriangleTest stepped = Steps.of(method, triangle, SteppedTriangleTest.class);
         Steps.requireAtMost(MOST_STEPPED, "points", points.size());
         var steps = new ArrayList<List<Step>>();
-        Membership inside =
-                watch.call(
-                        method,
-                        () ->
-                                new Membership(
-                                        points,
-                                        points.size(),
-                                        (x, y) -> {
-                                            SideWalk walk =
-                                                    stepped.walk(
-                                                            t[0], t[1], t[2], t[3], t[4], t[5], x,
-                                                            y);
-                                            steps.add(drained(walk));
-                                            return walk.inside();
-                                        }));
-        return json -> {
-            InsideJson.write(json, inside);
-            Steps.writeLists(json, stepped.valueFormula(), steps, (out, step) -> step.write(out));
-        };
+        return InsideAnswer.of(
+                watch,
+                method,
+                points,
+                (x, y) -> {
+                    SideWalk walk = stepped.walk(t[0], t[1], t[2], t[3], t[4], t[5], x, y);
+                    steps.add(drained(walk));
+                    return walk.inside();
+                },
+                json ->
+                        Steps.writeLists(
+                                json,
+                                stepped.valueFormula(),
+                                steps,
+                                (out, step) -> step.write(out)));
     }
 
     private static List<Step> drained(SideWalk walk) {
