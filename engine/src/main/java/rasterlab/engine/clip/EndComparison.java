@@ -40,6 +40,11 @@ public final class EndComparison {
                 comparison.first);
     }
 
+    /** Whether no segment is misjudged and every end lies within so many units of the exact one. */
+    public static boolean within(double units, Deviation deviation) {
+        return deviation.missing() == 0 && deviation.extra() == 0 && deviation.worst() <= units;
+    }
+
     private void segment(int index, Optional<double[]> exact, Optional<double[]> actual) {
         if (exact.isPresent() && actual.isPresent())
             ends("segment " + index, exact.get(), actual.get());

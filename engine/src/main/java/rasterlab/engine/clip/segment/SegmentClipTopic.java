@@ -122,16 +122,12 @@ public final class SegmentClipTopic
 
     @Override
     public boolean correct(Deviation deviation) {
-        return judged(deviation) && deviation.worst() <= RIGHT_UNITS;
+        return EndComparison.within(RIGHT_UNITS, deviation);
     }
 
     @Override
     public boolean usable(Deviation deviation) {
-        return judged(deviation) && deviation.worst() <= USABLE_UNITS;
-    }
-
-    private static boolean judged(Deviation deviation) {
-        return deviation.missing() == 0 && deviation.extra() == 0;
+        return EndComparison.within(USABLE_UNITS, deviation);
     }
 
     @Override

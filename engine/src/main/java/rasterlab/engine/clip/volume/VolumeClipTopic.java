@@ -157,16 +157,12 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
 
     @Override
     public boolean correct(Deviation deviation) {
-        return judged(deviation) && deviation.worst() <= RIGHT;
+        return EndComparison.within(RIGHT, deviation);
     }
 
     @Override
     public boolean usable(Deviation deviation) {
-        return judged(deviation) && deviation.worst() <= USABLE;
-    }
-
-    private static boolean judged(Deviation deviation) {
-        return deviation.missing() == 0 && deviation.extra() == 0;
+        return EndComparison.within(USABLE, deviation);
     }
 
     @Override
