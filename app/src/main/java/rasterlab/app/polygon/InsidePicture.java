@@ -12,7 +12,6 @@ import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.polygon.ExactMembership;
 import rasterlab.engine.polygon.Membership;
@@ -24,6 +23,7 @@ import rasterlab.engine.raster.PixelMark;
  *
  * @param other the second method, "" for the exact answer
  * @param step as {@link PolygonLabState#step}
+ * @param taken places of handles and labels, where no words stand if there is room elsewhere
  */
 record InsidePicture(
         PolygonTopics topics,
@@ -33,15 +33,15 @@ record InsidePicture(
         InsideAnswer answer,
         String other,
         int step,
-        Texts texts)
+        Texts texts,
+        List<Rectangle> taken)
         implements PlanePicture {
-    /** Share of the width that the buttons for the zoom leave. */
-    private static final double BESIDE_BUTTONS = 0.6;
-
     private static final double MARK = 18;
 
-    /** View units below the line of words at the lower edge. */
-    private static final int EDGE = 14;
+    @Override
+    public PlanePicture leaving(List<Rectangle> labels) {
+        return new InsidePicture(topics, mode, figure, method, answer, other, step, texts, labels);
+    }
 
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
@@ -60,21 +60,19 @@ record InsidePicture(
         count(g, judged, colours);
     }
 
-    /** How many of the points in sight are wrong, in the lower corner without buttons. */
+    /** How many of the points in sight are wrong, in a corner without buttons. */
     private void count(Graphics2D g, ClassificationField field, StageColours colours) {
         String said =
                 texts.text(
                         other.isEmpty() ? "field.wrong" : "field.differ",
                         field.differing(),
                         field.judged());
-        Rectangle view = g.getClipBounds();
         FontMetrics metrics = g.getFontMetrics();
-        int room = (int) (BESIDE_BUTTONS * view.width);
-        List<String> lines = Wrapping.lines(said, room, metrics::stringWidth);
-        int base = view.y + view.height - EDGE - (lines.size() - 1) * metrics.getHeight();
-        for (String line : lines) {
+        var words = CornerWords.of(said, g.getClipBounds(), metrics, taken);
+        int base = words.place().y + metrics.getAscent();
+        for (String line : words.lines()) {
             Color plate = Plates.nearlyOpaque(colours.ground());
-            Plates.plate(g, line, view.x + EDGE, base, plate, colours.ink());
+            Plates.plate(g, line, words.place().x, base, plate, colours.ink());
             base += metrics.getHeight();
         }
     }

@@ -62,7 +62,8 @@ record PolygonPictures(PolygonTopics topics, Texts texts) {
                 answer,
                 other,
                 step,
-                texts);
+                texts,
+                List.of());
     }
 
     private static PixelRecording recording(Runs runs) {
