@@ -50,15 +50,16 @@ public final class LabLayout extends JPanel {
                         "[][grow,fill][]"));
         column = column(inspector, actions);
         hiding = new InspectorSwitch(inspector.language(), () -> toggle(stage));
-        add(chips, "wmin 0, growx");
-        add(hiding, "spany 3, growy");
+        // Each in its cell: what is hidden would take the end of its row along.
+        add(chips, "cell 0 0, wmin 0, growx");
+        add(hiding, "cell 1 0 1 3, growy");
         int usual = UIScale.scale(inspector.stacked() ? STACKED : INSPECTOR);
         int buttons = actions.getMinimumSize().width;
         int wide = Math.max(usual, Math.max(needed(inspector), buttons));
         String width = "w 0:%dpx:max(50%%,%dpx), ".formatted(wide, buttons);
-        add(column, width + "spany 3, growy, wrap, hmin 0");
-        add(stage, "wmin 100, hmin 100, wrap");
-        add(timeline, "wmin 0, growx");
+        add(column, width + "cell 2 0 1 3, growy, hmin 0");
+        add(stage, "cell 0 1, wmin 100, hmin 100");
+        add(timeline, "cell 0 2, wmin 0, growx");
         refresh();
     }
 

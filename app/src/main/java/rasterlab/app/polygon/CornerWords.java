@@ -24,8 +24,7 @@ record CornerWords(List<String> lines, Rectangle place) {
      *
      * @param taken what they should not cover
      */
-    static CornerWords of(
-            String said, Rectangle view, FontMetrics metrics, List<Rectangle> taken) {
+    static CornerWords of(String said, Rectangle view, FontMetrics metrics, List<Rectangle> taken) {
         int room = (int) (BESIDE_BUTTONS * view.width);
         List<String> lines = Wrapping.lines(said, room, metrics::stringWidth);
         int wide = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0);

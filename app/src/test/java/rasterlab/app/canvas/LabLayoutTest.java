@@ -1,5 +1,6 @@
 package rasterlab.app.canvas;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -7,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
+import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
@@ -17,6 +19,8 @@ import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -77,6 +81,29 @@ class LabLayoutTest {
                     assertFalse(shown(lab));
                     press(KeyEvent.VK_F9, lab);
                     assertTrue(shown(lab));
+                });
+    }
+
+    @ParameterizedTest(name = "parts of the lab stand beside each other, controls hidden: {0}")
+    @ValueSource(booleans = {false, true})
+    void stageStandsBetweenChipsAndTimeline(boolean hidden) throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabLayout lab = lab();
+                    if (hidden) press(KeyEvent.VK_F9, lab);
+                    lab.setSize(900, 600);
+                    lab.doLayout();
+                    List<Rectangle> places =
+                            found(lab, JLabel.class).stream()
+                                    .filter(each -> each.getParent() == lab)
+                                    .map(Component::getBounds)
+                                    .toList();
+                    assertEquals(3, places.size());
+                    Rectangle stage = places.get(1);
+                    assertTrue(stage.width > (hidden ? 800 : 400), places.toString());
+                    for (Rectangle each : places) assertEquals(stage.x, each.x, places.toString());
+                    assertTrue(places.get(0).getMaxY() <= stage.y, places.toString());
+                    assertTrue(stage.getMaxY() <= places.get(2).y, places.toString());
                 });
     }
 
