@@ -55,6 +55,7 @@ final class StartUp {
                                 List.of(
                                         Path.of(System.getProperty("java.home"), "bin", "java")
                                                 .toString(),
+                                        "@" + options(),
                                         "-Drasterlab.settings=" + settings,
                                         "-cp",
                                         System.getProperty("java.class.path"),
@@ -72,6 +73,11 @@ final class StartUp {
             process.destroyForcibly().waitFor();
             remove(folder);
         }
+    }
+
+    /** What {@code ./lab} starts the window with. */
+    private static Path options() {
+        return Path.of(System.getProperty("rasterlab.home", ""), "app", "java-options");
     }
 
     /** Removes a folder of files. */
