@@ -148,7 +148,8 @@ final class TabbedLabs extends JTabbedPane {
             later(
                     index,
                     () -> {
-                        tab.makePart();
+                        // One that was chosen again meanwhile is made by both choices in turn.
+                        if (!tab.isWhole()) tab.makePart();
                         make(index);
                     });
     }

@@ -219,6 +219,15 @@ class TabbedLabsTest {
     }
 
     @Test
+    void tabThatIsChosenAgainBeforeItIsThereIsMadeOnce() throws Exception {
+        choose("plain", "first", "plain");
+        while (selected() != 1 && failures.isEmpty()) Thread.onSpinWait();
+        EventQueue.invokeAndWait(() -> {});
+        assertEquals(List.of(), failures);
+        assertEquals(List.of("plain is begun", "plain is made", "plain is filled"), events);
+    }
+
+    @Test
     void windowClosedMeanwhileMakesNoPanel() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
