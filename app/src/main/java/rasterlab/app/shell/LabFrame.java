@@ -56,17 +56,20 @@ public final class LabFrame extends JFrame {
             SettingsFile file,
             LabsFile labsFile,
             Consumer<Throwable> onFailure) {
-        this(
-                models,
-                LabTabs.create(models, settings.look().language(), onFailure),
-                settings,
-                file,
-                labsFile,
-                onFailure);
+        this(models, tabs(models, settings, file, onFailure), settings, file, labsFile, onFailure);
+    }
+
+    private static LabTabs tabs(
+            LabModels models,
+            LabSettings settings,
+            SettingsFile file,
+            Consumer<Throwable> onFailure) {
+        models.keepSourcesIn(file.folder());
+        return LabTabs.create(models, settings.look().language(), onFailure);
     }
 
     /**
-     * The same with tabs that were made before.
+     * The same with tabs that were made before, of models that keep their sources already.
      *
      * @param tabs in the settings' language
      */
@@ -80,7 +83,6 @@ public final class LabFrame extends JFrame {
         this.models = models;
         this.settings = settings;
         this.onFailure = onFailure;
-        models.keepSourcesIn(file.folder());
         LabLayout.showInspectors(settings.controls());
         setName("lab");
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);

@@ -48,6 +48,7 @@ public final class WindowStart {
                         EventQueue::invokeLater,
                         labs -> kept.join().ifPresent(left -> labsFile.bringBack(left, labs)),
                         reports);
+        models.keepSourcesIn(file.folder());
         var made = beside("models", () -> makeFirst(models));
         // Before there is any component, the look can be made on any thread.
         settings.look().theme().install(settings.look().textPercent());

@@ -1,0 +1,24 @@
+package rasterlab.tests;
+
+import java.awt.AWTEvent;
+import java.awt.Toolkit;
+import java.awt.event.WindowEvent;
+import rasterlab.app.shell.LabFrame;
+import rasterlab.app.shell.WindowStart;
+
+/** The lab as its command starts it; says what opens first: the tab that is shown, or a dialog. */
+final class StartedWindow {
+    private StartedWindow() {}
+
+    public static void main(String[] none) {
+        Toolkit.getDefaultToolkit()
+                .addAWTEventListener(StartedWindow::say, AWTEvent.WINDOW_EVENT_MASK);
+        WindowStart.open();
+    }
+
+    private static void say(AWTEvent event) {
+        if (event.getID() != WindowEvent.WINDOW_OPENED) return;
+        System.out.println(
+                event.getSource() instanceof LabFrame frame ? frame.shownTab() : event.getSource());
+    }
+}
