@@ -49,7 +49,7 @@ final class Problems implements Consumer<Problem> {
         untold.clear();
         JOptionPane.showMessageDialog(
                 frame,
-                lines(said, frame.getFontMetrics(UIManager.getFont("OptionPane.messageFont"))),
+                lines(said, frame.getFontMetrics(UIManager.getFont("Label.font"))),
                 texts.text("problem.title"),
                 JOptionPane.WARNING_MESSAGE);
     }
