@@ -1,12 +1,13 @@
 package rasterlab.tests;
 
 import java.awt.AWTEvent;
+import java.awt.Dialog;
 import java.awt.Toolkit;
 import java.awt.event.WindowEvent;
 import rasterlab.app.shell.LabFrame;
 import rasterlab.app.shell.WindowStart;
 
-/** The lab as its command starts it; says what opens first: the tab that is shown, or a dialog. */
+/** The lab as its command starts it; says what opens: the tab that is shown, a dialog's title. */
 final class StartedWindow {
     private StartedWindow() {}
 
@@ -18,7 +19,7 @@ final class StartedWindow {
 
     private static void say(AWTEvent event) {
         if (event.getID() != WindowEvent.WINDOW_OPENED) return;
-        System.out.println(
-                event.getSource() instanceof LabFrame frame ? frame.shownTab() : event.getSource());
+        if (event.getSource() instanceof LabFrame frame) System.out.println(frame.shownTab());
+        else if (event.getSource() instanceof Dialog dialog) System.out.println(dialog.getTitle());
     }
 }

@@ -6,15 +6,20 @@ import static org.junit.jupiter.api.Assumptions.assumeFalse;
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabLook;
 import rasterlab.app.shell.LabSettings;
 import rasterlab.app.shell.SettingsFile;
@@ -25,13 +30,29 @@ import rasterlab.app.shell.SettingsFile;
 class StartedWindowTest {
     @TempDir Path folder;
 
+    @BeforeEach
+    void needsDisplay() {
+        assumeFalse(GraphicsEnvironment.isHeadless(), "no display");
+    }
+
     @ParameterizedTest(name = "{0} does not open first")
     @ValueSource(strings = {"coordinates", "study", "exercises"})
     void opensAtTheTabWhereItWasLeft(String tab) throws IOException, InterruptedException {
-        assumeFalse(GraphicsEnvironment.isHeadless(), "no display");
-        Path settings = folder.resolve("window.properties");
+        leaveAt(tab);
+        assertEquals(List.of(tab), opened(1));
+    }
+
+    @Test
+    void tellsWhatCannotBeBroughtBack() throws IOException, InterruptedException {
+        leaveAt("coordinates");
+        Files.writeString(folder.resolve("labs.json"), "{");
+        String title = Texts.of("shell", Language.ENGLISH).text("problem.title");
+        assertEquals(title, opened(2).get(1));
+    }
+
+    private void leaveAt(String tab) {
         new SettingsFile(
-                        settings,
+                        settings(),
                         problem -> {
                             throw new AssertionError(problem);
                         })
@@ -42,16 +63,27 @@ class StartedWindowTest {
                                 Optional.empty(),
                                 false,
                                 true));
+    }
+
+    private Path settings() {
+        return folder.resolve("window.properties");
+    }
+
+    /** The first windows of a new process. */
+    private List<String> opened(int windows) throws IOException, InterruptedException {
         Process process =
                 new ProcessBuilder(
                                 JavaCommand.of(
-                                        List.of("-Xmx400m", "-Drasterlab.settings=" + settings),
+                                        List.of("-Xmx400m", "-Drasterlab.settings=" + settings()),
                                         StartedWindow.class.getName(),
                                         List.of()))
                         .redirectError(ProcessBuilder.Redirect.INHERIT)
                         .start();
         try {
-            assertEquals(tab, process.inputReader(StandardCharsets.UTF_8).readLine());
+            var said = new ArrayList<String>();
+            while (said.size() < windows)
+                said.add(process.inputReader(StandardCharsets.UTF_8).readLine());
+            return said;
         } finally {
             process.destroyForcibly();
             process.waitFor();

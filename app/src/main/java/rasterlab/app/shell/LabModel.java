@@ -25,7 +25,7 @@ final class LabModel<M> implements AutoCloseable {
     private final HeldEvents events;
     private final List<Consumer<M>> waiting = new ArrayList<>();
     private volatile Optional<M> made = Optional.empty();
-    private boolean closed;
+    private volatile boolean closed;
 
     /**
      * @param making given what runs the model's work for the event thread, once the model is made
@@ -91,6 +91,11 @@ final class LabModel<M> implements AutoCloseable {
     /** Does it with the model as soon as that is made, before anybody is given it. */
     synchronized void whenMade(Consumer<M> use) {
         made.ifPresentOrElse(use, () -> waiting.add(use));
+    }
+
+    /** Is not made from now on, without waiting for one that is being made. */
+    void giveUp() {
+        closed = true;
     }
 
     /** Ends its background work; one that is not made stays so. */

@@ -307,6 +307,7 @@ public final class LabModels implements AutoCloseable {
     /** Ends background work; what is not made stays so. */
     @Override
     public void close() {
+        labs.values().forEach(LabModel::giveUp);
         labs.values().forEach(LabModel::close);
     }
 }

@@ -32,7 +32,8 @@ interface RowLoops {
 
     /**
      * Adds pixels to a batch that are nearer than what is there, from where the weights' row is,
-     * until the triangle has no more or the batch has no room for {@link #MOST_LANES}.
+     * until the triangle has no more or the batch has hardly room, for less than {@link
+     * #MOST_LANES}.
      *
      * @param early whether their depth is written at once
      */
@@ -41,9 +42,10 @@ interface RowLoops {
 
     /**
      * Writes the first n attributes of a triangle's corner a, and from {@link #VALUES} and twice
-     * that on what b and c have more.
+     * that on what b and c have more; beyond n there may be anything.
      *
-     * @param affine which attributes are taken as they are; others are multiplied by 1/w
+     * @param affine which attributes are taken as they are, {@link #VALUES} of them; others are
+     *     multiplied by 1/w
      */
     void corners(Scan scan, ScreenVertices v, boolean[] affine, int n, float[] corners);
 
