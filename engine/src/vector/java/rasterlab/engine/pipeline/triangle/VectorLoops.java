@@ -159,21 +159,16 @@ final class VectorLoops implements RowLoops {
         float[] attributes = v.attributes;
         for (int k = 0; k < n; k += LANES) {
             var asIs = VectorMask.fromArray(FLOATS, affine, k);
-            FloatVector a = weighed(attributes, v.stride * scan.a + k, v.nearness(scan.a), asIs);
+            FloatVector atA = FloatVector.fromArray(FLOATS, attributes, v.stride * scan.a + k);
+            FloatVector atB = FloatVector.fromArray(FLOATS, attributes, v.stride * scan.b + k);
+            FloatVector atC = FloatVector.fromArray(FLOATS, attributes, v.stride * scan.c + k);
+            FloatVector a = atA.mul(v.nearness(scan.a)).blend(atA, asIs);
+            FloatVector b = atB.mul(v.nearness(scan.b)).blend(atB, asIs);
+            FloatVector c = atC.mul(v.nearness(scan.c)).blend(atC, asIs);
             a.intoArray(corners, k);
-            weighed(attributes, v.stride * scan.b + k, v.nearness(scan.b), asIs)
-                    .sub(a)
-                    .intoArray(corners, VALUES + k);
-            weighed(attributes, v.stride * scan.c + k, v.nearness(scan.c), asIs)
-                    .sub(a)
-                    .intoArray(corners, 2 * VALUES + k);
+            b.sub(a).intoArray(corners, VALUES + k);
+            c.sub(a).intoArray(corners, 2 * VALUES + k);
         }
-    }
-
-    private static FloatVector weighed(
-            float[] attributes, int at, float nearness, VectorMask<Float> asIs) {
-        FloatVector values = FloatVector.fromArray(FLOATS, attributes, at);
-        return values.mul(nearness).blend(values, asIs);
     }
 
     @Override
