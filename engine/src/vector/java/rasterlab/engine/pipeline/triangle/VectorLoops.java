@@ -100,57 +100,60 @@ final class VectorLoops implements RowLoops {
         }
     }
 
-    /** One loop over the eights of all rows, since most rows are short. */
     @Override
     public void collect(
             float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch) {
+        for (; weights.row < scan.rows; weights.row++, weights.done = 0) {
+            int count = scan.count[weights.row];
+            if (count == 0) continue;
+            weights.at(scan, weights.row);
+            while (weights.done < count) {
+                int n = Math.min(count - weights.done, PixelBatch.SIZE - batch.count);
+                if (n == 0) return;
+                int cell = scan.cell(weights.row) + weights.done;
+                if (cell + n + LANES > scan.end)
+                    PlainLoops.collect(depth, weights, cell, weights.done, n, early, batch);
+                else row(depth, weights, cell, n, early, batch);
+                weights.done += n;
+            }
+        }
+    }
+
+    private static void row(
+            float[] depth, RowWeights weights, int cell, int n, boolean early, PixelBatch batch) {
+        float[] weightB = batch.weightB;
+        float[] weightC = batch.weightC;
+        int[] cells = batch.cell;
+        float z = weights.depth.z;
+        float start = weights.depth.first;
+        float rowB = weights.rowB;
+        float rowC = weights.rowC;
         float stepZ = weights.depth.stepZ;
         float toB = weights.toB;
         float toC = weights.toC;
         int kept = batch.count;
-        int row = weights.row;
-        int done = weights.done;
-        int found = -1;
-        while (row < scan.rows && kept + LANES <= PixelBatch.SIZE) {
-            int left = scan.count[row] - done;
-            if (left > 0) {
-                if (row != found) weights.at(scan, row);
-                found = row;
-                int cell = scan.cell(row) + done;
-                boolean all = false;
-                boolean any = true;
-                if (cell + LANES <= scan.end) {
-                    FloatVector k = NUMBERS.add((float) done);
-                    FloatVector here =
-                            k.add((float) weights.depth.first).mul(stepZ).add(weights.depth.z);
-                    FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
-                    VectorMask<Float> nearer = here.compare(VectorOperators.LT, there);
-                    VectorMask<Float> beyond = NUMBERS.compare(VectorOperators.GE, (float) left);
-                    all = nearer.or(beyond).allTrue();
-                    if (all) {
-                        if (early) here.blend(there, beyond).intoArray(depth, cell);
-                        else here.intoArray(batch.depth, kept);
-                        WHOLE_NUMBERS.add(cell).intoArray(batch.cell, kept);
-                        k.mul(toB).add(weights.rowB).intoArray(batch.weightB, kept);
-                        k.mul(toC).add(weights.rowC).intoArray(batch.weightC, kept);
-                        kept += Math.min(LANES, left);
-                    } else any = nearer.anyTrue();
-                }
-                if (!all && any) {
-                    batch.count = kept;
-                    int few = Math.min(LANES, left);
-                    PlainLoops.collect(depth, weights, cell, done, few, early, batch);
-                    kept = batch.count;
-                }
+        for (int done = 0; done < n; done += LANES) {
+            int left = Math.min(LANES, n - done);
+            FloatVector k = NUMBERS.add((float) (weights.done + done));
+            FloatVector here = k.add(start).mul(stepZ).add(z);
+            FloatVector there = FloatVector.fromArray(FLOATS, depth, cell + done);
+            VectorMask<Float> nearer = here.compare(VectorOperators.LT, there);
+            VectorMask<Float> beyond = NUMBERS.compare(VectorOperators.GE, (float) left);
+            if (!nearer.or(beyond).allTrue()) {
+                if (!nearer.anyTrue()) continue;
+                batch.count = kept;
+                int first = weights.done + done;
+                PlainLoops.collect(depth, weights, cell + done, first, left, early, batch);
+                kept = batch.count;
+                continue;
             }
-            done += LANES;
-            if (left <= LANES) {
-                row++;
-                done = 0;
-            }
+            if (early) here.blend(there, beyond).intoArray(depth, cell + done);
+            else here.intoArray(batch.depth, kept);
+            WHOLE_NUMBERS.add(cell + done).intoArray(cells, kept);
+            k.mul(toB).add(rowB).intoArray(weightB, kept);
+            k.mul(toC).add(rowC).intoArray(weightC, kept);
+            kept += left;
         }
-        weights.row = row;
-        weights.done = done;
         batch.count = kept;
     }
 
