@@ -159,19 +159,7 @@ final class VectorLoops implements RowLoops {
 
     @Override
     public void corners(Scan scan, ScreenVertices v, boolean[] affine, int n, float[] corners) {
-        float[] attributes = v.attributes;
-        for (int k = 0; k < n; k += LANES) {
-            var asIs = VectorMask.fromArray(FLOATS, affine, k);
-            FloatVector atA = FloatVector.fromArray(FLOATS, attributes, v.stride * scan.a + k);
-            FloatVector atB = FloatVector.fromArray(FLOATS, attributes, v.stride * scan.b + k);
-            FloatVector atC = FloatVector.fromArray(FLOATS, attributes, v.stride * scan.c + k);
-            FloatVector a = atA.mul(v.nearness(scan.a)).blend(atA, asIs);
-            FloatVector b = atB.mul(v.nearness(scan.b)).blend(atB, asIs);
-            FloatVector c = atC.mul(v.nearness(scan.c)).blend(atC, asIs);
-            a.intoArray(corners, k);
-            b.sub(a).intoArray(corners, VALUES + k);
-            c.sub(a).intoArray(corners, 2 * VALUES + k);
-        }
+        plain.corners(scan, v, affine, n, corners);
     }
 
     @Override
