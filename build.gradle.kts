@@ -41,7 +41,7 @@ subprojects {
         systemProperty("junit.jupiter.execution.timeout.default", "10 m")
         systemProperty("junit.jupiter.execution.timeout.threaddump.enabled", "true")
         timeout = java.time.Duration.ofSeconds(1500)
-        // Without this module the engine computes one number at a time, with it eight.
-        jvmArgs("--add-modules", "jdk.incubator.vector")
+        // Without these the engine computes one number at a time, with them eight.
+        jvmArgs("@${rootDir}/engine/vector-options")
     }
 }

@@ -82,7 +82,7 @@ set "native="
 if %major% GEQ 24 set "native=--enable-native-access=ALL-UNNAMED"
 rem Only what draws many pictures gains by the Vector API: the first ones are slower, and Java warns of it.
 set "vector="
-if "%module%"=="tests" if %major% LEQ 25 set "vector=--add-modules=jdk.incubator.vector"
+if "%module%"=="tests" if %major% LEQ 25 set vector="@%root%\engine\vector-options"
 set "options="
 if "%module%"=="app" set options="@%root%\app\java-options"
 "%java%" %native% %vector% %options% -Dfile.encoding=UTF-8 "-Drasterlab.home=%root%" -cp "%root%\%module%\target\classes;%root%\%module%\target\lib\*" %main% %arguments%

@@ -35,17 +35,23 @@ final class VectorTexels implements TexelLoops {
     @Override
     public void nearest(
             RepeatedLevel level, float[] s, float[] t, int[] texel, int first, int end) {
+        int whole = first + (end - first) / LANES * LANES;
+        nearestInLanes(level, s, t, texel, first, whole);
+        lookUp(level.argb(), texel, first, whole);
+        plain.nearest(level, s, t, texel, whole, end);
+    }
+
+    private static void nearestInLanes(
+            RepeatedLevel level, float[] s, float[] t, int[] number, int first, int end) {
         int lastColumn = level.lastColumn();
         int lastRow = level.lastRow();
-        int i = first;
-        for (; i + LANES <= end; i += LANES) {
+        int across = level.across();
+        for (int i = first; i < end; i += LANES) {
             texel(t, i, lastRow)
-                    .lanewise(VectorOperators.LSHL, level.across())
+                    .lanewise(VectorOperators.LSHL, across)
                     .or(texel(s, i, lastColumn))
-                    .intoArray(texel, i);
+                    .intoArray(number, i);
         }
-        lookUp(level.argb(), texel, first, i);
-        plain.nearest(level, s, t, texel, i, end);
     }
 
     /** Replaces numbers of texels by the texels. */
@@ -55,8 +61,14 @@ final class VectorTexels implements TexelLoops {
 
     @Override
     public void levels(int n, float[] squaredStep, int from, int highest, int[] lambda) {
-        int i = 0;
-        for (; i + LANES <= n; i += LANES) {
+        int whole = n / LANES * LANES;
+        levelsInLanes(whole, squaredStep, from, highest, lambda);
+        PlainTexels.levels(whole, n, squaredStep, from, highest, lambda);
+    }
+
+    private static void levelsInLanes(
+            int end, float[] squaredStep, int from, int highest, int[] lambda) {
+        for (int i = 0; i < end; i += LANES) {
             IntVector bits =
                     FloatVector.fromArray(FLOATS, squaredStep, from + i).reinterpretAsInts();
             FloatVector rest =
@@ -81,7 +93,6 @@ final class VectorTexels implements TexelLoops {
                     .max(0)
                     .intoArray(lambda, i);
         }
-        PlainTexels.levels(i, n, squaredStep, from, highest, lambda);
     }
 
     /** As {@link PlainTexels} has it. */
@@ -106,27 +117,10 @@ final class VectorTexels implements TexelLoops {
             int n,
             TexelBlock.Corners out) {
         int[] texels = level.argb();
-        int perRow = level.across();
-        int perColumn = level.up();
-        int lastColumn = level.lastColumn();
-        int lastRow = level.lastRow();
-        int i = first;
-        for (; i < end && i + LANES <= n; i += LANES) {
-            IntVector x = place(s, from + i, perRow);
-            IntVector y = place(t, from + i, perColumn);
-            x.and(WHOLE - 1).intoArray(out.toRight, i);
-            y.and(WHOLE - 1).intoArray(out.up, i);
-            IntVector column = x.lanewise(VectorOperators.ASHR, PARTS);
-            IntVector row = y.lanewise(VectorOperators.ASHR, PARTS);
-            IntVector left = column.and(lastColumn);
-            IntVector right = column.add(1).and(lastColumn);
-            IntVector below = row.and(lastRow).lanewise(VectorOperators.LSHL, perRow);
-            IntVector above = row.add(1).and(lastRow).lanewise(VectorOperators.LSHL, perRow);
-            below.or(left).intoArray(out.leftBelow, i);
-            below.or(right).intoArray(out.rightBelow, i);
-            above.or(left).intoArray(out.leftAbove, i);
-            above.or(right).intoArray(out.rightAbove, i);
-        }
+        int eights = Math.min((end - first + LANES - 1) / LANES, (n - first) / LANES);
+        int i = first + eights * LANES;
+        placesInLanes(level, s, t, from, first, i, out.toRight, out.up);
+        aroundInLanes(level, first, i, out);
         lookUp(texels, out.leftBelow, first, i);
         lookUp(texels, out.rightBelow, first, i);
         lookUp(texels, out.leftAbove, first, i);
@@ -134,22 +128,63 @@ final class VectorTexels implements TexelLoops {
         plain.gather(level, s, t, from, i, end, n, out);
     }
 
+    private static void placesInLanes(
+            RepeatedLevel level,
+            float[] s,
+            float[] t,
+            int from,
+            int first,
+            int end,
+            int[] x,
+            int[] y) {
+        int across = level.across();
+        int up = level.up();
+        for (int i = first; i < end; i += LANES) {
+            place(s, from + i, across).intoArray(x, i);
+            place(t, from + i, up).intoArray(y, i);
+        }
+    }
+
+    /** Finds the numbers of the texels around places, and leaves their shares of them. */
+    private static void aroundInLanes(
+            RepeatedLevel level, int first, int end, TexelBlock.Corners out) {
+        int across = level.across();
+        int lastColumn = level.lastColumn();
+        int lastRow = level.lastRow();
+        for (int i = first; i < end; i += LANES) {
+            IntVector x = IntVector.fromArray(INTS, out.toRight, i);
+            IntVector y = IntVector.fromArray(INTS, out.up, i);
+            x.and(WHOLE - 1).intoArray(out.toRight, i);
+            y.and(WHOLE - 1).intoArray(out.up, i);
+            IntVector column = x.lanewise(VectorOperators.ASHR, PARTS);
+            IntVector row = y.lanewise(VectorOperators.ASHR, PARTS);
+            IntVector left = column.and(lastColumn);
+            IntVector right = column.add(1).and(lastColumn);
+            IntVector below = row.and(lastRow).lanewise(VectorOperators.LSHL, across);
+            IntVector above = row.add(1).and(lastRow).lanewise(VectorOperators.LSHL, across);
+            below.or(left).intoArray(out.leftBelow, i);
+            below.or(right).intoArray(out.rightBelow, i);
+            above.or(left).intoArray(out.leftAbove, i);
+            above.or(right).intoArray(out.rightAbove, i);
+        }
+    }
+
     @Override
     public void mix(int n, TexelBlock.Corners around) {
-        mixAcross(n, around.leftBelow, around.rightBelow, around.toRight);
-        mixAcross(n, around.leftAbove, around.rightAbove, around.toRight);
-        mixPair(n, around.leftBelow, around.leftAbove, around.up);
-        mixPair(n, around.rightBelow, around.rightAbove, around.up);
+        mixAcrossInLanes(n, around.leftBelow, around.rightBelow, around.toRight);
+        mixAcrossInLanes(n, around.leftAbove, around.rightAbove, around.toRight);
+        mixPairInLanes(n, around.leftBelow, around.leftAbove, around.up);
+        mixPairInLanes(n, around.rightBelow, around.rightAbove, around.up);
     }
 
     @Override
     public void mixLevels(int n, TexelBlock.Corners fine, TexelBlock.Corners coarse, int[] lambda) {
-        mixPair(n, fine.leftBelow, coarse.leftBelow, lambda);
-        mixPair(n, fine.rightBelow, coarse.rightBelow, lambda);
+        mixPairInLanes(n, fine.leftBelow, coarse.leftBelow, lambda);
+        mixPairInLanes(n, fine.rightBelow, coarse.rightBelow, lambda);
     }
 
     /** Leaves red and blue in the left one, alpha and green in the right one. */
-    private static void mixAcross(int n, int[] left, int[] right, int[] toRight) {
+    private static void mixAcrossInLanes(int n, int[] left, int[] right, int[] toRight) {
         for (int i = 0; i < n; i += LANES) {
             IntVector a = IntVector.fromArray(INTS, left, i);
             IntVector b = IntVector.fromArray(INTS, right, i);
@@ -181,7 +216,7 @@ final class VectorTexels implements TexelLoops {
      *
      * @param shares the lowest eight bits count
      */
-    private static void mixPair(int n, int[] pair, int[] other, int[] shares) {
+    private static void mixPairInLanes(int n, int[] pair, int[] other, int[] shares) {
         for (int i = 0; i < n; i += LANES) {
             IntVector a = IntVector.fromArray(INTS, pair, i);
             IntVector.fromArray(INTS, other, i)
@@ -198,14 +233,14 @@ final class VectorTexels implements TexelLoops {
     @Override
     public void modulate(int n, int[] surface, int[] texel, boolean keepsAlpha) {
         int end = n / LANES * LANES;
-        modulateRedAndBlue(end, surface, texel);
-        modulateGreen(end, surface, texel);
+        modulateRedAndBlueInLanes(end, surface, texel);
+        modulateGreenInLanes(end, surface, texel);
         if (!keepsAlpha) PlainTexels.modulate(0, end, surface, texel, 24);
         PlainTexels.modulate(end, n, surface, texel, keepsAlpha);
     }
 
     /** With v = a·b + 128, the upper half of v + v/256 is a·b/255, rounded. */
-    private static void modulateRedAndBlue(int end, int[] surface, int[] texel) {
+    private static void modulateRedAndBlueInLanes(int end, int[] surface, int[] texel) {
         for (int i = 0; i < end; i += LANES) {
             IntVector f = IntVector.fromArray(INTS, surface, i);
             IntVector t = IntVector.fromArray(INTS, texel, i);
@@ -221,7 +256,7 @@ final class VectorTexels implements TexelLoops {
         }
     }
 
-    private static void modulateGreen(int end, int[] surface, int[] texel) {
+    private static void modulateGreenInLanes(int end, int[] surface, int[] texel) {
         for (int i = 0; i < end; i += LANES) {
             IntVector f = IntVector.fromArray(INTS, surface, i);
             IntVector t = IntVector.fromArray(INTS, texel, i);

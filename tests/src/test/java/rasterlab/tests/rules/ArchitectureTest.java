@@ -1,12 +1,14 @@
 package rasterlab.tests.rules;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.domain.JavaField;
+import com.tngtech.archunit.core.domain.JavaMethod;
 import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
@@ -55,6 +57,26 @@ class ArchitectureTest {
                 .dependOnClassesThat()
                 .resideInAnyPackage(
                         "rasterlab.exercises..", "rasterlab.app..", "rasterlab.grader..")
+                .check(classes);
+    }
+
+    /** By that name they are compiled on their own, see {@code engine/vector-options}. */
+    @Test
+    void loopsOfVectorsAreNamedSo() {
+        methods()
+                .that()
+                .haveNameNotMatching(".*InLanes")
+                .should(
+                        new ArchCondition<>("store no vector") {
+                            @Override
+                            public void check(JavaMethod method, ConditionEvents events) {
+                                for (var call : method.getMethodCallsFromSelf())
+                                    if (call.getTarget().getName().equals("intoArray"))
+                                        events.add(
+                                                SimpleConditionEvent.violated(
+                                                        call, call.getDescription()));
+                            }
+                        })
                 .check(classes);
     }
 

@@ -18,12 +18,10 @@ final class PixelFill {
     private final RowLoops loops;
     private final PixelSlopes slopes;
     private final float[][] values = new float[Frame.QUANTITIES.length][];
-    private final boolean[] affine = new boolean[RowLoops.VALUES];
+    private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
     private final boolean[] divided = new boolean[Frame.QUANTITIES.length];
 
-    /**
-     * The values that grow from corner to corner, and what {@link RowLoops#corners} says of them.
-     */
+    /** The values that grow from corner to corner, and how, see {@link RowLoops#between}. */
     private final float[][] growing = new float[RowLoops.VALUES][];
 
     private final float[] corners = new float[3 * RowLoops.VALUES];
@@ -48,7 +46,7 @@ final class PixelFill {
     PixelFill(RowLoops loops) {
         this.loops = loops;
         batch = new PixelBatch(loops);
-        slopes = new PixelSlopes(batch, loops);
+        slopes = new PixelSlopes(batch);
     }
 
     /** Forgets what a frame left behind that failed. */
@@ -135,25 +133,35 @@ final class PixelFill {
     /** Values divided by w are linear on the picture: for the batch's pixels from {@code first}. */
     private void interpolate(Scan scan, ScreenVertices v, int third, int first) {
         if (batch.count == first) return;
-        float qa = v.nearness(scan.a);
-        float qb = v.nearness(scan.b);
-        float qc = v.nearness(scan.c);
         if (fromBehind || scan.fromBehind) {
             fromBehind = true;
             Arrays.fill(batch.fromBehind, first, batch.count, scan.fromBehind);
         }
-        loops.corners(scan, v, affine, firstFlat, corners);
-        if (divides) {
-            corners[firstFlat] = qa;
-            corners[RowLoops.VALUES + firstFlat] = qb - qa;
-            corners[2 * RowLoops.VALUES + firstFlat] = qc - qa;
-        }
+        findCorners(scan, v);
         between(divides ? firstFlat + 1 : firstFlat, first);
-        for (int k = firstFlat; k < count; k++) {
-            float value = v.attribute(k, third);
-            loops.fill(batch, values[k], first, value);
-        }
+        for (int k = firstFlat; k < count; k++)
+            Arrays.fill(values[k], first, batch.count, v.attribute(k, third));
         slopes.interpolate(scan, v, first);
+    }
+
+    /** Of each value what corner a has, and what b and c have more. */
+    private void findCorners(Scan scan, ScreenVertices v) {
+        float qa = v.nearness(scan.a);
+        float qb = v.nearness(scan.b);
+        float qc = v.nearness(scan.c);
+        for (int k = 0; k < firstFlat; k++) {
+            float a = v.attribute(k, scan.a) * (affine[k] ? 1 : qa);
+            float b = v.attribute(k, scan.b) * (affine[k] ? 1 : qb);
+            float c = v.attribute(k, scan.c) * (affine[k] ? 1 : qc);
+            put(k, a, b - a, c - a);
+        }
+        if (divides) put(firstFlat, qa, qb - qa, qc - qa);
+    }
+
+    private void put(int k, float a, float b, float c) {
+        corners[k] = a;
+        corners[RowLoops.VALUES + k] = b;
+        corners[2 * RowLoops.VALUES + k] = c;
     }
 
     /** A few pixels are not worth a call of loops in lanes. */

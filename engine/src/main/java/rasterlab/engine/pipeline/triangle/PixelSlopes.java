@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.triangle;
 
+import java.util.Arrays;
 import rasterlab.engine.scene.VertexQuantity;
 
 /**
@@ -10,16 +11,14 @@ import rasterlab.engine.scene.VertexQuantity;
  */
 final class PixelSlopes {
     private final PixelBatch batch;
-    private final RowLoops loops;
     private final int[] attribute = new int[Frame.QUANTITIES.length];
     private final float[][] right = new float[Frame.QUANTITIES.length][];
     private final float[][] down = new float[Frame.QUANTITIES.length][];
     private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
     private int count;
 
-    PixelSlopes(PixelBatch batch, RowLoops loops) {
+    PixelSlopes(PixelBatch batch) {
         this.batch = batch;
-        this.loops = loops;
     }
 
     void begin(Frame frame, PixelColors colors) {
@@ -44,15 +43,16 @@ final class PixelSlopes {
         float qa = v.nearness(scan.a);
         float qb = v.nearness(scan.b);
         float qc = v.nearness(scan.c);
-        loops.fill(batch, batch.nearnessRight, first, rightB * (qb - qa) + rightC * (qc - qa));
-        loops.fill(batch, batch.nearnessDown, first, downB * (qb - qa) + downC * (qc - qa));
+        Arrays.fill(
+                batch.nearnessRight, first, batch.count, rightB * (qb - qa) + rightC * (qc - qa));
+        Arrays.fill(batch.nearnessDown, first, batch.count, downB * (qb - qa) + downC * (qc - qa));
         for (int k = 0; k < count; k++) {
             int of = attribute[k];
             float a = v.attribute(of, scan.a) * (affine[k] ? 1 : qa);
             float b = v.attribute(of, scan.b) * (affine[k] ? 1 : qb) - a;
             float c = v.attribute(of, scan.c) * (affine[k] ? 1 : qc) - a;
-            loops.fill(batch, right[k], first, rightB * b + rightC * c);
-            loops.fill(batch, down[k], first, downB * b + downC * c);
+            Arrays.fill(right[k], first, batch.count, rightB * b + rightC * c);
+            Arrays.fill(down[k], first, batch.count, downB * b + downC * c);
         }
     }
 

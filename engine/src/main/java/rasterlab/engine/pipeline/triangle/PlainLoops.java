@@ -1,6 +1,5 @@
 package rasterlab.engine.pipeline.triangle;
 
-import java.util.Arrays;
 import rasterlab.engine.lanes.Lanes;
 
 /** One pixel after the other. */
@@ -106,18 +105,6 @@ final class PlainLoops implements RowLoops {
     }
 
     @Override
-    public void corners(Scan scan, ScreenVertices v, boolean[] affine, int n, float[] corners) {
-        for (int k = 0; k < n; k++) {
-            float a = v.attribute(k, scan.a) * (affine[k] ? 1 : v.nearness(scan.a));
-            float b = v.attribute(k, scan.b) * (affine[k] ? 1 : v.nearness(scan.b));
-            float c = v.attribute(k, scan.c) * (affine[k] ? 1 : v.nearness(scan.c));
-            corners[k] = a;
-            corners[VALUES + k] = b - a;
-            corners[2 * VALUES + k] = c - a;
-        }
-    }
-
-    @Override
     public void between(PixelBatch batch, float[][] to, float[] corners, int n, int first) {
         interpolate(batch, to, corners, n, first);
     }
@@ -131,11 +118,6 @@ final class PlainLoops implements RowLoops {
             PixelBatch batch, int first, float[] to, float a, float b, float c) {
         for (int i = first; i < batch.count; i++)
             to[i] = a + batch.weightB[i] * b + batch.weightC[i] * c;
-    }
-
-    @Override
-    public void fill(PixelBatch batch, float[] to, int first, float value) {
-        Arrays.fill(to, first, batch.count, value);
     }
 
     @Override

@@ -11,8 +11,8 @@ interface RowLoops {
     /** The most pixels that are computed at a time. */
     int MOST_LANES = 8;
 
-    /** Room for all values that grow from corner to corner, whole lanes. */
-    int VALUES = (Frame.QUANTITIES.length / MOST_LANES + 1) * MOST_LANES;
+    /** Room for all values that grow from corner to corner: the attributes and 1/w. */
+    int VALUES = Frame.QUANTITIES.length + 1;
 
     static RowLoops of(Lanes lanes) {
         return lanes.part(RowLoops.class, PlainLoops::new, "VectorLoops");
@@ -32,8 +32,7 @@ interface RowLoops {
 
     /**
      * Adds pixels to a batch that are nearer than what is there, from where the weights' row is,
-     * until the triangle has no more or the batch has hardly room, for less than {@link
-     * #MOST_LANES}.
+     * until the triangle has no more or the batch has no room for {@link #MOST_LANES}.
      *
      * @param early whether their depth is written at once
      */
@@ -41,24 +40,12 @@ interface RowLoops {
             float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch);
 
     /**
-     * Writes the first n attributes of a triangle's corner a, and from {@link #VALUES} and twice
-     * that on what b and c have more; beyond n there may be anything.
-     *
-     * @param affine which attributes are taken as they are, {@link #VALUES} of them; others are
-     *     multiplied by 1/w
-     */
-    void corners(Scan scan, ScreenVertices v, boolean[] affine, int n, float[] corners);
-
-    /**
      * Writes {@code a + weightB·b + weightC·c} for the batch's pixels from {@code first} on, to
      * each of n arrays.
      *
-     * @param corners a, b and c of each array, as {@link #corners} writes them
+     * @param corners the a of each array, from {@link #VALUES} on the b, from twice that on the c
      */
     void between(PixelBatch batch, float[][] to, float[] corners, int n, int first);
-
-    /** Writes a number for the batch's pixels from {@code first} on. */
-    void fill(PixelBatch batch, float[] to, int first, float value);
 
     /** Packs the colours of a batch as {@link PixelLevels} does. */
     void pack(PixelBatch batch, float[] red, float[] green, float[] blue);

@@ -72,9 +72,8 @@ final class ScreenVertices {
 
     /** Makes room; what was there stays. */
     void ensure(int vertices) {
-        // Loops in lanes read beyond the last one.
-        if (attributes.length < vertices * stride + RowLoops.MOST_LANES)
-            attributes = Arrays.copyOf(attributes, more(vertices) * stride + RowLoops.MOST_LANES);
+        if (attributes.length < vertices * stride)
+            attributes = Arrays.copyOf(attributes, more(vertices) * stride);
         if (code.length >= vertices) return;
         int room = more(vertices);
         places = Arrays.copyOf(places, 2 * room);

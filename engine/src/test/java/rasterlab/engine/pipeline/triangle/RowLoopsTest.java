@@ -206,31 +206,6 @@ class RowLoopsTest {
         return v;
     }
 
-    @RepeatedTest(20)
-    void findTheSameCorners() {
-        int count = 1 + random.nextInt(RowLoops.VALUES);
-        var v = new ScreenVertices();
-        v.begin(3, count);
-        for (int k = 0; k < 3; k++) v.put(k, 0, 0, 0, 0.5f + random.nextFloat());
-        for (int k = 0; k < 3 * count; k++) v.attributes[k] = random.nextFloat();
-        boolean[] affine = new boolean[RowLoops.VALUES];
-        for (int k = 0; k < count; k++) affine[k] = random.nextBoolean();
-        var scan = new TinyScan();
-        scan.a = 2;
-        scan.c = 1;
-        float[] expected = new float[3 * RowLoops.VALUES];
-        float[] actual = new float[3 * RowLoops.VALUES];
-        one.corners(scan, v, affine, count, expected);
-        eight.corners(scan, v, affine, count, actual);
-        for (int k = 0; k < 3; k++) {
-            int from = k * RowLoops.VALUES;
-            assertArrayEquals(
-                    Arrays.copyOfRange(expected, from, from + count),
-                    Arrays.copyOfRange(actual, from, from + count),
-                    "seed %d, corner %d".formatted(seed, k));
-        }
-    }
-
     @RepeatedTest(40)
     void interpolateAndPackTheSameNumbers() {
         var expected = batch(one);
@@ -271,7 +246,7 @@ class RowLoopsTest {
             batch.values(VertexQuantity.BLUE)
         };
         loops.between(batch, rgb, corners, growing, first);
-        for (int k = growing; k < 3; k++) loops.fill(batch, rgb[k], first, corners[0]);
+        for (int k = growing; k < 3; k++) Arrays.fill(rgb[k], first, batch.count, corners[k]);
         return rgb;
     }
 }

@@ -10,7 +10,7 @@ import jdk.incubator.vector.VectorSpecies;
  * Eight columns of the box of a {@linkplain RowDepth compact} triangle, row by row: to ask each
  * pixel costs less than to find where rows begin and end. One per thread.
  *
- * <p>Depths and colours have a loop each, for the reason that {@link VectorTiny} gives.
+ * <p>Depths and colours have a loop each, as {@link VectorLoops} explains.
  */
 final class VectorCompact {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -29,12 +29,12 @@ final class VectorCompact {
      */
     void draw(DepthRaster out, TriangleScan scan, LinearColors colors, int column) {
         int cell = scan.top * out.width() + scan.boxLeft + column;
-        writeDepths(out, cell, scan, colors, column);
-        writeColors(out, cell, scan.rows, colors, column);
+        depthsInLanes(out, cell, scan, colors, column);
+        colorsInLanes(out, cell, scan.rows, colors, column);
     }
 
     /** In a box of {@value RowDepth#WIDEST} columns edge functions fit an int. */
-    private void writeDepths(
+    private void depthsInLanes(
             DepthRaster out, int first, TriangleScan scan, LinearColors colors, int column) {
         float[] depth = out.depth();
         int width = out.width();
@@ -66,7 +66,7 @@ final class VectorCompact {
         }
     }
 
-    private void writeColors(
+    private void colorsInLanes(
             DepthRaster out, int first, int rows, LinearColors colors, int column) {
         int[] argb = out.raster().argb();
         int width = out.width();

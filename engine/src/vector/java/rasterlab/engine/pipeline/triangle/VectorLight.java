@@ -8,8 +8,7 @@ import jdk.incubator.vector.VectorSpecies;
 /**
  * Eight places at a time, each as {@link PlainLight} has it; arrays have room for whole eights.
  *
- * <p>Several loops, since the compiler keeps vectors in registers only where a method has no more
- * than some forty operations on them.
+ * <p>Several loops, as {@link VectorLoops} explains.
  */
 final class VectorLight implements LightLoops {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -27,13 +26,13 @@ final class VectorLight implements LightLoops {
             float[] nz,
             float[] far,
             float[] along) {
-        places(n, light[0], light[1], light[2], x, y, z, nx, ny, nz, far, along);
-        normals(n, light[0], light[1], light[2], nx, ny, nz, far, along, y, z);
-        divide(n, x, y, z, along, nx, ny);
+        placesInLanes(n, light[0], light[1], light[2], x, y, z, nx, ny, nz, far, along);
+        normalsInLanes(n, light[0], light[1], light[2], nx, ny, nz, far, along, y, z);
+        divideInLanes(n, x, y, z, along, nx, ny);
     }
 
     /** far = |p|, along = n·p, x = |h|²·p². */
-    private static void places(
+    private static void placesInLanes(
             int n,
             float lx,
             float ly,
@@ -62,7 +61,7 @@ final class VectorLight implements LightLoops {
     }
 
     /** length = |n|, toLight = n·l, along = max(0, n·h·|p|). */
-    private static void normals(
+    private static void normalsInLanes(
             int n,
             float lx,
             float ly,
@@ -88,7 +87,7 @@ final class VectorLight implements LightLoops {
         }
     }
 
-    private static void divide(
+    private static void divideInLanes(
             int n,
             float[] halfway,
             float[] length,
@@ -113,6 +112,11 @@ final class VectorLight implements LightLoops {
 
     @Override
     public void channel(
+            int n, float steady, float lit, float[] diffuse, float[] highlight, float[] out) {
+        channelInLanes(n, steady, lit, diffuse, highlight, out);
+    }
+
+    private static void channelInLanes(
             int n, float steady, float lit, float[] diffuse, float[] highlight, float[] out) {
         for (int i = 0; i < n; i += LANES) {
             FloatVector sum =

@@ -11,9 +11,14 @@ import rasterlab.engine.lanes.Lanes;
  * Eight pixels at a time, each computed as {@link PlainLoops} computes it.
  *
  * <p>All eight pixels are read and written back, those that the triangle does not own as they were:
- * a band belongs to one thread. Where the eight would leave the band they are drawn one by one. No
- * vector goes from one turn of a loop to the next: those that began as constants would be made
- * objects.
+ * a band belongs to one thread. Where the eight would leave the band they are drawn one by one.
+ *
+ * <p>Vectors stay in registers only while the compiler sees through all that is done with them;
+ * Java 17 gives up after about 18 000 nodes of its graph, some sixty operations, and makes objects
+ * of what comes then. So each loop has at most fifty, in a method whose name ends in {@code
+ * InLanes} and which is compiled on its own (see {@code vector-options}), and numbers go from one
+ * to the next in arrays. No vector goes from one turn of a loop to the next: those that began as
+ * constants would be made objects.
  */
 final class VectorLoops implements RowLoops {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -52,18 +57,20 @@ final class VectorLoops implements RowLoops {
         if (colors.depth.compact && scan.boxLeft + blocks * LANES <= out.width())
             for (int block = 0; block < blocks; block++)
                 compact.draw(out, scan, colors, block * LANES);
-        else if (blocks * LANES > RowDepth.WIDEST) drawRows(out, scan, colors);
-        else plain.linear(out, scan, colors);
+        else if (blocks * LANES > RowDepth.WIDEST) {
+            rows.scan(scan);
+            rows.startInLanes(scan, colors);
+            drawRowsInLanes(out, scan, rows, colors);
+        } else plain.linear(out, scan, colors);
     }
 
-    private void drawRows(DepthRaster out, TriangleScan scan, LinearColors colors) {
+    private static void drawRowsInLanes(
+            DepthRaster out, TriangleScan scan, VectorRows rows, LinearColors colors) {
         IntVector reds = WHOLE_NUMBERS.mul(colors.stepRed);
         IntVector greens = WHOLE_NUMBERS.mul(colors.stepGreen);
         IntVector blues = WHOLE_NUMBERS.mul(colors.stepBlue);
         int[] argb = out.raster().argb();
         float[] depth = out.depth();
-        rows.scan(scan);
-        rows.start(scan, colors);
         float stepZ = colors.depth.stepZ;
         for (int row = 0; row < scan.rows; row++) {
             int n = scan.count[row];
@@ -103,74 +110,74 @@ final class VectorLoops implements RowLoops {
     @Override
     public void collect(
             float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch) {
-        for (; weights.row < scan.rows; weights.row++, weights.done = 0) {
-            int count = scan.count[weights.row];
-            if (count == 0) continue;
-            weights.at(scan, weights.row);
-            while (weights.done < count) {
-                int n = Math.min(count - weights.done, PixelBatch.SIZE - batch.count);
-                if (n == 0) return;
-                int cell = scan.cell(weights.row) + weights.done;
-                if (cell + n + LANES > scan.end)
-                    PlainLoops.collect(depth, weights, cell, weights.done, n, early, batch);
-                else row(depth, weights, cell, n, early, batch);
-                weights.done += n;
-            }
-        }
+        collectInLanes(depth, scan, weights, early, batch);
     }
 
-    private static void row(
-            float[] depth, RowWeights weights, int cell, int n, boolean early, PixelBatch batch) {
-        float[] weightB = batch.weightB;
-        float[] weightC = batch.weightC;
-        int[] cells = batch.cell;
-        float z = weights.depth.z;
-        float start = weights.depth.first;
-        float rowB = weights.rowB;
-        float rowC = weights.rowC;
+    /** One loop over the eights of all rows, since most rows are short. */
+    private static void collectInLanes(
+            float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch) {
         float stepZ = weights.depth.stepZ;
         float toB = weights.toB;
         float toC = weights.toC;
         int kept = batch.count;
-        for (int done = 0; done < n; done += LANES) {
-            int left = Math.min(LANES, n - done);
-            FloatVector k = NUMBERS.add((float) (weights.done + done));
-            FloatVector here = k.add(start).mul(stepZ).add(z);
-            FloatVector there = FloatVector.fromArray(FLOATS, depth, cell + done);
-            VectorMask<Float> nearer = here.compare(VectorOperators.LT, there);
-            VectorMask<Float> beyond = NUMBERS.compare(VectorOperators.GE, (float) left);
-            if (!nearer.or(beyond).allTrue()) {
-                if (!nearer.anyTrue()) continue;
-                batch.count = kept;
-                int first = weights.done + done;
-                PlainLoops.collect(depth, weights, cell + done, first, left, early, batch);
-                kept = batch.count;
-                continue;
+        int row = weights.row;
+        int done = weights.done;
+        int found = -1;
+        while (row < scan.rows && kept + LANES <= PixelBatch.SIZE) {
+            int left = scan.count[row] - done;
+            if (left > 0) {
+                if (row != found) weights.at(scan, row);
+                found = row;
+                int cell = scan.cell(row) + done;
+                boolean all = false;
+                boolean any = true;
+                if (cell + LANES <= scan.end) {
+                    FloatVector k = NUMBERS.add((float) done);
+                    FloatVector here =
+                            k.add((float) weights.depth.first).mul(stepZ).add(weights.depth.z);
+                    FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
+                    VectorMask<Float> nearer = here.compare(VectorOperators.LT, there);
+                    VectorMask<Float> beyond = NUMBERS.compare(VectorOperators.GE, (float) left);
+                    all = nearer.or(beyond).allTrue();
+                    if (all) {
+                        if (early) here.blend(there, beyond).intoArray(depth, cell);
+                        else here.intoArray(batch.depth, kept);
+                        WHOLE_NUMBERS.add(cell).intoArray(batch.cell, kept);
+                        k.mul(toB).add(weights.rowB).intoArray(batch.weightB, kept);
+                        k.mul(toC).add(weights.rowC).intoArray(batch.weightC, kept);
+                        kept += Math.min(LANES, left);
+                    } else any = nearer.anyTrue();
+                }
+                if (!all && any) {
+                    batch.count = kept;
+                    int few = Math.min(LANES, left);
+                    PlainLoops.collect(depth, weights, cell, done, few, early, batch);
+                    kept = batch.count;
+                }
             }
-            if (early) here.blend(there, beyond).intoArray(depth, cell + done);
-            else here.intoArray(batch.depth, kept);
-            WHOLE_NUMBERS.add(cell + done).intoArray(cells, kept);
-            k.mul(toB).add(rowB).intoArray(weightB, kept);
-            k.mul(toC).add(rowC).intoArray(weightC, kept);
-            kept += left;
+            done += LANES;
+            if (left <= LANES) {
+                row++;
+                done = 0;
+            }
         }
+        weights.row = row;
+        weights.done = done;
         batch.count = kept;
-    }
-
-    @Override
-    public void corners(Scan scan, ScreenVertices v, boolean[] affine, int n, float[] corners) {
-        plain.corners(scan, v, affine, n, corners);
     }
 
     @Override
     public void between(PixelBatch batch, float[][] to, float[] corners, int n, int first) {
         int k = 0;
-        for (; k + 3 <= n; k += 3) three(batch, first, to[k], to[k + 1], to[k + 2], corners, k);
+        for (; k + 3 <= n; k += 3)
+            threeInLanes(batch, first, to[k], to[k + 1], to[k + 2], corners, k);
         for (; k < n; k++)
-            one(batch, first, to[k], corners[k], corners[VALUES + k], corners[2 * VALUES + k]);
+            oneInLanes(
+                    batch, first, to[k], corners[k], corners[VALUES + k], corners[2 * VALUES + k]);
     }
 
-    private static void one(PixelBatch batch, int first, float[] to, float a, float b, float c) {
+    private static void oneInLanes(
+            PixelBatch batch, int first, float[] to, float a, float b, float c) {
         for (int i = first; i < batch.count; i += LANES)
             FloatVector.fromArray(FLOATS, batch.weightB, i)
                     .mul(b)
@@ -180,7 +187,7 @@ final class VectorLoops implements RowLoops {
     }
 
     /** Three at a time read the weights once. */
-    private static void three(
+    private static void threeInLanes(
             PixelBatch batch,
             int first,
             float[] to0,
@@ -207,20 +214,18 @@ final class VectorLoops implements RowLoops {
     }
 
     @Override
-    public void fill(PixelBatch batch, float[] to, int first, float value) {
-        FloatVector values = FloatVector.broadcast(FLOATS, value);
-        for (int i = first; i < batch.count; i += LANES) values.intoArray(to, i);
+    public void pack(PixelBatch batch, float[] red, float[] green, float[] blue) {
+        packInLanes(batch.count, red, green, blue, batch.argb);
     }
 
-    @Override
-    public void pack(PixelBatch batch, float[] red, float[] green, float[] blue) {
-        for (int i = 0; i < batch.count; i += LANES)
+    private static void packInLanes(int n, float[] red, float[] green, float[] blue, int[] argb) {
+        for (int i = 0; i < n; i += LANES)
             level(red, i)
                     .lanewise(VectorOperators.LSHL, 16)
                     .or(level(green, i).lanewise(VectorOperators.LSHL, 8))
                     .or(level(blue, i))
                     .or(0xFF000000)
-                    .intoArray(batch.argb, i);
+                    .intoArray(argb, i);
     }
 
     /** The nearest level in the lowest bits, as {@link SmoothFill#argb} finds it. */

@@ -14,6 +14,7 @@ import jdk.incubator.vector.VectorSpecies;
  */
 final class VectorRows {
     private static final VectorSpecies<Double> FOUR = DoubleVector.SPECIES_256;
+    private static final int LANES = FOUR.length();
     private static final DoubleVector NUMBERS =
             DoubleVector.fromArray(FOUR, new double[] {0, 1, 2, 3}, 0);
 
@@ -43,48 +44,99 @@ final class VectorRows {
         double perA = -1.0 / s.stepA;
         double perB = -1.0 / s.stepB;
         double perC = -1.0 / s.stepC;
-        double firstA = beginA ? perA : 0;
-        double firstB = beginB ? perB : 0;
-        double firstC = beginC ? perC : 0;
-        double endA = beginA ? 0 : perA;
-        double endB = beginB ? 0 : perB;
-        double endC = beginC ? 0 : perC;
-        double noEndA = beginA ? NO_END : 0;
-        double noEndB = beginB ? NO_END : 0;
-        double noEndC = beginC ? NO_END : 0;
-        double stepB = s.stepB;
-        double stepC = s.stepC;
-        DoubleVector width = DoubleVector.broadcast(FOUR, s.boxRight - s.boxLeft - 0.25);
-        DoubleVector eA = NUMBERS.mul(s.downA).add(s.rowA + 0.5);
-        DoubleVector eB = NUMBERS.mul(s.downB).add(s.rowB + 0.5);
-        DoubleVector eC = NUMBERS.mul(s.downC).add(s.rowC + 0.5);
-        for (int row = 0; row < s.rows; row += FOUR.length()) {
-            DoubleVector first =
-                    ceil(least(most(most(eA.mul(firstA), eB.mul(firstB)), eC.mul(firstC)), width));
-            DoubleVector end =
-                    ceil(
-                            least(
-                                    least(eA.mul(endA).add(noEndA), eB.mul(endB).add(noEndB)),
-                                    least(eC.mul(endC).add(noEndC), width)));
-            first.intoArray(from, row);
-            end.sub(first).intoArray(count, row);
-            first.mul(stepB).add(eB.sub(s.ownB + 0.5)).intoArray(s.edgeB, row);
-            first.mul(stepC).add(eC.sub(s.ownC + 0.5)).intoArray(s.edgeC, row);
-            eA = eA.add(4.0 * s.downA);
-            eB = eB.add(4.0 * s.downB);
-            eC = eC.add(4.0 * s.downC);
-        }
+        double width = s.boxRight - s.boxLeft - 0.25;
+        firstsInLanes(s, beginA ? perA : 0, beginB ? perB : 0, beginC ? perC : 0, width);
+        countsInLanes(
+                s,
+                beginA ? 0 : perA,
+                beginB ? 0 : perB,
+                beginC ? 0 : perC,
+                beginA ? NO_END : 0,
+                beginB ? NO_END : 0,
+                beginC ? NO_END : 0,
+                width);
+        edgesInLanes(s);
         for (int row = 0; row < s.rows; row++) {
             s.left[row] = s.boxLeft + (int) from[row];
             s.count[row] = Math.max(0, (int) count[row]);
         }
     }
 
+    private void firstsInLanes(
+            TriangleScan s, double perA, double perB, double perC, double width) {
+        double[] to = from;
+        int rows = s.rows;
+        double downA = s.downA;
+        double downB = s.downB;
+        double downC = s.downC;
+        double rowA = s.rowA + 0.5;
+        double rowB = s.rowB + 0.5;
+        double rowC = s.rowC + 0.5;
+        for (int row = 0; row < rows; row += LANES) {
+            DoubleVector down = NUMBERS.add(row);
+            DoubleVector a = down.mul(downA).add(rowA).mul(perA);
+            DoubleVector b = down.mul(downB).add(rowB).mul(perB);
+            DoubleVector c = down.mul(downC).add(rowC).mul(perC);
+            DoubleVector end = DoubleVector.broadcast(FOUR, width);
+            ceil(least(most(most(a, b), c), end)).intoArray(to, row);
+        }
+    }
+
+    private void countsInLanes(
+            TriangleScan s,
+            double perA,
+            double perB,
+            double perC,
+            double noEndA,
+            double noEndB,
+            double noEndC,
+            double width) {
+        double[] first = from;
+        double[] to = count;
+        int rows = s.rows;
+        double downA = s.downA;
+        double downB = s.downB;
+        double downC = s.downC;
+        double rowA = s.rowA + 0.5;
+        double rowB = s.rowB + 0.5;
+        double rowC = s.rowC + 0.5;
+        for (int row = 0; row < rows; row += LANES) {
+            DoubleVector down = NUMBERS.add(row);
+            DoubleVector a = down.mul(downA).add(rowA).mul(perA).add(noEndA);
+            DoubleVector b = down.mul(downB).add(rowB).mul(perB).add(noEndB);
+            DoubleVector c = down.mul(downC).add(rowC).mul(perC).add(noEndC);
+            DoubleVector end = DoubleVector.broadcast(FOUR, width);
+            ceil(least(least(a, b), least(c, end)))
+                    .sub(DoubleVector.fromArray(FOUR, first, row))
+                    .intoArray(to, row);
+        }
+    }
+
+    /** The edge functions at each row's first pixel. */
+    private void edgesInLanes(TriangleScan s) {
+        double[] first = from;
+        double[] edgeB = s.edgeB;
+        double[] edgeC = s.edgeC;
+        int rows = s.rows;
+        double downB = s.downB;
+        double downC = s.downC;
+        double stepB = s.stepB;
+        double stepC = s.stepC;
+        double cornerB = s.cornerB();
+        double cornerC = s.cornerC();
+        for (int row = 0; row < rows; row += LANES) {
+            DoubleVector down = NUMBERS.add(row);
+            DoubleVector right = DoubleVector.fromArray(FOUR, first, row);
+            right.mul(stepB).add(down.mul(downB).add(cornerB)).intoArray(edgeB, row);
+            right.mul(stepC).add(down.mul(downC).add(cornerC)).intoArray(edgeC, row);
+        }
+    }
+
     /** Finds what {@link LinearColors#at} finds, for all rows. */
-    void start(TriangleScan s, LinearColors c) {
+    void startInLanes(TriangleScan s, LinearColors c) {
         double inverse = s.inverseArea;
         RowDepth d = c.depth;
-        for (int row = 0; row < s.rows; row += FOUR.length()) {
+        for (int row = 0; row < s.rows; row += LANES) {
             DoubleVector weightB = DoubleVector.fromArray(FOUR, s.edgeB, row).mul(inverse);
             DoubleVector weightC = DoubleVector.fromArray(FOUR, s.edgeC, row).mul(inverse);
             weightB.mul(d.zb).add(d.za).add(weightC.mul(d.zc)).intoArray(z, row);

@@ -10,8 +10,7 @@ import jdk.incubator.vector.VectorSpecies;
  * What {@link TinyScan#look} and {@link TinyFill#smooth} do, a row of the box at a time. One per
  * thread.
  *
- * <p>Depths and colours have a loop each: Java 17 makes objects of vectors in a method with many
- * more operations than these have.
+ * <p>Depths, divisions and colours have a loop each, as {@link VectorLoops} explains.
  */
 final class VectorTiny {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -32,12 +31,13 @@ final class VectorTiny {
 
     void draw(DepthRaster out, TinyScan scan, ScreenVertices v) {
         corners.load(scan, v);
-        writeDepths(out.depth(), out.width(), scan, corners);
-        writeColors(out.raster().argb(), out.width(), scan, corners);
+        depthsInLanes(out.depth(), out.width(), scan, corners);
+        sharesInLanes(scan.rows, corners);
+        colorsInLanes(out.raster().argb(), out.width(), scan, corners);
     }
 
     /** Half a unit more makes a number of every edge function that has a sign. */
-    private void writeDepths(float[] depth, int width, TinyScan scan, SmoothCorners at) {
+    private void depthsInLanes(float[] depth, int width, TinyScan scan, SmoothCorners at) {
         FloatVector columnsA = NUMBERS.mul(scan.stepA).add(0.5f);
         FloatVector columnsB = NUMBERS.mul(scan.stepB);
         FloatVector columnsC = NUMBERS.mul(scan.stepC);
@@ -67,15 +67,23 @@ final class VectorTiny {
         }
     }
 
-    private void writeColors(int[] argb, int width, TinyScan scan, SmoothCorners at) {
-        for (int row = 0; row < scan.rows; row++) {
-            int cell = scan.at + row * width;
-            FloatVector weightB = FloatVector.fromArray(FLOATS, weightsB, row * LANES);
-            FloatVector weightC = FloatVector.fromArray(FLOATS, weightsC, row * LANES);
+    /** Makes weights those in space, each pixel's by a division. */
+    private void sharesInLanes(int rows, SmoothCorners at) {
+        for (int i = 0; i < rows * LANES; i += LANES) {
+            FloatVector weightB = FloatVector.fromArray(FLOATS, weightsB, i);
+            FloatVector weightC = FloatVector.fromArray(FLOATS, weightsC, i);
             FloatVector q = weightB.mul(at.qb).add(at.qa).add(weightC.mul(at.qc));
             FloatVector w = FloatVector.broadcast(FLOATS, 1).div(q);
-            FloatVector shareB = weightB.mul(at.ofB).mul(w);
-            FloatVector shareC = weightC.mul(at.ofC).mul(w);
+            weightB.mul(at.ofB).mul(w).intoArray(weightsB, i);
+            weightC.mul(at.ofC).mul(w).intoArray(weightsC, i);
+        }
+    }
+
+    private void colorsInLanes(int[] argb, int width, TinyScan scan, SmoothCorners at) {
+        for (int row = 0; row < scan.rows; row++) {
+            int cell = scan.at + row * width;
+            FloatVector shareB = FloatVector.fromArray(FLOATS, weightsB, row * LANES);
+            FloatVector shareC = FloatVector.fromArray(FLOATS, weightsC, row * LANES);
             FloatVector red = shareB.mul(at.rb).add(at.ra).add(shareC.mul(at.rc));
             FloatVector green = shareB.mul(at.gb).add(at.ga).add(shareC.mul(at.gc));
             FloatVector blue = shareB.mul(at.bb).add(at.ba).add(shareC.mul(at.bc));

@@ -1,11 +1,11 @@
 package rasterlab.tests.bench.pipeline;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.Surface;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
@@ -44,7 +44,7 @@ final class HeapBench {
     private static boolean ended() {
         String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         var command = new ArrayList<>(List.of(java, HEAP));
-        if (Lanes.best() == Lanes.EIGHT) command.add("--add-modules=jdk.incubator.vector");
+        command.addAll(vectorOptions());
         command.addAll(
                 List.of("-cp", System.getProperty("java.class.path"), HeapBench.class.getName()));
         try {
@@ -58,5 +58,15 @@ final class HeapBench {
             Thread.currentThread().interrupt();
             return false;
         }
+    }
+
+    /** What this process was started with for the Vector API. */
+    private static List<String> vectorOptions() {
+        return ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
+                .filter(
+                        option ->
+                                option.startsWith("--add-modules")
+                                        || option.startsWith("-XX:CompileCommand"))
+                .toList();
     }
 }
