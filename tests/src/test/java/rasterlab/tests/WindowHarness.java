@@ -15,6 +15,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.ComponentLookupScope;
@@ -79,8 +81,19 @@ abstract class WindowHarness {
                         });
         window = new FrameFixture(robot, frame);
         window.show(new Dimension(1280, 720));
-        await("the window has the keyboard", () -> frame.isFocused());
+        var asked = new AtomicLong(System.nanoTime());
+        await("the window has the keyboard", () -> hasKeyboard(asked));
         robot.waitForIdle();
+    }
+
+    /** A display without a window manager may refuse a window that is not seen yet: asks again. */
+    private boolean hasKeyboard(AtomicLong asked) {
+        if (frame.isFocused()) return true;
+        if (System.nanoTime() - asked.get() > TimeUnit.SECONDS.toNanos(2)) {
+            GuiActionRunner.execute(() -> frame.requestFocus());
+            asked.set(System.nanoTime());
+        }
+        return false;
     }
 
     @AfterEach
