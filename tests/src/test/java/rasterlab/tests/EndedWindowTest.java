@@ -21,6 +21,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabSettings;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.SettingsFile;
+import rasterlab.tests.bench.JavaCommand;
 
 /** What is left of a window whose process is ended from outside. */
 @Timeout(120)

@@ -23,6 +23,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabLook;
 import rasterlab.app.shell.LabSettings;
 import rasterlab.app.shell.SettingsFile;
+import rasterlab.tests.bench.JavaCommand;
 
 /** The window of a program that was left at a tab. */
 @Timeout(120)

@@ -10,6 +10,9 @@ import jdk.incubator.vector.VectorSpecies;
  * Eight places at a time, each looked up as {@link PlainTexels} looks it up; the last few one by
  * one. Eight may reach beyond the places of a level into those of the next one, whose turn comes
  * later.
+ *
+ * <p>Each loop is a method of its own with at most fifty operations on vectors: of more the
+ * compiler would make objects.
  */
 final class VectorTexels implements TexelLoops {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -189,26 +192,14 @@ final class VectorTexels implements TexelLoops {
             IntVector a = IntVector.fromArray(INTS, left, i);
             IntVector b = IntVector.fromArray(INTS, right, i);
             IntVector share = IntVector.fromArray(INTS, toRight, i);
-            IntVector even = a.and(LEVELS);
-            b.and(LEVELS)
-                    .sub(even)
-                    .mul(share)
-                    .add(even.lanewise(VectorOperators.LSHL, PARTS))
-                    .add(HALVES)
-                    .lanewise(VectorOperators.LSHR, PARTS)
-                    .and(LEVELS)
-                    .intoArray(left, i);
-            IntVector odd = a.lanewise(VectorOperators.LSHR, 8).and(LEVELS);
-            b.lanewise(VectorOperators.LSHR, 8)
-                    .and(LEVELS)
-                    .sub(odd)
-                    .mul(share)
-                    .add(odd.lanewise(VectorOperators.LSHL, PARTS))
-                    .add(HALVES)
-                    .lanewise(VectorOperators.LSHR, PARTS)
-                    .and(LEVELS)
-                    .intoArray(right, i);
+            mixed(a.and(LEVELS), b.and(LEVELS), share).intoArray(left, i);
+            mixed(odd(a), odd(b), share).intoArray(right, i);
         }
+    }
+
+    /** Alpha and green, where red and blue are. */
+    private static IntVector odd(IntVector argb) {
+        return argb.lanewise(VectorOperators.LSHR, 8).and(LEVELS);
     }
 
     /**
@@ -217,17 +208,22 @@ final class VectorTexels implements TexelLoops {
      * @param shares the lowest eight bits count
      */
     private static void mixPairInLanes(int n, int[] pair, int[] other, int[] shares) {
-        for (int i = 0; i < n; i += LANES) {
-            IntVector a = IntVector.fromArray(INTS, pair, i);
-            IntVector.fromArray(INTS, other, i)
-                    .sub(a)
-                    .mul(IntVector.fromArray(INTS, shares, i).and(WHOLE - 1))
-                    .add(a.lanewise(VectorOperators.LSHL, PARTS))
-                    .add(HALVES)
-                    .lanewise(VectorOperators.LSHR, PARTS)
-                    .and(LEVELS)
+        for (int i = 0; i < n; i += LANES)
+            mixed(
+                            IntVector.fromArray(INTS, pair, i),
+                            IntVector.fromArray(INTS, other, i),
+                            IntVector.fromArray(INTS, shares, i).and(WHOLE - 1))
                     .intoArray(pair, i);
-        }
+    }
+
+    /** Of two pairs of channels a pair, a share of b and the rest of a. */
+    private static IntVector mixed(IntVector a, IntVector b, IntVector share) {
+        return b.sub(a)
+                .mul(share)
+                .add(a.lanewise(VectorOperators.LSHL, PARTS))
+                .add(HALVES)
+                .lanewise(VectorOperators.LSHR, PARTS)
+                .and(LEVELS);
     }
 
     @Override

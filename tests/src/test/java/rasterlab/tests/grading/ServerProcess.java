@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import rasterlab.tests.JavaCommand;
+import rasterlab.tests.bench.JavaCommand;
 
 /**
  * {@code ./lab grader serve} as a real child process on a free port.

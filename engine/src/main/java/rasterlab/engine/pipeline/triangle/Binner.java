@@ -69,14 +69,16 @@ final class Binner {
         bottom = Math.min(bottom, frame.out.height());
         if (top >= bottom || Math.max(left, 0) >= Math.min(right, frame.out.width())) return;
         v.need(a, b, c);
-        int made = v == chunk.clipped ? -1 : 0;
-        add(a ^ made, b ^ made, c ^ made, top, bottom - 1, chunk);
+        // A vertex that clipping made is kept as its complement ~v, which is v ^ −1.
+        int complement = v == chunk.clipped ? -1 : 0;
+        add(a ^ complement, b ^ complement, c ^ complement, top, bottom - 1, chunk);
     }
 
     /**
-     * @param top row of pixels, in the picture
+     * @param firstRow of pixels, in the picture
+     * @param lastRow the last one that the triangle touches
      */
-    private void add(int a, int b, int c, int top, int bottom, TriangleChunk chunk) {
+    private void add(int a, int b, int c, int firstRow, int lastRow, TriangleChunk chunk) {
         if (kept == firstBand.length) {
             corners = Arrays.copyOf(corners, 6 * kept);
             firstBand = Arrays.copyOf(firstBand, 2 * kept);
@@ -85,8 +87,8 @@ final class Binner {
         corners[3 * kept] = a;
         corners[3 * kept + 1] = b;
         corners[3 * kept + 2] = c;
-        int first = top / TriangleScan.ROWS;
-        int last = bottom / TriangleScan.ROWS;
+        int first = firstRow / TriangleScan.ROWS;
+        int last = lastRow / TriangleScan.ROWS;
         firstBand[kept] = first;
         lastBand[kept++] = last;
         for (int band = first; band <= last; band++) chunk.start[band + 1]++;
@@ -128,10 +130,12 @@ final class Binner {
                     (float) nearness);
         }
         for (int i = 0; i < frame.attributeCount; i++)
-            to.attributes[to.stride * at + i] =
+            to.putAttribute(
+                    i,
+                    at,
                     frame.flatColors && Frame.isColor(frame.attribute[i])
                             ? frame.vertices.attribute(i, third)
-                            : (float) polygon.attribute(k, i);
+                            : (float) polygon.attribute(k, i));
     }
 
     /** A counting sort: bands in order, within a band the order of {@link #add}. */

@@ -79,9 +79,9 @@ final class LinearColors {
     }
 
     void load(TriangleScan scan, ScreenVertices v) {
-        int a = v.stride * scan.a;
-        int b = v.stride * scan.b;
-        int c = v.stride * scan.c;
+        int a = v.at(scan.a);
+        int b = v.at(scan.b);
+        int c = v.at(scan.c);
         float[] rgb = v.attributes;
         depth.load(scan, v);
         ra = rgb[a] * ONE + HALF;

@@ -32,7 +32,8 @@ interface RowLoops {
 
     /**
      * Adds pixels to a batch that are nearer than what is there, from where the weights' row is,
-     * until the triangle has no more or the batch has no room for {@link #MOST_LANES}.
+     * until the triangle has no more or the batch has less room than for {@link #MOST_LANES}; it
+     * may be filled further.
      *
      * @param early whether their depth is written at once
      */

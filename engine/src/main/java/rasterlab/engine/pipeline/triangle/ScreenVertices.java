@@ -8,13 +8,13 @@ final class ScreenVertices {
     static final int GROUP = 32;
 
     /** Of each vertex x and y, in steps of 1/256 pixel; see {@link Subpixels}. */
-    int[] places = new int[0];
+    private int[] places = new int[0];
 
     /**
      * Of each vertex its depth, 0 at the near plane and 1 at the far plane, and its nearness 1/w;
      * both are linear on the picture.
      */
-    float[] depths = new float[0];
+    private float[] depthsAndNearness = new float[0];
 
     /** See {@link ClipCode}. */
     short[] code = new short[0];
@@ -46,22 +46,31 @@ final class ScreenVertices {
     }
 
     float depth(int vertex) {
-        return depths[2 * vertex];
+        return depthsAndNearness[2 * vertex];
     }
 
     float nearness(int vertex) {
-        return depths[2 * vertex + 1];
+        return depthsAndNearness[2 * vertex + 1];
+    }
+
+    /** Where a vertex's attributes begin. */
+    int at(int vertex) {
+        return stride * vertex;
     }
 
     float attribute(int k, int vertex) {
-        return attributes[stride * vertex + k];
+        return attributes[at(vertex) + k];
+    }
+
+    void putAttribute(int k, int vertex, float value) {
+        attributes[at(vertex) + k] = value;
     }
 
     void put(int vertex, int x, int y, float depth, float nearness) {
         places[2 * vertex] = x;
         places[2 * vertex + 1] = y;
-        depths[2 * vertex] = depth;
-        depths[2 * vertex + 1] = nearness;
+        depthsAndNearness[2 * vertex] = depth;
+        depthsAndNearness[2 * vertex + 1] = nearness;
     }
 
     /** Forgets all vertices and makes room for others. */
@@ -70,19 +79,16 @@ final class ScreenVertices {
         ensure(vertices);
     }
 
-    /** Makes room; what was there stays. */
+    /** Makes room; what was there stays, but what vertices are needed. */
     void ensure(int vertices) {
+        int room = code.length;
+        if (room < vertices) room = Math.max(vertices, room + (room >> 1));
         if (attributes.length < vertices * stride)
-            attributes = Arrays.copyOf(attributes, more(vertices) * stride);
-        if (code.length >= vertices) return;
-        int room = more(vertices);
+            attributes = Arrays.copyOf(attributes, room * stride);
+        if (room == code.length) return;
         places = Arrays.copyOf(places, 2 * room);
-        depths = Arrays.copyOf(depths, 2 * room);
+        depthsAndNearness = Arrays.copyOf(depthsAndNearness, 2 * room);
         code = Arrays.copyOf(code, room);
         needed = new boolean[room / GROUP + 1];
-    }
-
-    private int more(int vertices) {
-        return Math.max(vertices, code.length + (code.length >> 1));
     }
 }

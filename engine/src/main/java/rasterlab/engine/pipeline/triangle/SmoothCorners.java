@@ -40,9 +40,9 @@ final class SmoothCorners {
         qb = ofB - qa;
         qc = ofC - qa;
         float[] rgb = v.attributes;
-        int atA = v.stride * a;
-        int atB = v.stride * b;
-        int atC = v.stride * c;
+        int atA = v.at(a);
+        int atB = v.at(b);
+        int atC = v.at(c);
         ra = rgb[atA];
         rb = rgb[atB] - ra;
         rc = rgb[atC] - ra;

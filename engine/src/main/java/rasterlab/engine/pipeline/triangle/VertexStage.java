@@ -53,7 +53,7 @@ final class VertexStage {
     private void fill(Frame frame, int from, int end) {
         block.count = end - from;
         toEye(frame, from);
-        keepPlaces(frame, from);
+        putPlaces(frame, from);
         if (frame.hasColors()) color(frame, from);
     }
 
@@ -138,30 +138,33 @@ final class VertexStage {
     }
 
     /** What is no colour, before the colours are made of it. */
-    private void keepPlaces(Frame frame, int from) {
+    private void putPlaces(Frame frame, int from) {
         for (int k = 0; k < frame.attributeCount; k++) {
             VertexQuantity quantity = frame.attribute[k];
             if (Frame.isColor(quantity)) return;
             ScreenVertices to = frame.vertices;
             switch (quantity) {
-                case X -> keep(block.x, 0, to, k, from);
-                case Y -> keep(block.y, 0, to, k, from);
-                case Z -> keep(block.z, 0, to, k, from);
-                case NORMAL_X -> keep(block.nx, 0, to, k, from);
-                case NORMAL_Y -> keep(block.ny, 0, to, k, from);
-                case NORMAL_Z -> keep(block.nz, 0, to, k, from);
-                default -> keep(frame.mesh.values(quantity), from, to, k, from);
+                case X -> put(to, k, block.x, 0, from);
+                case Y -> put(to, k, block.y, 0, from);
+                case Z -> put(to, k, block.z, 0, from);
+                case NORMAL_X -> put(to, k, block.nx, 0, from);
+                case NORMAL_Y -> put(to, k, block.ny, 0, from);
+                case NORMAL_Z -> put(to, k, block.nz, 0, from);
+                default -> put(to, k, frame.mesh.values(quantity), from, from);
             }
         }
     }
 
     /**
-     * Makes attribute {@code k} of the block's vertices of {@code values} from {@code first} on.
+     * Writes attribute k of the block's vertices.
+     *
+     * @param first where their values begin
+     * @param from the block's first vertex
      */
-    private void keep(float[] values, int first, ScreenVertices to, int k, int from) {
+    private void put(ScreenVertices to, int k, float[] values, int first, int from) {
         float[] attributes = to.attributes;
         int stride = to.stride;
-        int at = stride * from + k;
+        int at = to.at(from) + k;
         for (int i = 0; i < block.count; i++) attributes[at + stride * i] = values[first + i];
     }
 
@@ -174,10 +177,10 @@ final class VertexStage {
         float most = frame.surface instanceof Surface.PerPixel ? 1 : 255;
         for (int k = 0; k < frame.attributeCount; k++)
             switch (frame.attribute[k]) {
-                case RED -> keep(cut(block.red, most), 0, frame.vertices, k, from);
-                case GREEN -> keep(cut(block.green, most), 0, frame.vertices, k, from);
-                case BLUE -> keep(cut(block.blue, most), 0, frame.vertices, k, from);
-                case ALPHA -> keep(cut(block.alpha, most), 0, frame.vertices, k, from);
+                case RED -> putShares(frame.vertices, k, block.red, most, from);
+                case GREEN -> putShares(frame.vertices, k, block.green, most, from);
+                case BLUE -> putShares(frame.vertices, k, block.blue, most, from);
+                case ALPHA -> putShares(frame.vertices, k, block.alpha, most, from);
                 default -> {}
             }
     }
@@ -187,9 +190,14 @@ final class VertexStage {
         else Arrays.fill(out, 0, block.count, 1);
     }
 
-    private float[] cut(float[] channel, float most) {
+    /**
+     * Writes a channel of the block's vertices, cut to its range.
+     *
+     * @param most what the share 1 becomes
+     */
+    private void putShares(ScreenVertices to, int k, float[] channel, float most, int from) {
         for (int i = 0; i < block.count; i++)
             channel[i] = most * Math.max(0, Math.min(1, channel[i]));
-        return channel;
+        put(to, k, channel, 0, from);
     }
 }

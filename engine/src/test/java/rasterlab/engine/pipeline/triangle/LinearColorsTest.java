@@ -54,7 +54,7 @@ class LinearColorsTest {
             int x = along + random.nextInt(thick);
             int y = 20 * Subpixels.ONE - along + random.nextInt(thick);
             v.put(k, x, y, random.nextFloat(), 1);
-            for (int i = 0; i < 3; i++) v.attributes[3 * k + i] = random.nextInt(256);
+            for (int i = 0; i < 3; i++) v.putAttribute(i, k, random.nextInt(256));
         }
     }
 

@@ -202,7 +202,8 @@ class RowLoopsTest {
     }
 
     private ScreenVertices colored(ScreenVertices v) {
-        for (int k = 0; k < 9; k++) v.attributes[k] = random.nextInt(256);
+        for (int vertex = 0; vertex < 3; vertex++)
+            for (int k = 0; k < 3; k++) v.putAttribute(k, vertex, random.nextInt(256));
         return v;
     }
 

@@ -10,16 +10,13 @@ import jdk.incubator.vector.VectorSpecies;
  * thread.
  *
  * <p>The edge functions are whole numbers below 2⁵², so doubles hold them, and a half more,
- * exactly.
+ * exactly. Several loops, as {@link VectorLoops} explains.
  */
 final class VectorRows {
     private static final VectorSpecies<Double> FOUR = DoubleVector.SPECIES_256;
     private static final int LANES = FOUR.length();
     private static final DoubleVector NUMBERS =
             DoubleVector.fromArray(FOUR, new double[] {0, 1, 2, 3}, 0);
-
-    /** Added and taken away again it rounds to the nearest whole number. */
-    private static final double ROUND = 0x1.8p52;
 
     /** Above every number of pixels. */
     private static final double NO_END = 0x1p20;
@@ -46,15 +43,7 @@ final class VectorRows {
         double perC = -1.0 / s.stepC;
         double width = s.boxRight - s.boxLeft - 0.25;
         firstsInLanes(s, beginA ? perA : 0, beginB ? perB : 0, beginC ? perC : 0, width);
-        countsInLanes(
-                s,
-                beginA ? 0 : perA,
-                beginB ? 0 : perB,
-                beginC ? 0 : perC,
-                beginA ? NO_END : 0,
-                beginB ? NO_END : 0,
-                beginC ? NO_END : 0,
-                width);
+        countsInLanes(s, beginA ? 0 : perA, beginB ? 0 : perB, beginC ? 0 : perC, width);
         edgesInLanes(s);
         for (int row = 0; row < s.rows; row++) {
             s.left[row] = s.boxLeft + (int) from[row];
@@ -83,14 +72,10 @@ final class VectorRows {
     }
 
     private void countsInLanes(
-            TriangleScan s,
-            double perA,
-            double perB,
-            double perC,
-            double noEndA,
-            double noEndB,
-            double noEndC,
-            double width) {
+            TriangleScan s, double perA, double perB, double perC, double width) {
+        double noEndA = perA == 0 ? NO_END : 0;
+        double noEndB = perB == 0 ? NO_END : 0;
+        double noEndC = perC == 0 ? NO_END : 0;
         double[] first = from;
         double[] to = count;
         int rows = s.rows;
@@ -150,9 +135,9 @@ final class VectorRows {
         return value.add(LinearColors.ROUND).reinterpretAsLongs();
     }
 
-    /** The least whole number above k, which is none unless it is 0. */
+    /** ⌈k⌉ of a k that is 0 or no whole number. */
     private static DoubleVector ceil(DoubleVector k) {
-        return k.add(0.5).add(ROUND).sub(ROUND);
+        return k.add(0.5).add(LinearColors.ROUND).sub(LinearColors.ROUND);
     }
 
     /** As max has it but for what no edge is: −0 and numbers that are none cost it much. */

@@ -25,7 +25,7 @@ final class FillBench {
     private final int turns;
 
     FillBench(boolean quick) {
-        turns = quick ? 3 : 10;
+        turns = Turns.count(quick);
     }
 
     /**

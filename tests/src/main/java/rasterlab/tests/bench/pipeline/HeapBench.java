@@ -2,13 +2,13 @@ package rasterlab.tests.bench.pipeline;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.Surface;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.tests.bench.JavaCommand;
 
 /** A million triangles in a process of its own whose heap is small. */
 final class HeapBench {
@@ -42,11 +42,9 @@ final class HeapBench {
 
     /** Whether the process did its work; what it says is shown. */
     private static boolean ended() {
-        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        var command = new ArrayList<>(List.of(java, HEAP));
-        command.addAll(vectorOptions());
-        command.addAll(
-                List.of("-cp", System.getProperty("java.class.path"), HeapBench.class.getName()));
+        var options = new ArrayList<>(vectorOptions());
+        options.add(HEAP);
+        var command = JavaCommand.of(options, HeapBench.class.getName(), List.of());
         try {
             Process process = new ProcessBuilder(command).inheritIO().start();
             if (process.waitFor(5, TimeUnit.MINUTES)) return process.exitValue() == 0;

@@ -20,7 +20,7 @@ final class OwnBench {
     private final int turns;
 
     OwnBench(boolean quick) {
-        turns = quick ? 3 : 10;
+        turns = Turns.count(quick);
     }
 
     /** Two fills of plain arrays are what memory allows; the goal is 1.1 times their time. */

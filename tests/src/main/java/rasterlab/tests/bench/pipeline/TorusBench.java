@@ -7,12 +7,10 @@ import rasterlab.engine.pipeline.triangle.Surface;
 
 /** A torus by the pipeline and by OpenGL: clear, light, texture, draw, finish. */
 final class TorusBench {
-    private static final int TURNS = 10;
-
     private final int turns;
 
     TorusBench(boolean quick) {
-        turns = quick ? TURNS / 4 : TURNS;
+        turns = Turns.count(quick);
     }
 
     /** One row for each way, the goal in the first one's. */

@@ -20,6 +20,11 @@ final class Turns {
 
     private final double[][] millis;
 
+    /** How many turns make a measurement. */
+    static int count(boolean quick) {
+        return quick ? 3 : 10;
+    }
+
     /**
      * @param turns how many turns each has, after it has warmed up
      */

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import rasterlab.app.Main;
+import rasterlab.tests.bench.JavaCommand;
 
 /** Starts the lab in a process of its own and tells how long it took to show its first tab. */
 final class StartUp {
@@ -52,14 +53,12 @@ final class StartUp {
         Path settings = folder.resolve("window.properties");
         Process process =
                 new ProcessBuilder(
-                                List.of(
-                                        Path.of(System.getProperty("java.home"), "bin", "java")
-                                                .toString(),
-                                        "@" + options(),
-                                        "-Drasterlab.settings=" + settings,
-                                        "-cp",
-                                        System.getProperty("java.class.path"),
-                                        StartUp.class.getName()))
+                                JavaCommand.of(
+                                        List.of(
+                                                "@" + options(),
+                                                "-Drasterlab.settings=" + settings),
+                                        StartUp.class.getName(),
+                                        List.of()))
                         .redirectError(ProcessBuilder.Redirect.INHERIT)
                         .start();
         try {

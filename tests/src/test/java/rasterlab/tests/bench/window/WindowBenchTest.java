@@ -11,9 +11,9 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import rasterlab.tests.ChildProcess;
-import rasterlab.tests.JavaCommand;
 import rasterlab.tests.OwnDisplay;
 import rasterlab.tests.Repository;
+import rasterlab.tests.bench.JavaCommand;
 
 @ExtendWith(OwnDisplay.class)
 class WindowBenchTest {

@@ -1,4 +1,4 @@
-package rasterlab.tests;
+package rasterlab.tests.bench;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
