@@ -1,16 +1,21 @@
 package rasterlab.tests;
 
+import static java.util.concurrent.TimeUnit.SECONDS;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.fail;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.GraphicsEnvironment;
+import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -38,13 +43,13 @@ class StartedWindowTest {
 
     @ParameterizedTest(name = "{0} does not open first")
     @ValueSource(strings = {"coordinates", "study", "exercises"})
-    void opensAtTheTabWhereItWasLeft(String tab) throws IOException, InterruptedException {
+    void opensAtTheTabWhereItWasLeft(String tab) throws Exception {
         leaveAt(tab);
         assertEquals(List.of(tab), opened(1));
     }
 
     @Test
-    void tellsWhatCannotBeBroughtBack() throws IOException, InterruptedException {
+    void tellsWhatCannotBeBroughtBack() throws Exception {
         leaveAt("coordinates");
         Files.writeString(folder.resolve("labs.json"), "{");
         String title = Texts.of("shell", Language.ENGLISH).text("problem.title");
@@ -71,7 +76,7 @@ class StartedWindowTest {
     }
 
     /** The first windows of a new process. */
-    private List<String> opened(int windows) throws IOException, InterruptedException {
+    private List<String> opened(int windows) throws Exception {
         Process process =
                 new ProcessBuilder(
                                 JavaCommand.of(
@@ -81,13 +86,27 @@ class StartedWindowTest {
                         .redirectError(ProcessBuilder.Redirect.INHERIT)
                         .start();
         try {
+            BufferedReader output = process.inputReader(StandardCharsets.UTF_8);
             var said = new ArrayList<String>();
-            while (said.size() < windows)
-                said.add(process.inputReader(StandardCharsets.UTF_8).readLine());
+            while (said.size() < windows) {
+                // Nothing interrupts reading from a pipe.
+                String line = CompletableFuture.supplyAsync(() -> next(output)).get(60, SECONDS);
+                if (line == null)
+                    fail("ended with " + process.onExit().get(60, SECONDS).exitValue());
+                said.add(line);
+            }
             return said;
         } finally {
             process.destroyForcibly();
             process.waitFor();
+        }
+    }
+
+    private static String next(BufferedReader output) {
+        try {
+            return output.readLine();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 }

@@ -1,6 +1,7 @@
 package rasterlab.tests;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -267,8 +268,12 @@ class WindowKeysTest extends WindowHarness {
     void tabIndentsInTheEditor() {
         show("exercises");
         focus("source");
+        String before = window.textBox("source").text();
         press(KeyEvent.VK_TAB);
         assertTrue(source().isFocusOwner(), "Tab leaves the editor");
+        String after = window.textBox("source").text();
+        assertNotEquals(before, after);
+        assertEquals(before.replaceAll("\\s", ""), after.replaceAll("\\s", ""));
     }
 
     @ParameterizedTest(name = "F6 stays in the editor, Shift: {0}")

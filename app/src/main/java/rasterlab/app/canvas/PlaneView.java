@@ -152,7 +152,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
 
     /** Draws what {@link #svg} has. */
     public void draw(Graphics2D g) {
-        frame().paint(g, () -> false);
+        frame(map()).paint(g, () -> false);
     }
 
     private void showHandles() {
@@ -187,7 +187,11 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     }
 
     private PlaneMap map() {
-        return chosen.orElseGet(() -> PlaneMap.fitting(framed, besideTheNote(), axes));
+        return map(besideTheNote());
+    }
+
+    private PlaneMap map(Rectangle sight) {
+        return chosen.orElseGet(() -> PlaneMap.fitting(framed, sight, axes));
     }
 
     private Rectangle besideTheNote() {
@@ -195,33 +199,36 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     }
 
     /**
-     * Puts the handles around their points, one whose point is out of sight at the edge, and asks
-     * for the picture when another is due.
+     * Puts the handles around their points, one whose point is out of sight or under the note at
+     * the edge, and asks for the picture when another is due.
      */
     @Override
     public void doLayout() {
         zoom.place();
         pointed.place(getHeight());
-        PlaneMap map = map();
+        Rectangle sight = besideTheNote();
+        int right = sight.x + sight.width;
+        int bottom = sight.y + sight.height;
+        PlaneMap map = map(sight);
         int size = UIScale.scale(22);
         for (PlaneHandle handle : handles)
             handle.setBounds(
-                    Rulers.square(map.viewX(handle.point().x()), Rulers.left(), getWidth(), size),
-                    Rulers.square(map.viewY(handle.point().y()), Rulers.top(), getHeight(), size),
+                    Rulers.square(map.viewX(handle.point().x()), sight.x, right, size),
+                    Rulers.square(map.viewY(handle.point().y()), sight.y, bottom, size),
                     size,
                     size);
-        PlaneFrame due = frame();
+        PlaneFrame due = frame(map);
         if (asked.filter(due::equals).isPresent()) return;
         asked = Optional.of(due);
         frames.ask(due);
     }
 
-    private PlaneFrame frame() {
+    private PlaneFrame frame(PlaneMap map) {
         return new PlaneFrame(
                 picture,
                 points,
                 note,
-                map(),
+                map,
                 getWidth(),
                 getHeight(),
                 DevicePixels.scale(this),

@@ -15,9 +15,10 @@ import java.util.List;
  * smaller type, and cut where that is still too much.
  */
 public final class StageNote {
-    /** View units above the sentence and on both sides of it. */
+    /** View units above the sentence. */
     private static final int ABOVE = 10;
 
+    /** View units on both sides of the sentence. */
     private static final int BESIDE = 14;
 
     /** View units between its lines. */
@@ -91,7 +92,13 @@ public final class StageNote {
         return new Rectangle(inside.x, inside.y + high, inside.width, inside.height - high);
     }
 
+    /**
+     * Paints the lines that there is room for, each on a plate.
+     *
+     * @param g in view units; keeps its font
+     */
     public void paint(Graphics2D g, StageColours colours) {
+        Font before = g.getFont();
         g.setFont(font);
         LineMetrics metrics = font.getLineMetrics("", MEASURE);
         int y = inside.y + ABOVE + Math.round(metrics.getAscent());
@@ -105,5 +112,6 @@ public final class StageNote {
                     colours.ink());
             y += pitch();
         }
+        g.setFont(before);
     }
 }

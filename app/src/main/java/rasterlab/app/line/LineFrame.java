@@ -62,10 +62,15 @@ record LineFrame(
         rulers.paintGrid(g);
         new LinePainter(g, grid, colours, cancelled).paint(drawings, step);
         g.setFont(font.deriveFont(Font.BOLD));
-        var said = new StageNote(note, Rulers.inside(new Dimension(width, height)), font);
+        StageNote said = note(note, new Dimension(width, height), font);
         paintLetters(g, said.below());
         rulers.paintMargins(g);
         said.paint(g, colours);
+    }
+
+    /** A sentence over the picture, beside the rulers. */
+    static StageNote note(String said, Dimension stage, Font label) {
+        return new StageNote(said, Rulers.inside(stage), label);
     }
 
     /**

@@ -24,12 +24,10 @@ import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.ReadOut;
-import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
-import rasterlab.app.canvas.StageNote;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.canvas.Zooming;
@@ -142,13 +140,16 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     }
 
     private PixelGrid grid() {
-        return chosen.orElseGet(() -> LineFraming.of(model.state(), sight()));
+        return grid(sight());
+    }
+
+    private PixelGrid grid(Rectangle sight) {
+        return chosen.orElseGet(() -> LineFraming.of(model.state(), sight));
     }
 
     /** What rulers and the note leave. */
     private Rectangle sight() {
-        var inside = Rulers.inside(getSize());
-        return new StageNote(note(), inside, UIManager.getFont("Label.font")).below();
+        return LineFrame.note(note(), getSize(), UIManager.getFont("Label.font")).below();
     }
 
     private String note() {
@@ -164,9 +165,11 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         zoom.place();
         pointed.place(getHeight());
         Segment segment = model.state().choice().segment();
+        Rectangle sight = sight();
+        PixelGrid grid = grid(sight);
         for (End end : End.values()) {
             EndHandle handle = handles.get(end.ordinal());
-            handle.setBounds(LineFrame.around(end, segment, grid(), sight()));
+            handle.setBounds(LineFrame.around(end, segment, grid, sight));
             handle.getAccessibleContext()
                     .setAccessibleName(
                             texts.text(
@@ -174,18 +177,18 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                                     end.name(),
                                     Shown.point(end.x(segment), end.y(segment), texts.locale())));
         }
-        LineFrame due = frame();
+        LineFrame due = frame(grid);
         if (asked.filter(due::equals).isPresent()) return;
         asked = Optional.of(due);
         frames.ask(due);
     }
 
-    private LineFrame frame() {
+    private LineFrame frame(PixelGrid grid) {
         LineLabState state = model.state();
         return new LineFrame(
                 state.drawings(),
                 state.step(),
-                grid(),
+                grid,
                 getWidth(),
                 getHeight(),
                 DevicePixels.scale(this),
@@ -197,7 +200,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
 
     /** What is shown, without the rings around the ends, as an SVG document. */
     String svg() {
-        return SvgPicture.of(getWidth(), getHeight(), g -> frame().paint(g, () -> false));
+        return SvgPicture.of(getWidth(), getHeight(), g -> frame(grid()).paint(g, () -> false));
     }
 
     private void show(BufferedImage image) {

@@ -22,7 +22,7 @@ final class LabModel<M> implements AutoCloseable {
     private final BiConsumer<M, Map<String, Kept<?>>> parts;
     private final Consumer<M> closing;
     private final Consumer<Map<String, Kept<?>>> begun;
-    private final HeldEvents events;
+    private final Executor events;
     private final List<Consumer<M>> waiting = new ArrayList<>();
     private volatile Optional<M> made = Optional.empty();
     private volatile boolean closed;
@@ -44,7 +44,7 @@ final class LabModel<M> implements AutoCloseable {
         this.parts = parts;
         this.closing = closing;
         this.begun = begun;
-        this.events = new HeldEvents(events);
+        this.events = events;
     }
 
     /**
@@ -59,11 +59,13 @@ final class LabModel<M> implements AutoCloseable {
     private synchronized M make() {
         if (made.isPresent()) return made.get();
         if (closed) throw new IllegalStateException("the lab is closed");
-        M model = making.apply(events);
+        // Of its own: what fails takes with it what it handed out.
+        var held = new HeldEvents(events);
+        M model = making.apply(held);
         begun.accept(kept(model));
         waiting.forEach(each -> each.accept(model));
         made = Optional.of(model);
-        events.letGo();
+        held.letGo();
         return model;
     }
 

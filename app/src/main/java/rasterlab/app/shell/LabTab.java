@@ -14,7 +14,7 @@ import rasterlab.app.canvas.LabPanel;
 public final class LabTab implements AutoCloseable {
     private final String name;
     private final String title;
-    private final Optional<Runnable> preparation;
+    private final Runnable preparation;
     private final Supplier<LabPanel> begun;
     private final Deque<Runnable> parts = new ArrayDeque<>();
     private Optional<LabPanel> panel = Optional.empty();
@@ -24,10 +24,10 @@ public final class LabTab implements AutoCloseable {
      * @param name the same in every language, such as {@code line}; also the panel's component name
      * @param title in the window's language
      * @param preparation does before what the panel would take long for, on any thread; may be left
-     *     out, or be run again
+     *     undone, or be run again
      * @param begun makes the lab's panel, but for its parts
      */
-    LabTab(String name, String title, Optional<Runnable> preparation, Supplier<LabPanel> begun) {
+    LabTab(String name, String title, Runnable preparation, Supplier<LabPanel> begun) {
         this.name = name;
         this.title = title;
         this.preparation = preparation;
@@ -43,7 +43,7 @@ public final class LabTab implements AutoCloseable {
     }
 
     /** What shortens the first call of {@link #panel}, for another thread. */
-    Optional<Runnable> preparation() {
+    Runnable preparation() {
         return preparation;
     }
 

@@ -3,7 +3,6 @@ package rasterlab.app.shell;
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -55,7 +54,7 @@ public final class LabTabs implements AutoCloseable {
                                 new LabTab(
                                         name,
                                         texts.text("tab." + name),
-                                        Optional.of(() -> models.make(name)),
+                                        () -> models.make(name),
                                         begun));
         var opening =
                 new LabOpening(models, LabTabs::tryHazard, EventQueue::invokeLater, onFailure);
@@ -75,11 +74,10 @@ public final class LabTabs implements AutoCloseable {
                 new LabTab(
                         "exercises",
                         texts.text("tab.exercises"),
-                        Optional.of(
-                                () -> {
-                                    models.make("exercises");
-                                    ExercisePanel.prepare(models.exercises());
-                                }),
+                        () -> {
+                            models.make("exercises");
+                            ExercisePanel.prepare(models.exercises());
+                        },
                         () -> new ExercisePanel(models.exercises(), opening, language, onFailure)));
         return new LabTabs(language, tabs, opening, onFailure);
     }

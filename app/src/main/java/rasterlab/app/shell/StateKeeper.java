@@ -48,11 +48,8 @@ final class StateKeeper implements AutoCloseable {
 
     private LabSettings lastSettings;
 
-    /** Of the labs that were made by then. */
+    /** Of the labs that were made by the last look. */
     private Map<String, Object> lastChoices;
-
-    /** Names of what has been looked at. */
-    private final Set<String> looked = new HashSet<>();
 
     /**
      * Begins to look. On the event thread.
@@ -69,9 +66,7 @@ final class StateKeeper implements AutoCloseable {
         this.settings = settings;
         this.models = models;
         lastSettings = settings.get();
-        Map<String, Object> choices = LabsFile.choices(models);
-        looked.addAll(choices.keySet());
-        lastChoices = labsFile.used(choices);
+        lastChoices = labsFile.used(LabsFile.choices(models));
         Runtime.getRuntime().addShutdownHook(atTheEnd);
         timer.start();
     }
@@ -87,8 +82,8 @@ final class StateKeeper implements AutoCloseable {
         Set<String> changed = new HashSet<>();
         nowChoices.forEach(
                 (name, choice) -> {
-                    boolean first = looked.add(name);
-                    if (!choice.equals((first ? asMade : lastChoices).get(name))) changed.add(name);
+                    Object before = lastChoices.getOrDefault(name, asMade.get(name));
+                    if (!choice.equals(before)) changed.add(name);
                 });
         if (!changed.isEmpty()) writer.execute(() -> keep(nowChoices, changed));
         lastChoices = nowChoices;

@@ -31,8 +31,9 @@ import javax.swing.text.html.ParagraphView;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * Java's part of a first panel that is no component: classes, text, layouts, a picture. Its first
- * use takes most of the time of the panel's parts; other threads than that of the events may do it.
+ * What a first panel needs of Java that other threads than that of the events may do: loading the
+ * classes of components without making one, text, a layout, a picture. Their first use takes most
+ * of the time of the panel's parts; while {@link FirstComponents} are used, this does the rest.
  */
 final class SwingClasses {
     private static final List<Class<?>> OF_PANELS =

@@ -17,8 +17,8 @@ import rasterlab.app.language.Texts;
 
 /**
  * The labs' tabs, whose panels are made when they are first chosen. In an open window each is
- * prepared in the background, then made part by part, put in place, laid out and shown in an event
- * each, between which the window answers; until then it shows the tab before.
+ * prepared in the background, then made part by part, put in place, laid out and shown in several
+ * events, between which the window answers; until then it shows the tab before.
  */
 final class TabbedLabs extends JTabbedPane {
     private static final long serialVersionUID = 1L;
@@ -128,15 +128,13 @@ final class TabbedLabs extends JTabbedPane {
     public void setSelectedIndex(int index) {
         chosen = index;
         if (!isShowing() || isMade(index)) super.setSelectedIndex(index);
-        else
-            tabs.get(index)
-                    .preparation()
-                    .ifPresentOrElse(preparation -> prepare(index, preparation), () -> make(index));
+        else prepare(index);
     }
 
     /** What fails here fails again where the panel is made. */
-    private void prepare(int index, Runnable preparation) {
-        CompletableFuture.runAsync(preparation, work -> new Thread(work, "tab").start())
+    private void prepare(int index) {
+        CompletableFuture.runAsync(
+                        tabs.get(index).preparation(), work -> new Thread(work, "tab").start())
                 .whenComplete((done, failure) -> later(index, () -> make(index)));
     }
 

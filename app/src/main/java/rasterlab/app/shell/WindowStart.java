@@ -9,17 +9,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /**
  * Opens the window as it was left.
  *
- * <p>Settings and what the labs showed are read, the labs' models and the look made on threads
+ * <p>Settings and what the labs showed are read, the first tab's model and the look made on threads
  * beside each other, and meanwhile components used in events. Then come more events: one for each
- * part of the first tab, and some for the frame, its layout and its picture.
+ * part of the first tab, and some for the frame, its layout and its picture. The other models are
+ * made when the window is open.
  */
 public final class WindowStart {
     private final Problems problems = new Problems();
@@ -42,21 +43,22 @@ public final class WindowStart {
     private void open(Path place) {
         Thread.setDefaultUncaughtExceptionHandler(reports);
         var labsFile = LabsFile.beside(place, problems);
-        var kept = beside("labs file", labsFile::read);
+        var kept = CompletableFuture.supplyAsync(labsFile::read, thread("labs file"));
         LabModels models =
                 LabModels.unmade(
                         EventQueue::invokeLater,
                         labs -> kept.join().ifPresent(left -> labsFile.bringBack(left, labs)),
                         reports);
         models.keepSourcesIn(file.folder());
-        var made = beside("models", () -> makeFirst(models));
+        CompletableFuture<Void> made =
+                CompletableFuture.runAsync(() -> models.make(settings.tab()), thread("models"));
         // Before there is any component, the look can be made on any thread.
         settings.look().theme().install(settings.look().textPercent());
         CompletableFuture<Void> used = useComponents();
         keep(settings, file, place, problems);
         SwingClasses.load(settings.look().language().locale());
-        made.join();
-        used.join();
+        // What fails here fails again, and is told, where the panel is made.
+        CompletableFuture.allOf(made, used).exceptionally(again -> null).join();
         inTurn(
                 List.of(
                         () -> tabs = LabTabs.create(models, settings.look().language(), reports),
@@ -73,14 +75,8 @@ public final class WindowStart {
         return used;
     }
 
-    /** What the tab that is shown first needs. */
-    private LabModels makeFirst(LabModels models) {
-        models.make(settings.tab());
-        return models;
-    }
-
-    private static <T> CompletableFuture<T> beside(String name, Supplier<T> work) {
-        return CompletableFuture.supplyAsync(work, run -> new Thread(run, name).start());
+    private static Executor thread(String name) {
+        return work -> new Thread(work, name).start();
     }
 
     private void openFrame(LabModels models, LabsFile labsFile) {

@@ -16,10 +16,20 @@ import rasterlab.engine.visibility.hidden.Growth.Axis;
 /** The exponents by which work grows, with what each method's line looks like. */
 final class GrowthTable {
     private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 13);
+
+    /** Units of which the type is 13 high, on both sides of the table. */
     private static final int BESIDE = 20;
+
+    /** Length of a method's line in such units. */
     private static final int LINE = 32;
+
+    /** Such units between a method's line and its name. */
     private static final int GAP = 6;
+
+    /** Such units from row to row at most. */
     private static final int MOST_ROW = 24;
+
+    /** Such units between two columns at most. */
     private static final int MOST_GAP = 30;
 
     private final GrowthChart chart;

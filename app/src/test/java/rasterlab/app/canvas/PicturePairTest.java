@@ -45,15 +45,4 @@ class PicturePairTest {
         view.show((g, map, colours, cancelled) -> {}, List.of(), note, ALL, 1);
         return view;
     }
-
-    private static final class NoEdits implements PlaneEdits {
-        @Override
-        public void beginDrag() {}
-
-        @Override
-        public void endDrag() {}
-
-        @Override
-        public void move(String point, double x, double y) {}
-    }
 }

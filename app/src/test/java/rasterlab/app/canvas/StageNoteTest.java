@@ -31,6 +31,16 @@ class StageNoteTest {
         return last;
     }
 
+    @Test
+    void whatIsWrittenAfterTheSentenceHasTheFontFromBefore() {
+        var image = new BufferedImage(420, 500, BufferedImage.TYPE_INT_ARGB);
+        var g = image.createGraphics();
+        Font before = g.getFont();
+        note(LONG).paint(g, StageColours.LIGHT);
+        assertEquals(before, g.getFont());
+        g.dispose();
+    }
+
     @ParameterizedTest(name = "the picture begins above the last line: repeated {0} times")
     @ValueSource(ints = {1, 2, 9})
     void pictureBeginsBelowEveryLineOfTheSentence(int times) {

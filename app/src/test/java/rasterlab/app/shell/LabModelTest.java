@@ -48,6 +48,36 @@ class LabModelTest {
     }
 
     @Test
+    void modelThatIsGivenUpIsNotMade() {
+        lab.giveUp();
+        lab.prepare();
+        assertEquals(List.of(), done);
+        assertThrows(IllegalStateException.class, lab::get);
+    }
+
+    @Test
+    void whatAModelHandedOutThatCouldNotBeMadeIsNotDone() {
+        var again =
+                new LabModel<>(
+                        this::madeAtSecond,
+                        (model, kept) -> {},
+                        model -> {},
+                        Runnable::run,
+                        kept -> {});
+        assertThrows(IllegalArgumentException.class, again::get);
+        again.get();
+        assertEquals(List.of("first", "second", "answered by second"), done);
+    }
+
+    private Object madeAtSecond(Executor events) {
+        String attempt = done.isEmpty() ? "first" : "second";
+        done.add(attempt);
+        events.execute(() -> done.add("answered by " + attempt));
+        if (attempt.equals("first")) throw new IllegalArgumentException(attempt);
+        return new Object();
+    }
+
+    @Test
     void madeModelIsClosed() {
         lab.prepare();
         lab.close();

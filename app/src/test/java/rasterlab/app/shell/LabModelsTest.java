@@ -1,12 +1,16 @@
 package rasterlab.app.shell;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class LabModelsTest {
     private final List<String> begun = new ArrayList<>();
@@ -37,12 +41,33 @@ class LabModelsTest {
         assertEquals("coordinates", begun.get(0));
     }
 
-    @Test
-    void tabWithWaysIntoOthersNeedsThemAll() {
-        models.make("study");
+    @ParameterizedTest(name = "{0} opens without a lab that it has ways into")
+    @ValueSource(strings = {"study", "exercises"})
+    void tabWithWaysIntoOthersNeedsThemAll(String tab) {
+        models.make(tab);
         int all = begun.size();
         models.makeAll();
         assertEquals(all, begun.size());
         assertEquals(Set.copyOf(begun), models.kept().keySet());
+    }
+
+    @Test
+    void windowClosedWhileItsLabsAreMadeWaitsForNoFurtherOne() {
+        var closed = new AtomicReference<LabModels>();
+        LabModels closing =
+                LabModels.unmade(
+                        work -> {},
+                        labs -> {
+                            begun.addAll(labs.keySet());
+                            closed.get().close();
+                        },
+                        failure -> {
+                            throw new AssertionError(failure);
+                        });
+        closed.set(closing);
+        closing.makeAll();
+        closing.close();
+        assertEquals("coordinates", begun.get(0));
+        assertFalse(begun.contains("line"), begun.toString());
     }
 }

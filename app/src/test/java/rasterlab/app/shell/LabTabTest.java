@@ -9,7 +9,6 @@ import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -18,7 +17,7 @@ import rasterlab.app.language.Language;
 
 class LabTabTest {
     private final List<String> events = new ArrayList<>();
-    private final LabTab tab = new LabTab("lab", "Lab", Optional.empty(), Lab::new);
+    private final LabTab tab = new LabTab("lab", "Lab", () -> {}, Lab::new);
     private boolean fails;
 
     private final class Lab extends LabPanel {

@@ -12,7 +12,6 @@ import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.JFrame;
@@ -34,11 +33,11 @@ class TabbedLabsTest {
     private final CountDownLatch mayGoOn = new CountDownLatch(1);
     private final List<LabTab> tabs =
             List.of(
-                    tab("first", Optional.empty()),
-                    tab("plain", Optional.empty()),
-                    tab("slow", Optional.of(this::prepare)),
-                    tab("broken", Optional.of(this::fail)),
-                    new LabTab("faulty", "faulty", Optional.empty(), this::failAtFirst));
+                    tab("first", () -> {}),
+                    tab("plain", () -> {}),
+                    tab("slow", this::prepare),
+                    tab("broken", this::fail),
+                    new LabTab("faulty", "faulty", () -> {}, this::failAtFirst));
     private final List<String> failures = new CopyOnWriteArrayList<>();
     private TabbedLabs pane;
     private WindowKeys keys;
@@ -71,7 +70,7 @@ class TabbedLabsTest {
         if (frame != null) EventQueue.invokeAndWait(frame::dispose);
     }
 
-    private LabTab tab(String name, Optional<Runnable> preparation) {
+    private LabTab tab(String name, Runnable preparation) {
         return new LabTab(name, name, preparation, () -> new Lab(name));
     }
 
@@ -295,7 +294,7 @@ class TabbedLabsTest {
     void windowOpensThoughTheFirstPanelCannotBeMade() throws Exception {
         EventQueue.invokeAndWait(
                 () -> {
-                    var faulty = new LabTab("f", "f", Optional.empty(), TabbedLabsTest::notMade);
+                    var faulty = new LabTab("f", "f", () -> {}, TabbedLabsTest::notMade);
                     var opened =
                             new TabbedLabs(
                                     List.of(faulty),

@@ -66,7 +66,7 @@ public final class PointInPolygonRun implements TopicRun {
         double[] polygonY = polygon.ys();
         PointInPolygon judge = topic.method(method).implementation();
         if (steps) return stepped(method, judge, polygon, points);
-        return InsideAnswer.of(
+        return MembershipAnswer.of(
                 watch, method, points, (x, y) -> judge.contains(polygonX, polygonY, x, y));
     }
 
@@ -86,7 +86,7 @@ public final class PointInPolygonRun implements TopicRun {
         double[] polygonX = polygon.xs();
         double[] polygonY = polygon.ys();
         var steps = new ArrayList<List<Step>>();
-        return InsideAnswer.of(
+        return MembershipAnswer.of(
                 watch,
                 method,
                 points,

@@ -60,7 +60,7 @@ public final class PointInTriangleRun implements TopicRun {
         Points points = Points.of(given.get(POINTS));
         PointInTriangle triangle = topic.method(method).implementation();
         if (steps) return stepped(method, triangle, t, points);
-        return InsideAnswer.of(
+        return MembershipAnswer.of(
                 watch,
                 method,
                 points,
@@ -79,7 +79,7 @@ public final class PointInTriangleRun implements TopicRun {
         SteppedTriangleTest stepped = Steps.of(method, triangle, SteppedTriangleTest.class);
         Steps.requireAtMost(MOST_STEPPED, "points", points.size());
         var steps = new ArrayList<List<Step>>();
-        return InsideAnswer.of(
+        return MembershipAnswer.of(
                 watch,
                 method,
                 points,

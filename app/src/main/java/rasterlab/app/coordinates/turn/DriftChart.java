@@ -36,8 +36,8 @@ final class DriftChart extends SelfDrawn {
     private static final int LEAD = 18;
     private static final int BEHIND = 12;
 
-    /** Between and beside the words and the curves. */
-    private static final int BESIDES = 2 * BESIDE + LEAD + BEHIND;
+    /** View units between and beside the words and the curves. */
+    private static final int ROOM_AROUND = 2 * BESIDE + LEAD + BEHIND;
 
     /** The least width of the curves, in widths of a letter. */
     private static final int LETTERS = 6;
@@ -79,7 +79,7 @@ final class DriftChart extends SelfDrawn {
     @Override
     public Dimension getMinimumSize() {
         FontMetrics metrics = getFontMetrics(usual());
-        int width = words(usual()) + BESIDES + LETTERS * metrics.charWidth('m');
+        int width = wordsWidth(usual()) + ROOM_AROUND + LETTERS * metrics.charWidth('m');
         return new Dimension(width, metrics.getHeight() * (drifts.size() + 4));
     }
 
@@ -90,47 +90,66 @@ final class DriftChart extends SelfDrawn {
     /** The usual one, or as much smaller as leaves half of the width to the curves. */
     private Font font() {
         float size = usual().getSize2D();
-        float fitting = size * (getWidth() / 2f - BESIDES) / words(usual());
+        float fitting = size * (getWidth() / 2f - ROOM_AROUND) / wordsWidth(usual());
         return usual().deriveFont(Math.min(size, Math.max(LEAST_TYPE, fitting)));
     }
 
-    private FontMetrics metrics() {
-        return getFontMetrics(font());
-    }
-
     /** Width of the words on both sides of the curves. */
-    private int words(Font font) {
-        return numbers(font) + names(font);
+    private int wordsWidth(Font font) {
+        return numbersWidth(font) + namesWidth(font);
     }
 
-    private int numbers(Font font) {
+    private int numbersWidth(Font font) {
         return getFontMetrics(font).stringWidth(power(LOWEST));
     }
 
     /** Of the longest of the methods' names. */
-    private int names(Font font) {
+    private int namesWidth(Font font) {
         FontMetrics metrics = getFontMetrics(font.deriveFont(Font.BOLD));
         return drifts.stream().mapToInt(each -> metrics.stringWidth(each.method())).max().orElse(0);
     }
 
-    private int left() {
-        return numbers(font()) + 2 * BESIDE;
+    /**
+     * Where the curves lie, in view units.
+     *
+     * @param font of the words, bold of the title and of the chosen method's name
+     * @param title the title's lines
+     * @param left of no power of ten of turns
+     * @param right of the last one
+     * @param top of the highest error
+     * @param bottom of the lowest
+     */
+    private record Plot(
+            Font font, List<String> title, double left, double right, double top, double bottom) {
+        double x(double decade) {
+            return left + (right - left) * decade / DECADES;
+        }
+
+        double y(double decade) {
+            return top + (bottom - top) * (HIGHEST - decade) / DECADES_OF_ERROR;
+        }
+
+        /** View y of a curve's last point. */
+        double end(TurnScene.Drift drift) {
+            return y(decade(drift.samples().get(drift.samples().size() - 1).error()));
+        }
     }
 
-    private int right() {
-        return names(font()) + LEAD + BEHIND;
+    private Plot plot() {
+        Font font = font();
+        int line = getFontMetrics(font).getHeight();
+        List<String> title = title(font);
+        return new Plot(
+                font,
+                title,
+                numbersWidth(font) + 2.0 * BESIDE,
+                getWidth() - (double) namesWidth(font) - LEAD - BEHIND,
+                line * title.size() + 20.0,
+                getHeight() - 2.0 * line - 18);
     }
 
-    private int top() {
-        return metrics().getHeight() * title().size() + 20;
-    }
-
-    private int bottom() {
-        return 2 * metrics().getHeight() + 18;
-    }
-
-    private List<String> title() {
-        FontMetrics bold = getFontMetrics(font().deriveFont(Font.BOLD));
+    private List<String> title(Font font) {
+        FontMetrics bold = getFontMetrics(font.deriveFont(Font.BOLD));
         return Wrapping.lines(
                 texts.text(busy ? "busy" : "chart.error"),
                 Math.max(1, getWidth() - 2 * BESIDE),
@@ -150,51 +169,54 @@ final class DriftChart extends SelfDrawn {
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
         g.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        g.setFont(font());
+        Plot plot = plot();
+        g.setFont(plot.font);
         StageColours colours = StageColours.now();
         g.setColor(colours.ground());
         g.fillRect(0, 0, getWidth(), getHeight());
-        paintGrid(g, colours);
-        drifts.forEach(each -> paintCurve(g, each, colours));
-        paintNames(g, colours);
+        paintGrid(g, plot, colours);
+        drifts.forEach(each -> paintCurve(g, plot, each, colours));
+        paintNames(g, plot, colours);
     }
 
-    private double x(double decade) {
-        return left() + (getWidth() - left() - right()) * decade / DECADES;
-    }
-
-    private double y(double decade) {
-        double share = (HIGHEST - decade) / (HIGHEST - LOWEST);
-        return top() + (getHeight() - top() - bottom()) * share;
-    }
-
-    private void paintGrid(Graphics2D g, StageColours colours) {
+    private void paintGrid(Graphics2D g, Plot plot, StageColours colours) {
         FontMetrics metrics = g.getFontMetrics();
         int every = 2;
-        while (y(0) - y(every) < metrics.getAscent() && every < DECADES_OF_ERROR) every += 2;
+        while (plot.y(0) - plot.y(every) < metrics.getAscent() && every < DECADES_OF_ERROR)
+            every += 2;
         for (int decade = HIGHEST - 1; decade > LOWEST; decade -= every) {
             g.setColor(colours.grid());
-            g.draw(new Line2D.Double(x(0), y(decade), x(DECADES), y(decade)));
+            g.draw(new Line2D.Double(plot.x(0), plot.y(decade), plot.x(DECADES), plot.y(decade)));
             g.setColor(colours.ink());
             String said = power(decade);
-            float left = (float) (x(0) - BESIDE - metrics.stringWidth(said));
-            g.drawString(said, left, (float) y(decade) + 4);
+            float left = (float) (plot.x(0) - BESIDE - metrics.stringWidth(said));
+            g.drawString(said, left, (float) plot.y(decade) + 4);
         }
         every = 1;
-        while (x(every) - x(0) < metrics.stringWidth(power(DECADES)) + 6 && every < DECADES)
-            every++;
+        while (plot.x(every) - plot.x(0) < metrics.stringWidth(power(DECADES)) + 6
+                && every < DECADES) every++;
         for (int decade = 0; decade <= DECADES; decade++) {
             g.setColor(colours.grid());
-            g.draw(new Line2D.Double(x(decade), y(LOWEST), x(decade), y(HIGHEST)));
+            g.draw(
+                    new Line2D.Double(
+                            plot.x(decade), plot.y(LOWEST), plot.x(decade), plot.y(HIGHEST)));
             g.setColor(colours.ink());
             if (decade % every == 0)
-                centred(g, power(decade), x(decade), y(LOWEST) + 4.0 + metrics.getAscent());
+                centred(
+                        g,
+                        power(decade),
+                        plot.x(decade),
+                        plot.y(LOWEST) + 4.0 + metrics.getAscent());
         }
         g.setColor(colours.ink());
-        centred(g, texts.text("chart.turns"), (x(0) + x(DECADES)) / 2, getHeight() - 10.0);
+        centred(
+                g,
+                texts.text("chart.turns"),
+                (plot.x(0) + plot.x(DECADES)) / 2,
+                getHeight() - 10.0);
         g.setFont(g.getFont().deriveFont(Font.BOLD));
         int base = 8 + metrics.getAscent();
-        for (String line : title()) {
+        for (String line : plot.title) {
             g.drawString(line, BESIDE, base);
             base += metrics.getHeight();
         }
@@ -206,14 +228,14 @@ final class DriftChart extends SelfDrawn {
         g.drawString(said, (float) Math.max(BESIDE, left), (float) y);
     }
 
-    private void paintCurve(Graphics2D g, TurnScene.Drift drift, StageColours colours) {
+    private void paintCurve(Graphics2D g, Plot plot, TurnScene.Drift drift, StageColours colours) {
         g.setColor(colour(drift, colours));
         g.setStroke(new BasicStroke(drift.method().equals(chosen) ? 3.2f : 1.8f));
         double beforeX = Double.NaN;
         double beforeY = Double.NaN;
         for (TurnScene.Sample sample : drift.samples()) {
-            double x = x(Math.log10(sample.times()));
-            double y = y(decade(sample.error()));
+            double x = plot.x(Math.log10(sample.times()));
+            double y = plot.y(decade(sample.error()));
             if (!Double.isNaN(beforeX)) g.draw(new Line2D.Double(beforeX, beforeY, x, y));
             g.fill(new Ellipse2D.Double(x - DOT, y - DOT, 2 * DOT, 2 * DOT));
             beforeX = x;
@@ -229,25 +251,21 @@ final class DriftChart extends SelfDrawn {
         return error > 0 ? Math.max(LOWEST, Math.min(HIGHEST, Math.log10(error))) : LOWEST;
     }
 
-    private double end(TurnScene.Drift drift) {
-        return y(decade(drift.samples().get(drift.samples().size() - 1).error()));
-    }
-
     /** Beside the curves' ends, from below, none over another. */
-    private void paintNames(Graphics2D g, StageColours colours) {
+    private void paintNames(Graphics2D g, Plot plot, StageColours colours) {
         var sorted = new ArrayList<>(drifts);
-        sorted.sort(Comparator.comparingDouble(this::end).reversed());
-        double[] places = places(sorted, g.getFontMetrics().getHeight());
+        sorted.sort(Comparator.comparingDouble(plot::end).reversed());
+        double[] places = places(sorted, plot, g.getFontMetrics().getHeight());
         for (int i = 0; i < sorted.size(); i++) {
             TurnScene.Drift each = sorted.get(i);
             double y = places[i];
             g.setColor(colour(each, colours));
             g.setStroke(new BasicStroke(1.4f));
-            g.draw(new Line2D.Double(x(DECADES), end(each), x(DECADES) + LEAD, y));
+            g.draw(new Line2D.Double(plot.x(DECADES), plot.end(each), plot.x(DECADES) + LEAD, y));
             g.setColor(colours.ink());
             boolean own = each.method().equals(chosen);
             g.setFont(g.getFont().deriveFont(own ? Font.BOLD : Font.PLAIN));
-            g.drawString(each.method(), (float) x(DECADES) + LEAD + 5, (float) y + 4);
+            g.drawString(each.method(), (float) plot.x(DECADES) + LEAD + 5, (float) y + 4);
         }
     }
 
@@ -257,14 +275,14 @@ final class DriftChart extends SelfDrawn {
      * @param sorted from below
      * @param apart view units from name to name
      */
-    private double[] places(List<TurnScene.Drift> sorted, double apart) {
+    private static double[] places(List<TurnScene.Drift> sorted, Plot plot, double apart) {
         var places = new double[sorted.size()];
         double lowest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < places.length; i++) {
-            places[i] = Math.min(end(sorted.get(i)), lowest);
+            places[i] = Math.min(plot.end(sorted.get(i)), lowest);
             lowest = places[i] - apart;
         }
-        double highest = top();
+        double highest = plot.top;
         for (int i = places.length - 1; i >= 0; i--) {
             places[i] = Math.max(places[i], highest);
             highest = places[i] + apart;

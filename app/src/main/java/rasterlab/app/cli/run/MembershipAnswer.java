@@ -8,8 +8,8 @@ import rasterlab.engine.polygon.Membership;
 import rasterlab.engine.polygon.Points;
 
 /** Which points lie inside, in the field {@code inside}: true or false for each point. */
-final class InsideAnswer {
-    private InsideAnswer() {}
+final class MembershipAnswer {
+    private MembershipAnswer() {}
 
     /**
      * What a method says of all points.
