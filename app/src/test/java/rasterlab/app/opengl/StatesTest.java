@@ -128,6 +128,17 @@ class StatesTest {
         assertTrue(found.share() <= BOUND, found.plain().wrongPixels() + " pixels are off");
     }
 
+    /** Seen from the side the sphere's equator lies exactly between the two middle rows. */
+    @ParameterizedTest(name = "a line between two rows is in another one: {0}×{1}, turned by {2}°")
+    @CsvSource({"298, 182, 58", "298, 182, 0", "640, 480, 58", "301, 200, 33", "640, 481, 58"})
+    void bothHalvesAgreeWhereALineIsBetweenTwoRows(int width, int height, double turn) {
+        GlChoice first = GlChoice.first();
+        GlChoice aside = first.turned(turn - first.turn(), -first.tilt());
+        assertEquals(0, aside.tilt());
+        Comparison found = compared(aside, width, height);
+        assertTrue(found.share() <= BOUND, found.plain().wrongPixels() + " pixels are off");
+    }
+
     @ParameterizedTest(name = "{0} is named and both halves have it")
     @EnumSource(
             value = Deviations.class,

@@ -55,12 +55,19 @@ final class Strokes {
     private void band(double[] a, double[] b, boolean across) {
         double aside = across ? 0 : 0.5;
         double up = across ? 0.5 : 0;
-        double[] a0 = moved(a, -aside, -up);
-        double[] a1 = moved(a, aside, up);
-        double[] b0 = moved(b, -aside, -up);
-        double[] b1 = moved(b, aside, up);
+        double tie = across && betweenRows(a) && betweenRows(b) ? -2 * TIE : 0;
+        double[] a0 = moved(a, -aside, tie - up);
+        double[] a1 = moved(a, aside, tie + up);
+        double[] b0 = moved(b, -aside, tie - up);
+        double[] b1 = moved(b, aside, tie + up);
         triangle(a0, b0, b1);
         triangle(a0, b1, a1);
+    }
+
+    /** Whether it lies where two rows of pixels meet, as the raster has it: the lower one's. */
+    private boolean betweenRows(double[] corner) {
+        double y = halfHeight + pixelY(corner);
+        return Math.abs(y - Math.rint(y)) < TIE;
     }
 
     /** With colours from 0 to 1, which they may leave where an end moved outwards. */
