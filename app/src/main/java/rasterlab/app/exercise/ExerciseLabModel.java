@@ -256,7 +256,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                     var account = new CourseServer(server, patience).join(code, name, key);
                     return () -> use(account);
                 },
-                failure -> publish(changed().notice(ServerNotices.of(server, failure))));
+                failure -> publish(changed().notice(ServerNotices.joining(server, failure))));
     }
 
     /** Submits with a token that the student has already. */

@@ -172,7 +172,7 @@ final class ResultPane extends JPanel {
     private void sayHead(ExerciseState state, Optional<Outcome> outcome) {
         show(state.work());
         if (outcome.isEmpty()) {
-            verdict.setText(texts.text(state.work().running() ? "result.running" : "result.none"));
+            verdict.setText(texts.text("result." + nothingYet(state.work().phase())));
             verdict.setForeground(UIManager.getColor("Label.foreground"));
             points.setText("");
             where.setText("");
@@ -187,6 +187,14 @@ final class ResultPane extends JPanel {
         points.setText(points(said));
         where.setText(where(state, said));
         where.setToolTipText(said.isolation().in(texts.language()));
+    }
+
+    private static String nothingYet(Work.Phase phase) {
+        return switch (phase) {
+            case NONE -> "none";
+            case JOINING -> "joining";
+            case CHECKING, SENDING, WAITING, GRADING -> "running";
+        };
     }
 
     private String points(Outcome said) {

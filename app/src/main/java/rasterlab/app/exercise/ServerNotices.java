@@ -14,16 +14,29 @@ final class ServerNotices {
 
     private ServerNotices() {}
 
+    /** Of handing a source in. */
     static Notice of(URI server, IOException failure) {
+        return told("server", server, failure);
+    }
+
+    /** Of joining a course. */
+    static Notice joining(URI server, IOException failure) {
+        return told("join", server, failure);
+    }
+
+    /**
+     * @param talk begins the keys of what is said of a talk that was not finished
+     */
+    private static Notice told(String talk, URI server, IOException failure) {
         String address = server.toString();
         if (failure instanceof ServerRefusal refusal) return refused(address, refusal);
         if (failure instanceof HttpConnectTimeoutException
                 || failure instanceof ConnectException
                 || failure instanceof UnknownHostException)
             return Notice.of("server.down", address);
-        if (failure instanceof HttpTimeoutException) return Notice.of("server.slow", address);
+        if (failure instanceof HttpTimeoutException) return Notice.of(talk + ".slow", address);
         String reason = failure.getMessage();
-        return Notice.of("server.failed", address, reason == null ? failure.toString() : reason);
+        return Notice.of(talk + ".failed", address, reason == null ? failure.toString() : reason);
     }
 
     private static Notice refused(String address, ServerRefusal refusal) {

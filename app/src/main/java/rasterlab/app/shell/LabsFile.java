@@ -58,6 +58,9 @@ public final class LabsFile {
     private final Consumer<Problem> problem;
     private volatile boolean refused;
 
+    /** Whether the file cannot be used and is still there: nothing is written over it. */
+    private boolean inTheWay;
+
     /** Names of the labs whose parts could not be used. */
     private final Set<String> refusedParts = ConcurrentHashMap.newKeySet();
 
@@ -85,17 +88,10 @@ public final class LabsFile {
 
     /** What the labs showed; empty where nothing is kept or it cannot be read. On any thread. */
     Optional<Content> read() {
-        if (!Files.exists(file)) return Optional.empty();
-        try {
-            Optional<String> obstacle = FileToRead.obstacle(file, FileKind.SETTINGS);
-            if (obstacle.isPresent()) throw new IOException(obstacle.get());
-            return Optional.of(new Content(root()));
-        } catch (JsonProcessingException e) {
-            refuse("not JSON: " + JsonMistake.in(e));
-        } catch (IOException e) {
-            refuse(reason(e));
-        }
-        return Optional.empty();
+        boolean there = Files.exists(file);
+        Optional<ObjectNode> root = held();
+        refused = there && root.isEmpty();
+        return root.map(Content::new);
     }
 
     private ObjectNode root() throws IOException {
@@ -103,9 +99,21 @@ public final class LabsFile {
         throw new IOException("not a JSON object");
     }
 
-    private void refuse(String reason) {
-        refused = true;
-        problem.accept(Problem.of("labs.notUsed", file.toString(), reason));
+    private void setAside(String reason) {
+        try {
+            Path aside = BrokenFile.setAside(file);
+            problem.accept(Problem.of("labs.setAside", file.toString(), reason, aside.toString()));
+        } catch (IOException e) {
+            if (!inTheWay)
+                problem.accept(
+                        Problem.of(
+                                "labs.inTheWay",
+                                file.toString(),
+                                reason,
+                                file.getFileName().toString(),
+                                WholeFile.reason(e)));
+            inTheWay = true;
+        }
     }
 
     /**
@@ -186,6 +194,7 @@ public final class LabsFile {
      */
     synchronized boolean save(Map<String, Object> choices, Set<String> changed) {
         Optional<ObjectNode> held = held();
+        if (inTheWay) return false;
         ObjectNode root = held.orElseGet(Json.MAPPER::createObjectNode);
         choices.forEach(
                 (name, choice) -> {
@@ -203,15 +212,22 @@ public final class LabsFile {
         }
     }
 
-    /** What the file holds now; empty where it cannot be used. */
-    private Optional<ObjectNode> held() {
-        try {
-            boolean readable =
-                    Files.exists(file) && FileToRead.obstacle(file, FileKind.SETTINGS).isEmpty();
-            return readable ? Optional.of(root()) : Optional.empty();
-        } catch (IOException e) {
-            return Optional.empty();
-        }
+    /** What the file holds now; empty where it cannot be used, and then it is set aside. */
+    private synchronized Optional<ObjectNode> held() {
+        if (Files.exists(file)) {
+            try {
+                Optional<String> obstacle = FileToRead.obstacle(file, FileKind.SETTINGS);
+                if (obstacle.isPresent()) throw new IOException(obstacle.get());
+                ObjectNode root = root();
+                inTheWay = false;
+                return Optional.of(root);
+            } catch (JsonProcessingException e) {
+                setAside("not JSON: " + JsonMistake.in(e));
+            } catch (IOException e) {
+                setAside(reason(e));
+            }
+        } else inTheWay = false;
+        return Optional.empty();
     }
 
     private static String reason(Exception e) {

@@ -26,6 +26,9 @@ public final class SettingsFile {
     private final Consumer<Problem> problem;
     private boolean told;
 
+    /** Whether the file cannot be used and is still there: nothing is written over it. */
+    private boolean inTheWay;
+
     /**
      * @param problem told, at most once, what is wrong with the file
      */
@@ -69,7 +72,7 @@ public final class SettingsFile {
         if (!Files.exists(file)) return otherwise;
         Optional<String> obstacle = FileToRead.obstacle(file, FileKind.SETTINGS);
         if (obstacle.isPresent()) {
-            tell(notUsed(obstacle.get()));
+            setAside(obstacle.get());
             return otherwise;
         }
         try (var in = Files.newBufferedReader(file)) {
@@ -77,11 +80,11 @@ public final class SettingsFile {
             kept.load(in);
             return SettingsText.read(kept);
         } catch (SettingsText.Wrong e) {
-            tell(notUsed(e.problem()));
+            setAside(e.problem());
         } catch (CharacterCodingException | IllegalArgumentException e) {
-            tell(notUsed(Problem.of("settings.noText")));
+            setAside(Problem.of("settings.noText"));
         } catch (IOException e) {
-            tell(notUsed(WholeFile.reason(e)));
+            setAside(WholeFile.reason(e));
         }
         return otherwise;
     }
@@ -92,6 +95,7 @@ public final class SettingsFile {
      * @return whether they are kept
      */
     public synchronized boolean save(LabSettings settings) {
+        if (inTheWay) return false;
         try {
             WholeFile.requireFolder(folder());
             WholeFile.write(file, SettingsText.write(settings).getBytes(StandardCharsets.UTF_8));
@@ -102,8 +106,20 @@ public final class SettingsFile {
         }
     }
 
-    private Problem notUsed(Object reason) {
-        return Problem.of("settings.notUsed", file.toString(), reason);
+    private void setAside(Object reason) {
+        try {
+            Path aside = BrokenFile.setAside(file);
+            tell(Problem.of("settings.setAside", file.toString(), reason, aside.toString()));
+        } catch (IOException e) {
+            inTheWay = true;
+            tell(
+                    Problem.of(
+                            "settings.inTheWay",
+                            file.toString(),
+                            reason,
+                            file.getFileName().toString(),
+                            WholeFile.reason(e)));
+        }
     }
 
     private void tell(Problem wrong) {

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
@@ -51,23 +52,39 @@ class ResultGuideTest {
                     LabTheme.LIGHT.install();
                     double usual = UIManager.getFont("defaultFont").getSize2D();
                     LabTheme.LIGHT.install((int) Math.round(100 * type / usual));
-                    made.set(
-                            new ResultPane(
-                                    Texts.of("exercise", language),
-                                    ExerciseRoomsTest.NOWHERE,
-                                    remark -> {},
-                                    FAILURES::add));
-                    show(made.get(), Optional.empty());
+                    made.set(pane(language));
+                    show(made.get(), Work.NONE, Optional.empty());
                 });
         OffscreenPainter.paint(made.get(), width, height);
         EventQueue.invokeAndWait(() -> assertWhole(made.get(), language));
         EventQueue.invokeAndWait(
                 () -> {
-                    show(made.get(), Optional.of(outcome()));
+                    show(made.get(), Work.NONE, Optional.of(outcome()));
                     assertFalse(named(made.get(), "guide.scroll").isVisible(), "still there");
                     assertTrue(named(made.get(), "case.picture").isVisible());
                     made.get().close();
                 });
+    }
+
+    @ParameterizedTest(name = "the heading says that a check runs while a course is joined: {0}")
+    @CsvSource({"ENGLISH, Joining the course…", "RUSSIAN, Идёт запись на курс…"})
+    void headingSaysThatACourseIsJoined(Language language, String heading) throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(language);
+                    show(pane, Work.of(Work.Phase.JOINING), Optional.empty());
+                    assertEquals(heading, ((JLabel) named(pane, "result.verdict")).getText());
+                    pane.close();
+                });
+    }
+
+    private static ResultPane pane(Language language) {
+        return new ResultPane(
+                Texts.of("exercise", language),
+                ExerciseRoomsTest.NOWHERE,
+                remark -> {},
+                FAILURES::add);
     }
 
     private static void assertWhole(ResultPane pane, Language language) {
@@ -83,7 +100,7 @@ class ResultGuideTest {
         assertFalse(named(pane, "case.picture").isVisible());
     }
 
-    private static void show(ResultPane pane, Optional<Outcome> outcome) {
+    private static void show(ResultPane pane, Work work, Optional<Outcome> outcome) {
         Exercise exercise = Catalogue.builtIn().all().get(0);
         pane.show(
                 new ExerciseState(
@@ -91,7 +108,7 @@ class ResultGuideTest {
                         exercise.starter(),
                         List.of(),
                         outcome,
-                        Work.NONE,
+                        work,
                         Notice.NONE,
                         Notice.NONE,
                         Optional.empty()),

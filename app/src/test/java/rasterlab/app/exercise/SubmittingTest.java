@@ -13,9 +13,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 
 /** Handing in, to a server that behaves well and to others. */
 @Timeout(60)
@@ -122,6 +125,26 @@ class SubmittingTest {
     }
 
     @Test
+    @DisplayName("joining that takes too long is told as a submission")
+    void slowJoiningIsToldAsSuch() throws Exception {
+        var end = new CountDownLatch(1);
+        try (var server = server();
+                var trial = new Trial(folder, Duration.ofSeconds(3))) {
+            server.on("POST /api/v1/join", exchange -> hold(end));
+            trial.model.join(server.address(), "CODE", "Ann");
+            Notice notice = trial.awaitEnd().notice();
+            end.countDown();
+            assertEquals(Notice.of("join.slow", server.address()), notice);
+            String english = notice.in(Texts.of("exercise", Language.ENGLISH));
+            assertTrue(
+                    english.endsWith("Joining the course was not finished; try again."), english);
+            String russian = notice.in(Texts.of("exercise", Language.RUSSIAN));
+            assertTrue(
+                    russian.endsWith("Запись на курс не завершена; попробуйте ещё раз."), russian);
+        }
+    }
+
+    @Test
     void silentEventsAreTold() throws Exception {
         var end = new CountDownLatch(1);
         try (var server = server();
@@ -156,7 +179,7 @@ class SubmittingTest {
                     "POST /api/v1/join",
                     exchange -> FakeServer.send(exchange, 200, "text/html", "<html>hello"));
             trial.model.join(server.address(), "CODE", "Ann");
-            assertEquals("server.failed", trial.awaitEnd().notice().key());
+            assertEquals("join.failed", trial.awaitEnd().notice().key());
         }
     }
 

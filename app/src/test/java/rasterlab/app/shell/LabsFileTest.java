@@ -1,6 +1,7 @@
 package rasterlab.app.shell;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -12,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.DisplayName;
@@ -123,6 +125,35 @@ class LabsFileTest {
         problems.forEach(problem -> assertTrue(problem.contains("labs.json"), problem));
         assertEquals(1, problems.size(), problems::toString);
         assertEquals(shown(models -> {}, false), opened);
+    }
+
+    @Test
+    @DisplayName("a broken file is lost by the first writing")
+    void brokenFileIsSetAsideBeforeTheFirstWriting() throws Exception {
+        Path broken = folder.resolve("labs.json.broken");
+        Files.writeString(broken, "an older one");
+        Files.writeString(folder.resolve("labs.json"), "{\"line\": ");
+        shown(models -> {}, true);
+        shown(models -> {}, false);
+        assertEquals("{\"line\": ", Files.readString(broken));
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(problems.get(0).contains(broken.toString()), problems::toString);
+        Files.writeString(folder.resolve("labs.json"), "[7]");
+        shown(models -> {}, false);
+        assertEquals("[7]", Files.readString(broken), "broken since it was read");
+    }
+
+    @Test
+    @DisplayName("a broken file that cannot be set aside is written over")
+    void brokenFileThatCannotBeSetAsideStays() throws IOException {
+        Files.createDirectories(folder.resolve("labs.json.broken").resolve("in the way"));
+        Path place = Files.writeString(folder.resolve("labs.json"), "[7]");
+        LabsFile file = file();
+        assertTrue(file.read().isEmpty());
+        assertFalse(file.save(Map.of("line", "kept"), Set.of("line")));
+        assertEquals("[7]", Files.readString(place));
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(problems.get(0).contains("will not be kept"), problems::toString);
     }
 
     @Test

@@ -73,6 +73,10 @@ class SettingsFileTest {
         assertEquals(FIRST, file.load(FIRST));
         assertEquals(1, problems.size(), problems.toString());
         assertTrue(problems.get(0).contains(place.toString()), problems.get(0));
+        file.save(FIRST);
+        Path aside = folder.resolve("window.properties.broken");
+        assertEquals(text, Files.readString(aside));
+        assertTrue(problems.get(0).contains(aside.toString()), problems.get(0));
     }
 
     @ParameterizedTest(name = "message hides the place, the value or what is allowed: {0}={1}")

@@ -69,6 +69,7 @@ class FileComplaintsTest {
             quoteCharacter = '`',
             delimiter = '|',
             value = {
+                "one.scene.json | ``",
                 "one.scene.json | {",
                 "one.scene.json | {\"version\": 1,, }",
                 "one.scene.json | {\"version\": 1, \"version\": 1}",

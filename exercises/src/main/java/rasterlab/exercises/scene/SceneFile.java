@@ -29,7 +29,10 @@ public sealed interface SceneFile permits MethodCase, SceneView {
             throw new IllegalArgumentException(
                     "a scene file has at most %d characters, got %d"
                             .formatted(LONGEST, json.length()));
-        Place file = Place.root(json.startsWith(BYTE_ORDER_MARK) ? json.substring(1) : json);
+        String text = json.startsWith(BYTE_ORDER_MARK) ? json.substring(1) : json;
+        if (text.isBlank())
+            throw new IllegalArgumentException("the file is empty; a scene file is an object {…}");
+        Place file = Place.root(text);
         return file.has("topic") ? CaseJson.read(file) : ViewJson.read(file);
     }
 

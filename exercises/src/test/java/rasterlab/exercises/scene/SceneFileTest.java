@@ -166,6 +166,13 @@ class SceneFileTest {
         assertEquals(message, refusal.getMessage());
     }
 
+    @ParameterizedTest(name = "an empty file is told in the words for a wrong field: \"{0}\"")
+    @ValueSource(strings = {"", " \n", SceneFile.BYTE_ORDER_MARK})
+    void saysThatTheFileIsEmpty(String json) {
+        var refusal = assertThrows(IllegalArgumentException.class, () -> SceneFile.read(json));
+        assertEquals("the file is empty; a scene file is an object {…}", refusal.getMessage());
+    }
+
     static Stream<Arguments> mistakes() {
         return Stream.of(
                 argumentSet(
