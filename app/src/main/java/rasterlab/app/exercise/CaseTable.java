@@ -80,8 +80,10 @@ final class CaseTable extends JTable {
 
     private void width(int column, int width) {
         var shape = getColumnModel().getColumn(column);
-        shape.setMinWidth(width);
+        // A least width is cut to the greatest one, and a greatest raised to the least.
+        shape.setMinWidth(0);
         shape.setMaxWidth(width);
+        shape.setMinWidth(width);
     }
 
     private String head(int column) {

@@ -5,10 +5,12 @@ import java.awt.Rectangle;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
+import rasterlab.app.canvas.ReadOut;
 import rasterlab.app.canvas.Wrapping;
 
 /**
- * Words in a corner of a view, which has buttons in the lower right one.
+ * Words in a corner of a view, which has buttons in the lower right one and a {@link ReadOut} in
+ * the lower left one.
  *
  * @param place of all lines
  */
@@ -19,8 +21,10 @@ record CornerWords(List<String> lines, Rectangle place) {
     /** View units between the words and the view's edges. */
     private static final int EDGE = 12;
 
+    private static final int ABOVE_READ_OUT = 3;
+
     /**
-     * To the lower left, or in an upper corner where they cover less there.
+     * To the lower left above the read-out, or in an upper corner where they cover less there.
      *
      * @param taken what they should not cover
      */
@@ -32,7 +36,7 @@ record CornerWords(List<String> lines, Rectangle place) {
         int left = view.x + EDGE;
         int right = view.x + view.width - EDGE - wide;
         int upper = view.y + EDGE;
-        int lower = view.y + view.height - EDGE - high;
+        int lower = view.y + view.height - ReadOut.reach(metrics) - ABOVE_READ_OUT - high;
         return Stream.of(
                         new Rectangle(left, lower, wide, high),
                         new Rectangle(left, upper, wide, high),

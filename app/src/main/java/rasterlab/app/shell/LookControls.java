@@ -84,8 +84,9 @@ final class LookControls extends JPanel {
             menu.add(item);
         }
         menu.addSeparator();
-        menu.add(size("larger", "ctrl EQUALS", look::larger));
-        menu.add(size("smaller", "ctrl MINUS", look::smaller));
+        // Shown as the signs that are on the keys; bindSize has the keys themselves.
+        menu.add(size("larger", "ctrl typed +", look::larger));
+        menu.add(size("smaller", "ctrl typed −", look::smaller));
         menu.add(size("usual", "ctrl 0", look::usualSize));
         return menu;
     }

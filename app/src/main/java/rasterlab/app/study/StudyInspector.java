@@ -46,6 +46,7 @@ final class StudyInspector {
     private final JTextArea notTimed;
     private final JTextArea detail;
     private final JTextArea input;
+    private final JTextArea signs;
     private final JButton open;
     private final AboutText about;
 
@@ -93,6 +94,7 @@ final class StudyInspector {
         open.setDisplayedMnemonicIndex(texts.mnemonicIndex("open"));
         open.addActionListener(e -> opening.run());
         column.wide(open);
+        signs = paragraph("signs");
         notTimed = paragraph("notTimed");
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
@@ -140,6 +142,7 @@ final class StudyInspector {
         column.showRow(recorded, !chart);
         open.setVisible(!chart);
         input.setVisible(!chart);
+        say(signs, chart ? "" : texts.text("signs.meaning"));
         say(notTimed, chart ? state.study().map(this::notTimed).orElse("") : "");
         if (chart) showPoint(state);
         else showCell(state);

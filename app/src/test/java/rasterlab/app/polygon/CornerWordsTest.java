@@ -1,6 +1,7 @@
 package rasterlab.app.polygon;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.awt.Font;
@@ -12,6 +13,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.canvas.ReadOut;
 
 class CornerWordsTest {
     private static final Rectangle VIEW = new Rectangle(40, 20, 300, 200);
@@ -47,5 +50,24 @@ class CornerWordsTest {
         assertEquals(left, words.place().x < 100, words.toString());
         assertEquals(lower, words.place().y > 100, words.toString());
         assertEquals(words.place(), words.place().intersection(VIEW));
+    }
+
+    @ParameterizedTest(name = "the coordinates under the mouse cover words of size {0}")
+    @ValueSource(ints = {9, 13, 20, 26})
+    void standAboveTheReadOut(int size) {
+        var label = new Font(Font.DIALOG, Font.PLAIN, size);
+        var readOut = new ReadOut();
+        readOut.setFont(label);
+        readOut.setText("(5.23, 5.47)");
+        readOut.place(VIEW.y + VIEW.height);
+        var words =
+                CornerWords.of(
+                        "Wrong at 64 of 2,491 points in sight",
+                        VIEW,
+                        readOut.getFontMetrics(label),
+                        List.of());
+        assertFalse(
+                words.place().intersects(readOut.getBounds()),
+                words.place() + " under " + readOut.getBounds());
     }
 }

@@ -1,0 +1,51 @@
+package rasterlab.app.exercise;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.EventQueue;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.exercises.score.GradingVerdict;
+
+class CaseTableTest {
+    private final Texts texts = Texts.of("exercise", Language.RUSSIAN);
+
+    private static TriedCase one(String verdict) {
+        return new TriedCase(
+                "last-pixel-is-dropped", verdict, 0, 4, Said.NOTHING, Optional.empty(), "");
+    }
+
+    @Test
+    @DisplayName("a verdict longer than those before it is cut off")
+    void columnsGrowWithTheirWords() throws Exception {
+        var cut = new ArrayList<String>();
+        EventQueue.invokeAndWait(
+                () -> {
+                    var table = new CaseTable(texts, () -> {});
+                    table.setSize(640, 200);
+                    table.doLayout();
+                    for (GradingVerdict verdict : GradingVerdict.values()) {
+                        table.show(List.of(one(verdict.code())));
+                        table.doLayout();
+                        assertEquals(4, table.getColumnCount(), verdict.code());
+                        for (int column = 0; column < 4; column++)
+                            if (table.getCellRect(0, column, false).width < needed(table, column))
+                                cut.add(verdict.code() + ": column " + column);
+                    }
+                });
+        assertEquals(List.of(), cut);
+    }
+
+    private static int needed(CaseTable table, int column) {
+        var cell = table.prepareRenderer(table.getCellRenderer(0, column), 0, column);
+        int wide = cell.getPreferredSize().width;
+        assertTrue(wide > 0, "column " + column);
+        return wide;
+    }
+}

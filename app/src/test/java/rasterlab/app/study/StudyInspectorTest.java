@@ -1,0 +1,81 @@
+package rasterlab.app.study;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.text.JTextComponent;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.canvas.Unshown;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.line.LineTopic;
+import rasterlab.engine.raster.Plotted;
+
+class StudyInspectorTest {
+    private static final OpenInLab NOWHERE =
+            new OpenInLab() {
+                @Override
+                public Optional<Unshown> obstacleTo(String topic, String hazard) {
+                    return Optional.of(Unshown.NO_TAB);
+                }
+
+                @Override
+                public void showHazard(String topic, String hazard, String method) {}
+
+                @Override
+                public Optional<Unshown> obstacleToInputs(String topic) {
+                    return Optional.of(Unshown.NO_TAB);
+                }
+
+                @Override
+                public void showInput(
+                        String topic, String json, String method, Optional<Plotted> drawn) {}
+            };
+
+    @ParameterizedTest(name = "nothing says what the signs of the chosen cell''s table mean: {0}")
+    @EnumSource
+    void meaningOfTheSignsStays(Language language) {
+        List<Throwable> failures = new ArrayList<>();
+        Texts texts = Texts.of("study", language);
+        try (var model =
+                new StudyLabModel(List.of(new LineTopic()), Runnable::run, failures::add)) {
+            var inspector = new StudyInspector(model, texts, NOWHERE, () -> {});
+            model.show(StudyView.HAZARDS);
+            inspector.refresh();
+            assertExplained(shown(inspector));
+            model.choose("steep", "bresenham");
+            inspector.refresh();
+            assertExplained(shown(inspector));
+            model.show(StudyView.CHART);
+            inspector.refresh();
+            assertFalse(shown(inspector).contains("✗"), "signs beside the chart");
+        }
+        assertEquals(List.of(), failures);
+    }
+
+    private static void assertExplained(String shown) {
+        for (VerdictSign sign : VerdictSign.values())
+            assertTrue(shown.contains(sign.sign() + " "), sign + " is not in: " + shown);
+    }
+
+    private static String shown(StudyInspector inspector) {
+        return String.join("\n", texts(inspector.column()).toList());
+    }
+
+    private static Stream<String> texts(Component place) {
+        if (!place.isVisible()) return Stream.empty();
+        if (place instanceof JTextComponent words) return Stream.of(words.getText());
+        return place instanceof Container all
+                ? Stream.of(all.getComponents()).flatMap(StudyInspectorTest::texts)
+                : Stream.empty();
+    }
+}
