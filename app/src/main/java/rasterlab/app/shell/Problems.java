@@ -1,14 +1,16 @@
 package rasterlab.app.shell;
 
 import java.awt.EventQueue;
-import java.awt.FontMetrics;
+import java.awt.Font;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
+import javax.swing.JComponent;
 import javax.swing.JOptionPane;
+import javax.swing.JPanel;
 import javax.swing.UIManager;
-import rasterlab.app.canvas.Wrapping;
+import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.language.Texts;
 
 /**
@@ -49,16 +51,22 @@ final class Problems implements Consumer<Problem> {
         untold.clear();
         JOptionPane.showMessageDialog(
                 frame,
-                lines(said, frame.getFontMetrics(UIManager.getFont("Label.font"))),
+                notices(said, UIManager.getFont("Label.font")),
                 texts.text("problem.title"),
                 JOptionPane.WARNING_MESSAGE);
     }
 
-    /** Each problem in lines of about {@link #LETTERS} letters. */
-    static String lines(List<String> said, FontMetrics metrics) {
-        int room = LETTERS * metrics.charWidth('n');
-        return said.stream()
-                .flatMap(each -> Wrapping.lines(each, room, metrics::stringWidth).stream())
-                .collect(Collectors.joining("\n"));
+    /** A paragraph for each problem, with lines of about {@link #LETTERS} letters. */
+    static JComponent notices(List<String> said, Font font) {
+        var panel = new JPanel(new MigLayout("insets 0, fill, wrap 1, gapy unrel"));
+        for (String each : said) {
+            var text = new WrappedText("problem");
+            text.setFont(font);
+            text.show(each);
+            int room = LETTERS * text.getFontMetrics(font).charWidth('n');
+            text.setSize(room, Short.MAX_VALUE);
+            panel.add(text, "width " + room + "!");
+        }
+        return panel;
     }
 }

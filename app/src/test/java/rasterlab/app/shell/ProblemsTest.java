@@ -1,29 +1,40 @@
 package rasterlab.app.shell;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Component;
 import java.awt.Font;
-import java.awt.FontMetrics;
-import java.awt.image.BufferedImage;
 import java.util.List;
+import javax.swing.JComponent;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 
 class ProblemsTest {
+    private static final Font FONT = new Font(Font.DIALOG, Font.PLAIN, 12);
+
     @Test
     void noticeIsNoWiderThanTheSmallestWindow() {
-        FontMetrics metrics =
-                new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB)
-                        .createGraphics()
-                        .getFontMetrics(new Font(Font.DIALOG, Font.PLAIN, 12));
         String said =
                 Problem.of("labs.oneNotUsed", "/home/student/labs.json", "line", "it is missing")
                         .in(Language.RUSSIAN);
-        String lines = Problems.lines(List.of(said, "short"), metrics);
-        assertTrue(metrics.stringWidth(said) > 600, "too short to be wrapped");
-        lines.lines().forEach(line -> assertTrue(metrics.stringWidth(line) <= 600, line));
-        assertEquals(said + " short", lines.replace('\n', ' '), "words are lost");
-        assertTrue(lines.endsWith("\nshort"), "two problems in one line");
+        Component one = paragraphs(said)[0];
+        assertTrue(one.getFontMetrics(FONT).stringWidth(said) > 600, "too short to be wrapped");
+        assertTrue(one.getWidth() <= 600, one.getWidth() + " px");
+        assertTrue(one.getHeight() >= 2 * one.getFontMetrics(FONT).getHeight(), "in one line");
+    }
+
+    @Test
+    void problemsAreParagraphsApart() {
+        Component[] both = paragraphs("one problem", "another one");
+        int line = both[0].getFontMetrics(FONT).getHeight();
+        int gap = both[1].getY() - both[0].getY() - both[0].getHeight();
+        assertTrue(gap >= line / 3, gap + " px between them");
+    }
+
+    private static Component[] paragraphs(String... said) {
+        JComponent notices = Problems.notices(List.of(said), FONT);
+        notices.setSize(notices.getPreferredSize());
+        notices.doLayout();
+        return notices.getComponents();
     }
 }
