@@ -69,7 +69,6 @@ class FileComplaintsTest {
             quoteCharacter = '`',
             delimiter = '|',
             value = {
-                "one.scene.json | ``",
                 "one.scene.json | {",
                 "one.scene.json | {\"version\": 1,, }",
                 "one.scene.json | {\"version\": 1, \"version\": 1}",
@@ -126,9 +125,11 @@ class FileComplaintsTest {
         assertRussian(answer.problem().isEmpty() ? refusal(answer) : answer.problem());
     }
 
-    @ParameterizedTest(name = "a number or picture of no use is told in English: {0}")
+    @ParameterizedTest(
+            name = "an empty file, or a number or picture of no use, is told in English: {0}")
     @ValueSource(
             strings = {
+                "",
                 "{\"version\": 01}",
                 "{\"version\": NaN}",
                 "{\"version\": 1, \"scene\": \"vase\", \"zoom\": -Infinity}",
@@ -136,7 +137,7 @@ class FileComplaintsTest {
                 "{\"version\": 1, \"scene\": \"vase\", \"look\": {\"textureImage\": \".\"}}",
                 "{\"version\": 1, \"scene\": \"house\", \"look\": {\"textureImage\": \"one.scene.json\"}}",
             })
-    void numberOrPictureOfNoUseIsToldInRussian(String content) throws IOException {
+    void contentOfNoUseIsToldInRussian(String content) throws IOException {
         brokenFileIsToldInRussian("one.scene.json", content);
     }
 
