@@ -41,6 +41,11 @@ if not exist "%home%\bin\javac.exe" (
     exit /b 2
 )
 
+for %%F in (app\java-options engine\vector-options) do if not exist "%root%\%%F" (
+    echo lab: "%root%\%%F" is missing; it belongs to Rasterlab's sources, get them anew 1>&2
+    exit /b 1
+)
+
 call :stale
 if not errorlevel 1 goto run
 if not exist "%state%" mkdir "%state%"

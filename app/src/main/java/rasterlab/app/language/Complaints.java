@@ -8,7 +8,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * What readers and writers of files say in English, in the window's language.
+ * What readers and writers of files say in English, in the window's language: the sentences, and in
+ * each the numbers.
  *
  * <p>A sentence is found by the English pattern that it fits, the one with most words of its own
  * first; what stands in its places is translated likewise. A sentence that fits none, such as one
@@ -21,6 +22,7 @@ public final class Complaints {
     private static final List<Sentence> SENTENCES = sentences();
 
     private final Texts translations;
+    private final Language language;
 
     /**
      * @param pattern with a group for each place, in the order of {@code places}
@@ -48,6 +50,7 @@ public final class Complaints {
 
     private Complaints(Language language) {
         translations = Texts.of("language", "complaints", language);
+        this.language = language;
     }
 
     private static List<Sentence> sentences() {
@@ -63,7 +66,6 @@ public final class Complaints {
 
     /** The sentence in that language. */
     public static String said(Language language, String english) {
-        if (language == Language.ENGLISH) return english;
         return new Complaints(language).said(english).orElse(english);
     }
 
@@ -82,7 +84,8 @@ public final class Complaints {
                         place -> {
                             int number = Integer.parseInt(place.group(1));
                             String value = found.group(sentence.places.indexOf(number) + 1);
-                            return Matcher.quoteReplacement(said(value).orElse(value));
+                            String own = NumberForm.of(value, language);
+                            return Matcher.quoteReplacement(said(value).orElse(own));
                         });
     }
 }

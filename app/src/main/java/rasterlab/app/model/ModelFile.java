@@ -31,6 +31,7 @@ public final class ModelFile {
     public static Scene read(Path file, UpAxis up, Consumer<String> notes) {
         FileToRead.require(file, FileKind.MODEL);
         try {
+            FileToRead.requireNoPicture(file, FileKind.MODEL);
             var folder = new OwnFolder(file);
             ObjModel model;
             try (Reader reader = text(file, FileKind.MODEL)) {

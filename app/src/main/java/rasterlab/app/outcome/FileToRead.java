@@ -78,13 +78,30 @@ public final class FileToRead {
      * @throws Complaint as {@link #require}, and if it is no such text
      */
     public static String text(Path file, FileKind kind) {
+        byte[] bytes;
         try (InputStream in = stream(file, kind)) {
-            ByteBuffer bytes = ByteBuffer.wrap(in.readAllBytes());
-            return StandardCharsets.UTF_8.newDecoder().decode(bytes).toString();
-        } catch (CharacterCodingException e) {
-            throw Complaint.badInput(file + ": is not UTF-8 text");
+            bytes = in.readAllBytes();
         } catch (IOException e) {
             throw Complaint.badInput(file + ": cannot be read: " + WholeFile.reason(e));
+        }
+        try {
+            return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+        } catch (CharacterCodingException e) {
+            Optional<PictureSign> sign = PictureSign.in(bytes);
+            String what = sign.map(of -> of.obstacle(kind)).orElse("is not UTF-8 text");
+            throw Complaint.badInput(file + ": " + what);
+        }
+    }
+
+    /**
+     * Passes unless the file begins as a picture does.
+     *
+     * @throws Complaint as {@link #require}, and if it is a picture
+     */
+    public static void requireNoPicture(Path file, FileKind kind) throws IOException {
+        try (InputStream in = stream(file, kind)) {
+            Optional<PictureSign> sign = PictureSign.in(in.readNBytes(PictureSign.LENGTH));
+            if (sign.isPresent()) throw Complaint.badInput(file + ": " + sign.get().obstacle(kind));
         }
     }
 }

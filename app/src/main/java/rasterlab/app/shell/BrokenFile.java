@@ -4,8 +4,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.WholeFile;
 
-/** A file of the user's that cannot be used and that the next writing would replace. */
+/** A file of the user's of which all or a part cannot be used, and would be lost by writing. */
 final class BrokenFile {
     private BrokenFile() {}
 
@@ -17,7 +19,22 @@ final class BrokenFile {
      */
     static Path setAside(Path file) throws IOException {
         if (!Files.isRegularFile(file)) throw new IOException("it is no file");
-        Path aside = file.resolveSibling(file.getFileName() + ".broken");
-        return Files.move(file, aside, StandardCopyOption.ATOMIC_MOVE);
+        return Files.move(file, aside(file), StandardCopyOption.ATOMIC_MOVE);
+    }
+
+    /**
+     * Keeps what the file held at the same place, while the file stays in use.
+     *
+     * @return where it is now
+     * @throws Complaint if it is not there, or not whole
+     */
+    static Path keep(Path file, byte[] held) {
+        Path aside = aside(file);
+        WholeFile.write(aside, held);
+        return aside;
+    }
+
+    private static Path aside(Path file) {
+        return file.resolveSibling(file.getFileName() + ".broken");
     }
 }

@@ -64,6 +64,9 @@ public final class LabsFile {
     /** Names of the labs whose parts could not be used. */
     private final Set<String> refusedParts = ConcurrentHashMap.newKeySet();
 
+    /** Those of them that nothing is written over, since there is no copy. */
+    private final Set<String> uncopied = ConcurrentHashMap.newKeySet();
+
     /**
      * @param problem told, once for every lab, what cannot be kept or brought back
      */
@@ -79,9 +82,11 @@ public final class LabsFile {
 
     /** What the file holds, read but not looked into. */
     public static final class Content {
-        private final JsonNode root;
+        private final byte[] text;
+        private final ObjectNode root;
 
-        private Content(JsonNode root) {
+        private Content(byte[] text, ObjectNode root) {
+            this.text = text;
             this.root = root;
         }
     }
@@ -89,13 +94,14 @@ public final class LabsFile {
     /** What the labs showed; empty where nothing is kept or it cannot be read. On any thread. */
     Optional<Content> read() {
         boolean there = Files.exists(file);
-        Optional<ObjectNode> root = held();
-        refused = there && root.isEmpty();
-        return root.map(Content::new);
+        Optional<Content> content = held();
+        refused = there && content.isEmpty();
+        return content;
     }
 
-    private ObjectNode root() throws IOException {
-        if (Json.MAPPER.readTree(file.toFile()) instanceof ObjectNode root) return root;
+    private Content content() throws IOException {
+        byte[] text = Files.readAllBytes(file);
+        if (Json.MAPPER.readTree(text) instanceof ObjectNode root) return new Content(text, root);
         throw new IOException("not a JSON object");
     }
 
@@ -122,7 +128,7 @@ public final class LabsFile {
      * @param labs by the names of their parts of the file
      */
     void bringBack(Content content, Map<String, Kept<?>> labs) {
-        labs.forEach((name, lab) -> bringBack(name, lab, content.root.path(name)));
+        labs.forEach((name, lab) -> bringBack(name, lab, content));
     }
 
     /** The choices without those that the file holds no usable part of. */
@@ -133,7 +139,8 @@ public final class LabsFile {
         return used;
     }
 
-    private <C> void bringBack(String name, Kept<C> lab, JsonNode kept) {
+    private <C> void bringBack(String name, Kept<C> lab, Content content) {
+        JsonNode kept = content.root.path(name);
         if (kept.isMissingNode()) return;
         try {
             JsonNode whole = completed(kept, Json.MAPPER.valueToTree(lab.kept()), lab.keptType());
@@ -141,9 +148,21 @@ public final class LabsFile {
         } catch (JsonProcessingException | RuntimeException e) {
             // A file that was changed by hand can miss more than a lab's own checks look at.
             String reason = e instanceof JsonMappingException part ? reasonOf(part) : reason(e);
-            refusedParts.add(name);
-            problem.accept(Problem.of("labs.oneNotUsed", file.toString(), name, reason));
+            refuse(name, reason, content);
         }
+    }
+
+    /** Only after the copy is made the part counts as one to be written over. */
+    private void refuse(String name, String reason, Content content) {
+        try {
+            String copy = BrokenFile.keep(file, content.text).toString();
+            problem.accept(Problem.of("labs.oneNotUsed", file.toString(), name, reason, copy));
+        } catch (Complaint noCopy) {
+            uncopied.add(name);
+            String why = noCopy.getMessage();
+            problem.accept(Problem.of("labs.oneInTheWay", file.toString(), name, reason, why));
+        }
+        refusedParts.add(name);
     }
 
     /** What was kept, and of the record's components that it has not, the usual ones. */
@@ -193,13 +212,14 @@ public final class LabsFile {
      * @return whether it is kept
      */
     synchronized boolean save(Map<String, Object> choices, Set<String> changed) {
-        Optional<ObjectNode> held = held();
+        Optional<Content> held = held();
         if (inTheWay) return false;
-        ObjectNode root = held.orElseGet(Json.MAPPER::createObjectNode);
+        ObjectNode root =
+                held.map(content -> content.root).orElseGet(Json.MAPPER::createObjectNode);
         choices.forEach(
                 (name, choice) -> {
-                    if (held.isEmpty() || changed.contains(name) || !root.has(name))
-                        root.set(name, Json.MAPPER.valueToTree(choice));
+                    boolean written = changed.contains(name) && !uncopied.contains(name);
+                    if (written || !root.has(name)) root.set(name, Json.MAPPER.valueToTree(choice));
                 });
         try {
             WholeFile.requireFolder(file.toAbsolutePath().getParent());
@@ -213,14 +233,14 @@ public final class LabsFile {
     }
 
     /** What the file holds now; empty where it cannot be used, and then it is set aside. */
-    private synchronized Optional<ObjectNode> held() {
+    private synchronized Optional<Content> held() {
         if (Files.exists(file)) {
             try {
                 Optional<String> obstacle = FileToRead.obstacle(file, FileKind.SETTINGS);
                 if (obstacle.isPresent()) throw new IOException(obstacle.get());
-                ObjectNode root = root();
+                Content content = content();
                 inTheWay = false;
-                return Optional.of(root);
+                return Optional.of(content);
             } catch (JsonProcessingException e) {
                 setAside("not JSON: " + JsonMistake.in(e));
             } catch (IOException e) {

@@ -63,9 +63,7 @@ final class Problems implements Consumer<Problem> {
             var text = new WrappedText("problem");
             text.setFont(font);
             text.show(each);
-            int room = LETTERS * text.getFontMetrics(font).charWidth('n');
-            text.setSize(room, Short.MAX_VALUE);
-            panel.add(text, "width " + room + "!");
+            panel.add(text, "width " + LETTERS * text.getFontMetrics(font).charWidth('n') + "!");
         }
         return panel;
     }

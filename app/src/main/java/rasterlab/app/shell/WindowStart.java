@@ -18,9 +18,8 @@ import rasterlab.app.language.Texts;
  * Opens the window as it was left.
  *
  * <p>Settings and what the labs showed are read, the first tab's model and the look made on threads
- * beside each other, and meanwhile components used in events. Then come more events: one for each
- * part of the first tab, and some for the frame, its layout and its picture. The other models are
- * made when the window is open.
+ * beside each other. Then come events: one for each part of the first tab, and some for the frame,
+ * its layout and its picture. The other models are made when the window is open.
  */
 public final class WindowStart {
     private final Problems problems = new Problems();
@@ -54,25 +53,16 @@ public final class WindowStart {
                 CompletableFuture.runAsync(() -> models.make(settings.tab()), thread("models"));
         // Before there is any component, the look can be made on any thread.
         settings.look().theme().install(settings.look().textPercent());
-        CompletableFuture<Void> used = useComponents();
         keep(settings, file, place, problems);
         SwingClasses.load(settings.look().language().locale());
         // What fails here fails again, and is told, where the panel is made.
-        CompletableFuture.allOf(made, used).exceptionally(again -> null).join();
+        made.exceptionally(again -> null).join();
         inTurn(
                 List.of(
                         () -> tabs = LabTabs.create(models, settings.look().language(), reports),
                         () ->
                                 tabs.namedOrFirst(settings.tab())
                                         .makeInEvents(() -> openFrame(models, labsFile))));
-    }
-
-    /** Each in an event of its own; done when all are. */
-    private static CompletableFuture<Void> useComponents() {
-        CompletableFuture<Void> used = CompletableFuture.completedFuture(null);
-        for (Runnable use : FirstComponents.uses())
-            used = used.thenRunAsync(use, EventQueue::invokeLater);
-        return used;
     }
 
     private static Executor thread(String name) {

@@ -53,6 +53,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
 
     private final transient StudyLabModel model;
     private final transient Texts texts;
+    private final transient TopicNames called;
     private final transient LatestOnly<Asked, Painted> painter;
     private transient Optional<Painted> painted = Optional.empty();
     private transient Optional<Asked> asked = Optional.empty();
@@ -64,6 +65,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         super(AccessibleRole.CANVAS);
         this.model = model;
         this.texts = texts;
+        called = TopicNames.in(texts.language());
         painter =
                 new LatestOnly<>(
                         "chart",
@@ -230,7 +232,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         String key = model.state().work().running() ? "hint.measuring" : "hint.measure";
         List<String> lines =
                 Wrapping.lines(
-                        texts.text(key, model.state().topic().name()),
+                        texts.text(key, called.topic(model.state().topic().name())),
                         getWidth() * 2 / 3,
                         metrics::stringWidth);
         int y = (getHeight() - lines.size() * metrics.getHeight()) / 2 + metrics.getAscent();

@@ -6,6 +6,7 @@ import javax.swing.JTable;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Topic;
 
 /** The names of hazards, which stay beside the table of verdicts while its methods scroll. */
 final class HazardNames extends JTable {
@@ -35,8 +36,9 @@ final class HazardNames extends JTable {
         setDefaultRenderer(Object.class, new Cell());
     }
 
-    void show(List<? extends Hazard<?>> hazards) {
-        names.shown = hazards.stream().map(Hazard::name).toList();
+    void show(Topic<?, ?, ?> topic, List<? extends Hazard<?>> hazards, TopicNames called) {
+        names.shown = hazards.stream().map(each -> called.hazard(topic, each)).toList();
+        names.tips = hazards.stream().map(each -> called.hazardAndCommand(topic, each)).toList();
         names.fireTableDataChanged();
         var metrics = getFontMetrics(getFont());
         int width =
@@ -48,14 +50,14 @@ final class HazardNames extends JTable {
         setPreferredScrollableViewportSize(new Dimension(width, 0));
     }
 
-    private static final class Cell extends DefaultTableCellRenderer {
+    private final class Cell extends DefaultTableCellRenderer {
         private static final long serialVersionUID = 1L;
 
         @Override
         public java.awt.Component getTableCellRendererComponent(
                 JTable table, Object value, boolean on, boolean focused, int row, int column) {
             super.getTableCellRendererComponent(table, value, on, false, row, column);
-            setToolTipText(value.toString());
+            setToolTipText(names.tips.get(row));
             return this;
         }
     }
@@ -65,6 +67,9 @@ final class HazardNames extends JTable {
 
         private final String heading;
         private transient List<String> shown = List.of();
+
+        /** With the names that commands take. */
+        private transient List<String> tips = List.of();
 
         Names(String heading) {
             this.heading = heading;

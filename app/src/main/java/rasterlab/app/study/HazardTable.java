@@ -39,6 +39,7 @@ final class HazardTable extends JTable {
 
     private final transient StudyLabModel model;
     private final transient Texts texts;
+    private final transient TopicNames called;
     private final transient Cells cells = new Cells();
     private final HazardNames names;
     private transient Topic<?, ?, ?> shown;
@@ -52,6 +53,7 @@ final class HazardTable extends JTable {
     HazardTable(StudyLabModel model, Texts texts, Runnable open) {
         this.model = model;
         this.texts = texts;
+        called = TopicNames.in(texts.language());
         setName("hazards");
         getAccessibleContext().setAccessibleName(texts.text("hazards"));
         setAutoResizeMode(AUTO_RESIZE_OFF);
@@ -140,7 +142,7 @@ final class HazardTable extends JTable {
             width(i, COLUMN);
             getColumnModel().getColumn(i).setHeaderRenderer(new UprightHeader(false));
         }
-        names.show(hazards);
+        names.show(shown, hazards, called);
     }
 
     private void width(int column, int width) {
@@ -181,7 +183,7 @@ final class HazardTable extends JTable {
                     texts.text(
                             fresh.isPresent() ? "cell.fresh" : "cell.recorded",
                             methods.get(column).name(),
-                            hazards.get(row).name(),
+                            called.hazardAndCommand(shown, hazards.get(row)),
                             texts.text("verdict." + kind.code())));
             return this;
         }

@@ -32,6 +32,7 @@ final class StudyInspector {
     private final Texts canvas;
     private final OpenInLab lab;
     private final StudyWords words;
+    private final TopicNames called;
     private final Inspector column;
     private final NameChooser topic;
     private final NameChooser view;
@@ -56,12 +57,13 @@ final class StudyInspector {
         this.lab = lab;
         canvas = Texts.of("canvas", texts.language());
         words = new StudyWords(texts.language());
+        called = TopicNames.in(texts.language());
         column = new Inspector(texts);
         topic =
                 chooser(
                         "topic",
                         model.topics().stream().map(Topic::name).toList(),
-                        name -> name,
+                        called::topic,
                         model::choose);
         view =
                 chooser(
@@ -135,6 +137,7 @@ final class StudyInspector {
     void refresh() {
         StudyLabState state = model.state();
         topic.show(state.topic().name());
+        topic.setToolTipText(called.topicAndCommand(state.topic().name()));
         view.show(state.view().code());
         pace.show(state.thorough() ? "thorough" : "quick");
         boolean chart = state.view() == StudyView.CHART;
@@ -217,7 +220,7 @@ final class StudyInspector {
                 detail,
                 method.name()
                         + ", "
-                        + hazard.name()
+                        + called.hazardAndCommand(state.topic(), hazard)
                         + ". "
                         + description(state, hazard)
                         + (said.isEmpty() ? "" : "\n→ " + FirstDifference.said(texts, said)));
@@ -225,7 +228,7 @@ final class StudyInspector {
         Optional<Unshown> obstacle = lab.obstacleTo(state.topic().name(), hazard.name());
         open.setEnabled(obstacle.isEmpty());
         open.setToolTipText(
-                obstacle.map(why -> why.in(canvas, state.topic().name()))
+                obstacle.map(why -> why.in(canvas, called.topic(state.topic().name())))
                         .orElse(texts.text("open.hint")));
     }
 

@@ -180,7 +180,8 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
                                 StudyWork.Kind.STUDY,
                                 progress.done(),
                                 progress.total(),
-                                progress.method() + ", " + progress.workload())));
+                                progress.method(),
+                                progress.workload())));
     }
 
     /** Tries every method of the topic on each of its hazards. */
@@ -214,16 +215,13 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         Cell last = cells.get(cells.size() - 1);
         var work =
                 new StudyWork(
-                        StudyWork.Kind.HAZARDS,
-                        cells.size(),
-                        of,
-                        last.method() + ", " + last.hazard());
+                        StudyWork.Kind.HAZARDS, cells.size(), of, last.method(), last.hazard());
         publish(state.withCells(cells).with(work));
     }
 
     private void begin(StudyWork.Kind kind, Background.Task task) {
         if (state.work().running()) return;
-        publish(state.with(new StudyWork(kind, 0, 1, "")));
+        publish(state.with(StudyWork.begun(kind, 1)));
         background.begin(
                 task,
                 () -> publish(state.with(StudyWork.NONE)),

@@ -36,6 +36,7 @@ public final class StudyPanel extends LabPanel {
     private final transient StudyLabModel model;
     private final transient OpenInLab lab;
     private final transient Texts texts;
+    private final transient TopicNames called;
     private final transient Consumer<Throwable> onFailure;
     private final transient FileWriting writing;
     private final ChartStage chart;
@@ -62,6 +63,7 @@ public final class StudyPanel extends LabPanel {
         this.onFailure = onFailure;
         setName("study");
         texts = Texts.of("study", language);
+        called = TopicNames.in(language);
         writing = new FileWriting(this, language, onFailure);
         chart = new ChartStage(model, texts, onFailure);
         table = new HazardTable(model, texts, this::open);
@@ -239,8 +241,17 @@ public final class StudyPanel extends LabPanel {
         progress.setMaximum(Math.max(1, work.of()));
         progress.setValue(work.done());
         if (work.running())
-            progress.setString(texts.text("progress.at", work.done(), work.of(), work.at()));
+            progress.setString(texts.text("progress.at", work.done(), work.of(), at(work)));
         else progress.setString(resting(state));
+    }
+
+    /** What was finished last. */
+    private String at(StudyWork work) {
+        if (work.method().isEmpty()) return "";
+        boolean hazard = work.kind() == StudyWork.Kind.HAZARDS;
+        String on =
+                hazard ? called.hazard(model.state().topic(), model.hazard(work.on())) : work.on();
+        return work.method() + ", " + on;
     }
 
     private String resting(StudyLabState state) {

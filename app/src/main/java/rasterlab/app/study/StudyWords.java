@@ -10,9 +10,11 @@ import rasterlab.engine.study.Verdict;
 /** What a chart or a table says about a study, in one language. */
 public final class StudyWords {
     private final Texts texts;
+    private final TopicNames called;
 
     public StudyWords(Language language) {
         texts = Texts.of("study", language);
+        called = TopicNames.in(language);
     }
 
     /** What is counted, as it stands behind "per"; in English where it has no translation. */
@@ -51,7 +53,7 @@ public final class StudyWords {
     }
 
     String title(Study study) {
-        return texts.text("chart.title", study.topic());
+        return texts.text("chart.title", called.topicAndCommand(study.topic()));
     }
 
     String costAxis(Study study) {

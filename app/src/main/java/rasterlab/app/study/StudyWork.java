@@ -6,16 +6,21 @@ package rasterlab.app.study;
  * @param kind which of the lab's two measurements
  * @param done finished pieces of work
  * @param of pieces in all
- * @param at what was finished last, such as {@code bresenham, short}
+ * @param method that was finished last; "" before the first
+ * @param on the workload, or the hazard
  */
-record StudyWork(Kind kind, int done, int of, String at) {
+record StudyWork(Kind kind, int done, int of, String method, String on) {
     enum Kind {
         NONE,
         STUDY,
         HAZARDS
     }
 
-    static final StudyWork NONE = new StudyWork(Kind.NONE, 0, 0, "");
+    static final StudyWork NONE = begun(Kind.NONE, 0);
+
+    static StudyWork begun(Kind kind, int of) {
+        return new StudyWork(kind, 0, of, "", "");
+    }
 
     boolean running() {
         return kind != Kind.NONE;

@@ -11,10 +11,16 @@ import rasterlab.engine.study.Method;
  * What a lab says in the window's language about a topic's methods and hazards.
  *
  * @param part what stands before names in the keys of a lab with several topics; "" for one
+ * @param labels of the lab that shows the hazards
+ * @param shownAs what stands before hazards' names in their keys
  */
-record TopicTexts(Texts texts, String part) {
+record TopicTexts(Texts texts, String part, Texts labels, String shownAs) {
     /** A lab with texts of its own, and what its keys have before names. */
     private record Source(String lab, String part) {}
+
+    /** Its hazards are shown in another lab than the one that explains them. */
+    private static final Map<String, Source> SHOWN_ELSEWHERE =
+            Map.of("transform", new Source("coordinates.list", "transform."));
 
     private static final Map<String, Source> SOURCES =
             Map.ofEntries(
@@ -56,9 +62,20 @@ record TopicTexts(Texts texts, String part) {
     static Optional<TopicTexts> of(String topic, Language language) {
         return Optional.ofNullable(SOURCES.get(topic))
                 .map(
-                        source ->
-                                new TopicTexts(
-                                        Texts.of(source.lab(), "topic", language), source.part()));
+                        source -> {
+                            Source shown = SHOWN_ELSEWHERE.getOrDefault(topic, source);
+                            return new TopicTexts(
+                                    Texts.of(source.lab(), "topic", language),
+                                    source.part(),
+                                    Texts.of(shown.lab(), language),
+                                    shown.part());
+                        });
+    }
+
+    /** What the lab calls the hazard; empty where it does not show it. */
+    Optional<String> label(Hazard<?> hazard) {
+        String key = "hazard." + shownAs + hazard.name();
+        return labels.has(key) ? Optional.of(labels.text(key)) : Optional.empty();
     }
 
     /** What is special about the hazard; empty where the engine's English serves. */

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class ComplaintsTest {
     /** What no file says; all patterns are tried. */
@@ -13,6 +15,27 @@ class ComplaintsTest {
 
     /** Bytes; compiling all patterns takes twice as many. */
     private static final long MOST = 400_000;
+
+    @ParameterizedTest(
+            name = "a number is written as Java does, or a file''s number otherwise: {1}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "ENGLISH | $.far: must be a number from -1000000.0 to 1.0E30, got 1e309"
+                        + " | $.far: must be a number from −1000000 to 10³⁰, got 1e309",
+                "RUSSIAN | $.far: must be a number from -1000000.0 to 1.0E30, got 1e309"
+                        + " | $.far: должно быть число от −1000000 до 10³⁰, получено 1e309",
+                "RUSSIAN | zoom must be in [0.001, 1000.0], got -2.5E-7"
+                        + " | увеличение должно быть в [0,001; 1000], получено −2,5·10⁻⁷",
+                "RUSSIAN | normal (0.0, -0.5, 2.0) has no direction"
+                        + " | нормаль (0; −0,5; 2) не имеет направления",
+                "RUSSIAN | face 3: corners 0, 1, 2 span no area"
+                        + " | грань 3: вершины 0, 1, 2 не охватывают площади",
+                "RUSSIAN | no folder -1.5.0 | нет папки -1.5.0",
+            })
+    void numbersHaveTheFormOfTheLanguage(Language language, String english, String said) {
+        assertEquals(said, Complaints.said(language, english));
+    }
 
     @Test
     void patternsAreNotCompiledForEverySentence() {

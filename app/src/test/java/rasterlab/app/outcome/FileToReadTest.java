@@ -13,10 +13,12 @@ import java.io.RandomAccessFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.util.HexFormat;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class FileToReadTest {
@@ -27,6 +29,36 @@ class FileToReadTest {
         assertEquals(folder + ": is a folder, not a scene", refusal(folder));
         Path none = folder.resolve("none");
         assertEquals(none + ": no such file to read", refusal(none));
+    }
+
+    @ParameterizedTest(name = "{0} is called broken text")
+    @CsvSource({
+        "PNG, 89504e470d0a1a0a0000000d49484452",
+        "JPEG, ffd8ffe000104a464946",
+        "GIF, 474946383961f0f0",
+        "WEBP, 52494646aabbccdd57454250ff",
+    })
+    void tellsAPicture(String kind, String bytes) throws IOException {
+        Path picture =
+                Files.write(folder.resolve("one.scene.json"), HexFormat.of().parseHex(bytes));
+        assertEquals(
+                picture
+                        + ": looks like a "
+                        + kind
+                        + " picture, not a scene; a picture for faces is opened in the lab's tab"
+                        + " Hidden surfaces",
+                refusal(picture));
+        assertEquals(
+                picture + ": looks like a " + kind + " picture, not a source",
+                assertThrows(Complaint.class, () -> FileToRead.text(picture, FileKind.SOURCE))
+                        .getMessage());
+    }
+
+    @Test
+    @DisplayName("other bytes than text are called a picture")
+    void tellsBytesThatAreNoText() throws IOException {
+        Path bytes = Files.write(folder.resolve("short"), new byte[] {(byte) 0x89, 'P', 'N'});
+        assertEquals(bytes + ": is not UTF-8 text", refusal(bytes));
     }
 
     @Test

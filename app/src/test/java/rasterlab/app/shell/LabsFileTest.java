@@ -157,6 +157,46 @@ class LabsFileTest {
     }
 
     @Test
+    @DisplayName("a part that cannot be used is lost by the first writing")
+    void fileWithABrokenPartIsCopiedBeforeTheFirstWriting() throws Exception {
+        String text = "{\"line\": {\"segment\": 1e309}}";
+        Path place = Files.writeString(folder.resolve("labs.json"), text);
+        Path copy = folder.resolve("labs.json.broken");
+        shown(models -> {}, true);
+        assertEquals(text, Files.readString(copy));
+        assertEquals(text, Files.readString(place), "the other parts are still to be read");
+        shown(models -> {}, false);
+        assertEquals(text, Files.readString(copy));
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(problems.get(0).contains(copy.toString()), problems::toString);
+    }
+
+    @Test
+    @DisplayName("a part that cannot be used is written over though it cannot be copied")
+    void brokenPartThatCannotBeCopiedStays() throws Exception {
+        Files.createDirectories(folder.resolve("labs.json.broken").resolve("in the way"));
+        Path place = Files.writeString(folder.resolve("labs.json"), "{\"line\": 7, \"clip\": 8}");
+        LabsFile file = file();
+        OffscreenPainter.onEventThread(
+                () -> {
+                    try (LabModels models = LabModels.first(failures::add)) {
+                        file.read()
+                                .ifPresent(
+                                        left ->
+                                                file.bringBack(
+                                                        left, Map.of("line", models.line())));
+                    }
+                });
+        assertTrue(file.save(Map.of("line", "new", "clip", "new"), Set.of("line", "clip")));
+        var mapper = new ObjectMapper();
+        assertEquals(
+                mapper.readTree("{\"line\": 7, \"clip\": \"new\"}"),
+                mapper.readTree(place.toFile()));
+        assertEquals(1, problems.size(), problems::toString);
+        assertTrue(problems.get(0).contains("will not be kept"), problems::toString);
+    }
+
+    @Test
     void whatAnOlderVersionDidNotKeepIsAsOnTheFirstRun() throws Exception {
         Map<String, Object> left = shown(LabsFileTest::changeAll, false);
         var mapper = new ObjectMapper();

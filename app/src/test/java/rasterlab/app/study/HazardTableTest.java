@@ -8,15 +8,23 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JTable;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.shell.LabTheme;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 class HazardTableTest {
+    @BeforeAll
+    static void wear() throws Exception {
+        SwingUtilities.invokeAndWait(LabTheme.LIGHT::install);
+    }
+
     @Test
     @DisplayName("the drawing of the table lacks a method, a hazard or the verdicts")
     void svgHasTheWholeTable() {

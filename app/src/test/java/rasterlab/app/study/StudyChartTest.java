@@ -198,7 +198,7 @@ class StudyChartTest {
                 english,
                 "but a name");
         XYChart chart = StudyChart.chart(study, words);
-        assertEquals("Скорость и точность: тема line", chart.getTitle());
+        assertEquals("Скорость и точность: отрезок (line)", chart.getTitle());
         assertTrue(chart.getXAxisTitle().startsWith("цена: наносекунд на пиксель"));
         assertEquals("наибольшая ошибка [пиксели]", chart.getYAxisTitle());
     }

@@ -168,6 +168,13 @@ class FileComplaintsTest {
         Path broken = Files.write(folder.resolve("half.png"), half);
         String said = SceneFiles.done(new SceneFiles.Task(broken, Optional.empty())).problem();
         assertTrue(Complaints.said(Language.RUSSIAN, said).contains("рисунок"), said);
+        for (String name : new String[] {"half.scene.json", "half.obj"}) {
+            Path picture = Files.write(folder.resolve(name), half);
+            String refused =
+                    SceneFiles.done(new SceneFiles.Task(picture, Optional.empty())).problem();
+            assertTrue(refused.contains("looks like a PNG picture"), refused);
+            assertRussian(refused);
+        }
         Path notText = folder.resolve("latin.scene.json");
         Files.write(notText, "\u00e9".getBytes(StandardCharsets.ISO_8859_1));
         assertRussian(SceneFiles.done(new SceneFiles.Task(notText, Optional.empty())).problem());

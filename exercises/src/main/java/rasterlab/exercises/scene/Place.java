@@ -25,17 +25,21 @@ final class Place {
                     .build();
     private static final int SHOWN = 60;
 
+    /** The whole text. */
+    private final String json;
+
     private final String path;
     private final JsonNode node;
 
-    private Place(String path, JsonNode node) {
+    private Place(String json, String path, JsonNode node) {
+        this.json = json;
         this.path = path;
         this.node = node;
     }
 
     static Place root(String json) {
         try {
-            return new Place("$", MAPPER.readTree(json));
+            return new Place(json, "$", MAPPER.readTree(json));
         } catch (JsonProcessingException e) {
             throw new IllegalArgumentException("not JSON: " + JsonMistake.in(e), e);
         }
@@ -70,7 +74,7 @@ final class Place {
 
     /** A field that must be there. */
     Place at(String field) {
-        return new Place(path + "." + field, node.path(field));
+        return new Place(json, path + "." + field, node.path(field));
     }
 
     Optional<Place> optional(String field) {
@@ -82,7 +86,7 @@ final class Place {
         if (!node.isArray()) throw wrong("must be an array […], got " + shown());
         List<Place> members = new ArrayList<>();
         for (JsonNode member : node)
-            members.add(new Place(path + "[" + members.size() + "]", member));
+            members.add(new Place(json, path + "[" + members.size() + "]", member));
         return members;
     }
 
@@ -154,7 +158,7 @@ final class Place {
 
     private String shown() {
         if (node.isMissingNode()) return "nothing";
-        return isEndless() ? node.asText() : cut(node.toString());
+        return cut(isEndless() ? EndlessNumber.at(path, json) : node.toString());
     }
 
     private static String cut(String text) {

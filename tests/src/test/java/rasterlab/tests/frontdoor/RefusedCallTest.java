@@ -15,6 +15,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.tests.ChildProcess;
 import rasterlab.tests.Repository;
 
@@ -60,6 +62,17 @@ class RefusedCallTest {
         var home = fakeJava(folder, "17");
         assertRefused(
                 run(Repository.root(), Map.of("JAVA_HOME", home.toString())), "without a compiler");
+    }
+
+    @ParameterizedTest(name = "Java complains, not ./lab, where {0} is missing")
+    @ValueSource(strings = {"app/java-options", "engine/vector-options"})
+    void aMissingFileOfOptionsIsNamed(String name, @TempDir Path folder) throws IOException {
+        FreshCopy.copySources(folder);
+        Files.delete(folder.resolve(name));
+        var run = run(folder, FreshCopy.withJava());
+        assertEquals(1, run.exit(), run.err());
+        assertEquals(1, run.err().lines().count(), run.err());
+        assertTrue(run.err().contains("/" + name + " is missing"), run.err());
     }
 
     private static ChildProcess run(Path folder, Map<String, String> environment) {

@@ -1,0 +1,46 @@
+package rasterlab.app.language;
+
+import java.text.DecimalFormatSymbols;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Numbers that Java has written, in the form of a language and with the same digits. */
+final class NumberForm {
+    private static final Pattern NUMBER = Pattern.compile("(-?)(\\d+)(?:\\.(\\d+)(?:E(-?\\d+))?)?");
+
+    /** One, or several such as a point. */
+    private static final Pattern NUMBERS =
+            Pattern.compile("\\(?%1$s(?:, %1$s)*\\)?".formatted(NUMBER.pattern()));
+
+    private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+    private NumberForm() {}
+
+    /** The text itself where it is something else, such as a number as a file has it: 1e309. */
+    static String of(String text, Language language) {
+        if (!NUMBERS.matcher(text).matches()) return text;
+        char point = DecimalFormatSymbols.getInstance(language.locale()).getDecimalSeparator();
+        boolean fractions = point == ',' && text.contains(".");
+        return NUMBER.matcher(fractions ? text.replace(", ", "; ") : text)
+                .replaceAll(number -> Matcher.quoteReplacement(one(number, point)));
+    }
+
+    private static String one(MatchResult number, char point) {
+        String fraction = number.group(3);
+        boolean whole = fraction == null || fraction.equals("0");
+        String digits = number.group(2) + (whole ? "" : point + fraction);
+        if (number.group(4) != null) {
+            String power = "10" + raised(number.group(4));
+            digits = digits.equals("1") ? power : digits + "·" + power;
+        }
+        return number.group(1).isEmpty() ? digits : "−" + digits;
+    }
+
+    private static String raised(String exponent) {
+        var raised = new StringBuilder();
+        for (char each : exponent.toCharArray())
+            raised.append(each == '-' ? '⁻' : RAISED.charAt(each - '0'));
+        return raised.toString();
+    }
+}

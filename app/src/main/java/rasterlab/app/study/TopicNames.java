@@ -1,0 +1,43 @@
+package rasterlab.app.study;
+
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Topic;
+
+/**
+ * What topics and their hazards are called in the window's language; in English as in commands. A
+ * hazard that a lab has among its own is called as there.
+ */
+record TopicNames(Texts own) {
+    static TopicNames in(Language language) {
+        return new TopicNames(Texts.of("study", "topic", language));
+    }
+
+    String topic(String name) {
+        return own.textOr("topic." + name, name);
+    }
+
+    /** The topic with the name that commands take. */
+    String topicAndCommand(String name) {
+        return both(topic(name), name);
+    }
+
+    String hazard(Topic<?, ?, ?> topic, Hazard<?> hazard) {
+        if (own.language() == Language.ENGLISH) return hazard.name();
+        String key = "hazard." + topic.name() + "." + hazard.name();
+        if (own.has(key)) return own.text(key);
+        return TopicTexts.of(topic.name(), own.language())
+                .flatMap(texts -> texts.label(hazard))
+                .orElse(hazard.name());
+    }
+
+    /** The hazard with the name that commands take. */
+    String hazardAndCommand(Topic<?, ?, ?> topic, Hazard<?> hazard) {
+        return both(hazard(topic, hazard), hazard.name());
+    }
+
+    private static String both(String said, String name) {
+        return said.equals(name) ? name : said + " (" + name + ")";
+    }
+}

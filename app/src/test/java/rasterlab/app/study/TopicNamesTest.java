@@ -1,0 +1,99 @@
+package rasterlab.app.study;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import javax.swing.JComponent;
+import javax.swing.JTable;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.Topics;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Topic;
+
+class TopicNamesTest {
+    private static final TopicNames RUSSIAN = TopicNames.in(Language.RUSSIAN);
+
+    private static final Pattern RUSSIAN_WORD =
+            Pattern.compile("[а-яё]{2}", Pattern.CASE_INSENSITIVE | Pattern.UNICODE_CASE);
+
+    @Test
+    @DisplayName("a topic or a hazard is called in English in the Russian window")
+    void everyTopicAndHazardHasARussianName() {
+        var english = new TreeSet<String>();
+        for (Topic<?, ?, ?> topic : Topics.all()) {
+            if (!RUSSIAN_WORD.matcher(RUSSIAN.topic(topic.name())).find())
+                english.add(topic.name());
+            for (Hazard<?> hazard : topic.hazards())
+                if (RUSSIAN.hazard(topic, hazard).equals(hazard.name()))
+                    english.add(topic.name() + " " + hazard.name());
+        }
+        assertEquals(new TreeSet<>(), english);
+    }
+
+    @Test
+    @DisplayName("two hazards of a topic, or two topics, have one name")
+    void namesDiffer() {
+        var topics = new TreeMap<String, String>();
+        for (Topic<?, ?, ?> topic : Topics.all()) {
+            assertEquals(null, topics.put(RUSSIAN.topic(topic.name()), topic.name()), topic.name());
+            var hazards = new TreeMap<String, String>();
+            for (Hazard<?> hazard : topic.hazards())
+                assertEquals(
+                        null,
+                        hazards.put(RUSSIAN.hazard(topic, hazard), hazard.name()),
+                        topic.name() + " " + hazard.name());
+        }
+    }
+
+    @Test
+    @DisplayName("a name of a topic or hazard that is gone keeps its translation")
+    void translatesWhatThereIsAndNothingElse() {
+        var known = new TreeSet<String>();
+        for (Topic<?, ?, ?> topic : Topics.all()) {
+            known.add("topic." + topic.name());
+            for (Hazard<?> hazard : topic.hazards())
+                known.add("hazard." + topic.name() + "." + hazard.name());
+        }
+        var unknown = new TreeSet<>(RUSSIAN.own().keys());
+        unknown.removeAll(known);
+        assertEquals(new TreeSet<>(), unknown);
+    }
+
+    @Test
+    @DisplayName("English names are not those of the commands")
+    void englishNamesAreThoseOfCommands() {
+        TopicNames english = TopicNames.in(Language.ENGLISH);
+        for (Topic<?, ?, ?> topic : Topics.all()) {
+            assertEquals(topic.name(), english.topicAndCommand(topic.name()));
+            for (Hazard<?> hazard : topic.hazards())
+                assertEquals(hazard.name(), english.hazardAndCommand(topic, hazard));
+        }
+    }
+
+    @Test
+    @DisplayName("the Russian table has the commands' names, or nothing tells them")
+    void tableHasRussianNamesAndTipsTheCommands() {
+        List<Throwable> failures = new ArrayList<>();
+        try (var model = new StudyLabModel(Topics.all(), Runnable::run, failures::add)) {
+            var table = new HazardTable(model, Texts.of("study", Language.RUSSIAN), () -> {});
+            var names = (JTable) table.scroll().getRowHeader().getView();
+            model.choose("triangulate");
+            table.refresh();
+            assertEquals("Треугольник", names.getValueAt(0, 0));
+            var cell = names.prepareRenderer(names.getCellRenderer(0, 0), 0, 0);
+            assertEquals("Треугольник (one-triangle)", ((JComponent) cell).getToolTipText());
+            var verdict = table.prepareRenderer(table.getCellRenderer(0, 0), 0, 0);
+            String tip = ((JComponent) verdict).getToolTipText();
+            assertTrue(tip.contains("Треугольник (one-triangle)"), tip);
+        }
+        assertEquals(List.of(), failures);
+    }
+}
