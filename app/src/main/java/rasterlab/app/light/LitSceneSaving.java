@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import rasterlab.app.canvas.FileWriting;
+import rasterlab.app.canvas.LastFolderChooser;
 import rasterlab.app.canvas.SaveChooser;
 import rasterlab.app.language.Texts;
 import rasterlab.app.model.SceneText;
@@ -56,7 +57,7 @@ final class LitSceneSaving {
 
     /** Asks for a file and opens it. */
     void open() {
-        var chooser = new JFileChooser();
+        var chooser = new LastFolderChooser();
         chooser.setName("open.dialog");
         chooser.setDialogTitle(texts.text("scene.open.title"));
         chooser.setFileFilter(new FileNameExtensionFilter(texts.text("scene.files"), "json"));
