@@ -63,8 +63,7 @@ public final class LightPanel extends LabPanel {
         lightActions.add("saveScene", saving::ask);
         stage.setTransferHandler(new FileDrop(model::open, onFailure));
         lightActions.add(
-                "copyCommand",
-                () -> saving.commands().ifPresent(lines -> Copying.text(lines, onFailure)));
+                "copyCommand", () -> saving.tellCommands(lines -> Copying.text(lines, onFailure)));
         colourActions.add("copyCommand", () -> Copying.text(command(), onFailure));
         rows = new RowCard(shown, cards, this::rows);
         orbit.bindKeys(stage);
@@ -220,7 +219,7 @@ public final class LightPanel extends LabPanel {
             orbit.refresh();
             lightActions.refreshUndo();
             boolean saved = saving.commands().isPresent();
-            lightActions.enable("copyCommand", saved);
+            lightActions.enable("copyCommand", model.state().drawn().isPresent());
             lightActions.hint("copyCommand", texts.text(saved ? "copy.saved" : "copy.unsaved"));
         }
     }

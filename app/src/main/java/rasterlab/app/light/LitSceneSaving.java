@@ -43,7 +43,25 @@ final class LitSceneSaving {
                                         .map(d -> file.commands(choice, d.width(), d.height())));
     }
 
+    /**
+     * Tells the commands for the three pictures; where no file holds the scene, asks for one first
+     * and saves the scene there.
+     */
+    void tellCommands(Consumer<String> told) {
+        commands().ifPresentOrElse(told, () -> ask(file -> told.accept(commands(file))));
+    }
+
+    /** For what the file holds, even if the lamps have gone on since. */
+    private String commands(LitSceneFile file) {
+        LightFrame.Drawn drawn = model.state().drawn().orElseThrow();
+        return file.commands(file.choice(), drawn.width(), drawn.height());
+    }
+
     void ask() {
+        ask(file -> {});
+    }
+
+    private void ask(Consumer<LitSceneFile> then) {
         var chooser = new SaveChooser(texts.language(), SceneText::named);
         chooser.setDialogTitle(texts.text("scene.save.title"));
         LightChoice choice = model.state().choice();
@@ -52,7 +70,7 @@ final class LitSceneSaving {
                         choice.body().stem().replaceFirst("-lit$", "")
                                 + "-lit"
                                 + SceneText.EXTENSION)
-                .ifPresent(file -> write(choice, file));
+                .ifPresent(file -> write(choice, file, then));
     }
 
     /** Asks for a file and opens it. */
@@ -65,10 +83,13 @@ final class LitSceneSaving {
             model.open(chooser.getSelectedFile().toPath());
     }
 
-    private void write(LightChoice choice, Path file) {
+    private void write(LightChoice choice, Path file, Consumer<LitSceneFile> then) {
         writing.write(
                 texts.text("scene.save.title"),
                 () -> LitSceneFile.write(choice, file),
-                model::keep);
+                written -> {
+                    model.keep(written);
+                    then.accept(written);
+                });
     }
 }
