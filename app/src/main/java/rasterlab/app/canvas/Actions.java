@@ -71,7 +71,7 @@ public final class Actions extends JPanel {
         Consumer<Runnable> drawn = picture.whenDrawn();
         add(
                 "copyPicture",
-                () -> drawn.accept(() -> Copying.picture(picture.shown().get(), onFailure)));
+                () -> drawn.accept(() -> Copying.picture(picture.dots().get(), onFailure)));
         add("copySvg", () -> drawn.accept(() -> Copying.svg(picture.svg().get(), onFailure)));
     }
 

@@ -56,7 +56,7 @@ final class PictureSaving {
             String document = picture.svg().get();
             return () -> document.getBytes(StandardCharsets.UTF_8);
         }
-        BufferedImage image = Copying.drawn(picture.shown().get());
+        BufferedImage image = picture.dots().get();
         return () -> PngFile.bytes(image);
     }
 }

@@ -2,6 +2,7 @@ package rasterlab.app.study;
 
 import java.awt.CardLayout;
 import java.awt.Insets;
+import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.function.Consumer;
@@ -70,7 +71,8 @@ public final class StudyPanel extends LabPanel {
         cancel = button("cancel", model::cancel);
         save = button("save", this::saveStudy);
         actions = new Actions(Texts.of("canvas", language));
-        actions.addPicture(new ShownPicture("study", stage, this::svg), onFailure);
+        actions.addPicture(
+                new ShownPicture("study", this::dots, this::svg, Runnable::run), onFailure);
         actions.add("copyCommand", () -> Copying.text(command(), onFailure));
         stage.setName("stage");
         stage.add(chart, StudyView.CHART.code());
@@ -143,6 +145,12 @@ public final class StudyPanel extends LabPanel {
         } catch (IllegalArgumentException e) {
             onFailure.accept(e);
         }
+    }
+
+    private BufferedImage dots() {
+        return model.state().view() == StudyView.HAZARDS
+                ? table.dots()
+                : ShownPicture.dotsOf(chart);
     }
 
     private String svg() {

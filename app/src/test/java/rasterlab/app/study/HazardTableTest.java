@@ -8,15 +8,22 @@ import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JTable;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.shell.LabTheme;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 class HazardTableTest {
+    @BeforeAll
+    static void installTheTheme() {
+        LabTheme.LIGHT.install();
+    }
+
     @Test
     @DisplayName("the drawing of the table lacks a method, a hazard or the verdicts")
     void svgHasTheWholeTable() {
@@ -27,6 +34,9 @@ class HazardTableTest {
             table.scroll();
             table.refresh();
             String svg = table.svg();
+            BufferedImage dots = table.dots();
+            assertTrue(svg.contains("width=\"" + dots.getWidth() + "\""), dots.toString());
+            assertTrue(svg.contains("height=\"" + dots.getHeight() + "\""), dots.toString());
             for (Method<?> method : model.state().topic().methods())
                 assertTrue(svg.contains(">" + method.name() + "<"), method.name());
             for (Hazard<?> hazard : model.state().topic().hazards())

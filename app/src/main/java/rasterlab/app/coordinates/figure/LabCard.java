@@ -51,7 +51,10 @@ public abstract class LabCard extends LabPanel {
             Supplier<String> svg,
             Supplier<Optional<String>> command,
             Consumer<Throwable> onFailure) {
-        actions.addPicture(new ShownPicture(getName(), picture, svg, this::whenDrawn), onFailure);
+        actions.addPicture(
+                new ShownPicture(
+                        getName(), () -> ShownPicture.dotsOf(picture.get()), svg, this::whenDrawn),
+                onFailure);
         actions.add(
                 "copyCommand",
                 () -> command.get().ifPresent(text -> Copying.text(text, onFailure)));
