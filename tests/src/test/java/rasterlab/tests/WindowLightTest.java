@@ -7,13 +7,21 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.EventQueue;
 import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
+import org.assertj.swing.fixture.JFileChooserFixture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -124,6 +132,28 @@ class WindowLightTest extends WindowHarness {
             GuiActionRunner.execute(() -> window.checkBox(box).target().doClick());
         robot.waitForIdle();
         assertFalse(window.checkBox("lamp.on").target().isSelected());
+    }
+
+    @Test
+    void commandOfASceneInNoFileIsCopiedOnceTheSceneIsSaved() throws Exception {
+        Path file = folder.resolve("mine.scene.json");
+        var button = window.button("copyCommand").target();
+        GuiActionRunner.execute(() -> EventQueue.invokeLater(button::doClick));
+        JFileChooserFixture dialog = window.fileChooser("save.dialog");
+        dialog.fileNameTextBox().setText(file.toString());
+        dialog.fileNameTextBox().pressAndReleaseKeys(KeyEvent.VK_ENTER);
+        await("the command is copied", () -> copied().contains("./lab render " + file));
+        assertTrue(Files.readString(file).contains("\"light\""));
+    }
+
+    /** What the clipboard has; "" where that is no text. */
+    private static String copied() {
+        var clipboard = Toolkit.getDefaultToolkit().getSystemClipboard();
+        try {
+            return (String) clipboard.getData(DataFlavor.stringFlavor);
+        } catch (UnsupportedFlavorException | IOException e) {
+            return "";
+        }
     }
 
     @Test

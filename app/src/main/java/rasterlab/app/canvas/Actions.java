@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -12,7 +13,7 @@ import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Texts;
 
-/** The buttons below the inspector: undo, redo, reset, copy. */
+/** The buttons below the inspector: undo, redo, reset, save, copy. */
 public final class Actions extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -21,13 +22,17 @@ public final class Actions extends JPanel {
 
     private static final List<String> REDO_KEYS = List.of("ctrl Y", "ctrl shift Z");
 
+    private static final String HALF = "wmin pref";
+
     private final transient Texts texts;
+    private final transient MigLayout grid;
     private final Map<String, JButton> buttons = new HashMap<>();
 
     private transient Optional<History<?>> history = Optional.empty();
 
     public Actions(Texts texts) {
-        super(new MigLayout("insets 0 2 0 10, gap 6, wrap 2", "[grow,fill,50%][grow,fill,50%]"));
+        grid = new MigLayout("insets 0 2 0 10, gap 6, wrap 2", "[grow,fill,50%][grow,fill,50%]");
+        setLayout(grid);
         this.texts = texts;
     }
 
@@ -44,8 +49,30 @@ public final class Actions extends JPanel {
         button.setToolTipText(texts.text("action." + key + ".hint"));
         button.addActionListener(e -> action.run());
         buttons.put(key, button);
-        boolean alone = key.equals("copyCommand") && getComponentCount() % 2 == 0;
-        add(button, alone ? "span 2, wmin pref" : "wmin pref");
+        place(button);
+    }
+
+    /** The last button takes both columns where it would stand alone. */
+    private void place(JButton button) {
+        int before = getComponentCount();
+        boolean alone = before % 2 == 0;
+        if (!alone) grid.setComponentConstraints(getComponent(before - 1), HALF);
+        add(button, alone ? "span 2, " + HALF : HALF);
+    }
+
+    /**
+     * Adds buttons that save and copy what the lab shows.
+     *
+     * @param onFailure told what could not be copied or saved
+     */
+    public void addPicture(ShownPicture picture, Consumer<Throwable> onFailure) {
+        var saving = new PictureSaving(picture, this, texts.language(), onFailure);
+        add("savePicture", saving::ask);
+        Consumer<Runnable> drawn = picture.whenDrawn();
+        add(
+                "copyPicture",
+                () -> drawn.accept(() -> Copying.picture(picture.dots().get(), onFailure)));
+        add("copySvg", () -> drawn.accept(() -> Copying.svg(picture.svg().get(), onFailure)));
     }
 
     /** Adds buttons for undo and redo; {@link #refreshUndo} enables them. */

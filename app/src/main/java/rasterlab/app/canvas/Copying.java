@@ -10,7 +10,6 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.function.Consumer;
-import javax.swing.JComponent;
 
 /** Puts pictures and commands on the system's clipboard. */
 public final class Copying {
@@ -23,26 +22,9 @@ public final class Copying {
         put(new StringSelection(text), onFailure);
     }
 
-    /**
-     * Copies what a component shows, at the screen's own resolution, without what serves the mouse
-     * and the keyboard.
-     */
-    public static void picture(JComponent shown, Consumer<Throwable> onFailure) {
-        put(new PictureSelection(drawn(shown)), onFailure);
-    }
-
-    static BufferedImage drawn(JComponent shown) {
-        double scale = DevicePixels.scale(shown);
-        var picture =
-                new BufferedImage(
-                        (int) Math.max(1, Math.round(shown.getWidth() * scale)),
-                        (int) Math.max(1, Math.round(shown.getHeight() * scale)),
-                        BufferedImage.TYPE_INT_RGB);
-        var g = picture.createGraphics();
-        g.scale(scale, scale);
-        shown.print(g);
-        g.dispose();
-        return picture;
+    /** Copies a picture, dot by dot. */
+    public static void picture(BufferedImage picture, Consumer<Throwable> onFailure) {
+        put(new PictureSelection(picture), onFailure);
     }
 
     /** Copies an SVG document, as a drawing to those who know SVG and as text to all. */

@@ -7,13 +7,18 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
-import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.WholeFile;
 
-/** Asks for a file; one that is there already is written over only if that is said. */
-public class SaveChooser extends JFileChooser {
+/**
+ * Asks for a file that can be written; one that is there already is written over only if that is
+ * said.
+ */
+public class SaveChooser extends LastFolderChooser {
     private static final long serialVersionUID = 1L;
 
     private final transient Texts texts;
@@ -51,14 +56,42 @@ public class SaveChooser extends JFileChooser {
     }
 
     private Path saved() {
-        return named.apply(getSelectedFile().toPath());
+        return named(getSelectedFile().toPath());
     }
 
+    /**
+     * The file that is written for a chosen one.
+     *
+     * @throws Complaint if it cannot be written under that name
+     */
+    protected Path named(Path chosen) {
+        return named.apply(chosen);
+    }
+
+    /** Stays open with what cannot be written. */
     @Override
     public void approveSelection() {
-        boolean saving = getDialogType() == SAVE_DIALOG;
-        if (saving && Files.exists(saved()) && !mayReplace.test(saved())) return;
-        super.approveSelection();
+        if (getDialogType() != SAVE_DIALOG || writable()) super.approveSelection();
+    }
+
+    private boolean writable() {
+        try {
+            Path file = saved();
+            WholeFile.requireWritable(file);
+            return !Files.exists(file) || mayReplace.test(file);
+        } catch (Complaint complaint) {
+            refuse(complaint.getMessage());
+            return false;
+        }
+    }
+
+    /** Tells why a file cannot be written. */
+    protected void refuse(String complaint) {
+        JOptionPane.showMessageDialog(
+                this,
+                Complaints.said(texts.language(), complaint),
+                texts.text("replace.title"),
+                JOptionPane.WARNING_MESSAGE);
     }
 
     /** The answer that keeps the file is the one that Enter, Escape and closing give. */

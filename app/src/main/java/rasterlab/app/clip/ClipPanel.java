@@ -9,6 +9,7 @@ import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.ModeRows;
+import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -40,8 +41,7 @@ public final class ClipPanel extends LabPanel {
         actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
-        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
-        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        actions.addPicture(new ShownPicture("clipping", stage, stage::svg), onFailure);
         actions.add(
                 "copyCommand",
                 () -> Copying.text(ClipCommand.of(model.state().choice().scene()), onFailure));

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
+import rasterlab.app.canvas.LastFolderChooser;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -48,7 +49,7 @@ public final class ClosingDialog implements Closing.User {
 
     @Override
     public Optional<Path> place(UnsavedDraft draft) {
-        var chooser = new JFileChooser();
+        var chooser = new LastFolderChooser();
         chooser.setName("closing.place");
         chooser.setDialogTitle(texts.text("closing.place", draft.exercise()));
         chooser.setSelectedFile(new File(draft.exercise() + ".java"));

@@ -12,6 +12,7 @@ import rasterlab.app.canvas.FileDrop;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -55,17 +56,14 @@ public final class LightPanel extends LabPanel {
         Texts canvas = Texts.of("canvas", language);
         orbit = new StepPlayer(canvas, new LampOrbit(model), this::orbitReading);
         turning = new StepPlayer(canvas, new CubeTurning(model), this::turningReading);
-        lightActions = actions(canvas, () -> Copying.picture(stage, onFailure));
-        colourActions = actions(canvas, () -> Copying.picture(cube, onFailure));
+        lightActions = actions(canvas, new ShownPicture("lighting", stage, stage::svg));
+        colourActions = actions(canvas, new ShownPicture("colours", cube, cube::svg));
         saving = new LitSceneSaving(model, texts, this, onFailure);
         lightActions.add("openScene", saving::open);
         lightActions.add("saveScene", saving::ask);
-        lightActions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
         stage.setTransferHandler(new FileDrop(model::open, onFailure));
         lightActions.add(
-                "copyCommand",
-                () -> saving.commands().ifPresent(lines -> Copying.text(lines, onFailure)));
-        colourActions.add("copySvg", () -> Copying.svg(cube.svg(), onFailure));
+                "copyCommand", () -> saving.tellCommands(lines -> Copying.text(lines, onFailure)));
         colourActions.add("copyCommand", () -> Copying.text(command(), onFailure));
         rows = new RowCard(shown, cards, this::rows);
         orbit.bindKeys(stage);
@@ -117,11 +115,11 @@ public final class LightPanel extends LabPanel {
         Actions.bindUndo(card, model.history());
     }
 
-    private Actions actions(Texts canvas, Runnable copy) {
+    private Actions actions(Texts canvas, ShownPicture picture) {
         var actions = new Actions(canvas);
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
-        actions.add("copyPicture", copy);
+        actions.addPicture(picture, onFailure);
         return actions;
     }
 
@@ -221,7 +219,7 @@ public final class LightPanel extends LabPanel {
             orbit.refresh();
             lightActions.refreshUndo();
             boolean saved = saving.commands().isPresent();
-            lightActions.enable("copyCommand", saved);
+            lightActions.enable("copyCommand", model.state().drawn().isPresent());
             lightActions.hint("copyCommand", texts.text(saved ? "copy.saved" : "copy.unsaved"));
         }
     }

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import rasterlab.app.canvas.FileWriting;
+import rasterlab.app.canvas.LastFolderChooser;
 import rasterlab.app.canvas.SaveChooser;
 import rasterlab.app.language.Texts;
 import rasterlab.app.model.SceneText;
@@ -42,7 +43,25 @@ final class LitSceneSaving {
                                         .map(d -> file.commands(choice, d.width(), d.height())));
     }
 
+    /**
+     * Tells the commands for the three pictures; where no file holds the scene, asks for one first
+     * and saves the scene there.
+     */
+    void tellCommands(Consumer<String> told) {
+        commands().ifPresentOrElse(told, () -> ask(file -> told.accept(commands(file))));
+    }
+
+    /** For what the file holds, even if the lamps have gone on since. */
+    private String commands(LitSceneFile file) {
+        LightFrame.Drawn drawn = model.state().drawn().orElseThrow();
+        return file.commands(file.choice(), drawn.width(), drawn.height());
+    }
+
     void ask() {
+        ask(file -> {});
+    }
+
+    private void ask(Consumer<LitSceneFile> then) {
         var chooser = new SaveChooser(texts.language(), SceneText::named);
         chooser.setDialogTitle(texts.text("scene.save.title"));
         LightChoice choice = model.state().choice();
@@ -51,12 +70,12 @@ final class LitSceneSaving {
                         choice.body().stem().replaceFirst("-lit$", "")
                                 + "-lit"
                                 + SceneText.EXTENSION)
-                .ifPresent(file -> write(choice, file));
+                .ifPresent(file -> write(choice, file, then));
     }
 
     /** Asks for a file and opens it. */
     void open() {
-        var chooser = new JFileChooser();
+        var chooser = new LastFolderChooser();
         chooser.setName("open.dialog");
         chooser.setDialogTitle(texts.text("scene.open.title"));
         chooser.setFileFilter(new FileNameExtensionFilter(texts.text("scene.files"), "json"));
@@ -64,10 +83,13 @@ final class LitSceneSaving {
             model.open(chooser.getSelectedFile().toPath());
     }
 
-    private void write(LightChoice choice, Path file) {
+    private void write(LightChoice choice, Path file, Consumer<LitSceneFile> then) {
         writing.write(
                 texts.text("scene.save.title"),
                 () -> LitSceneFile.write(choice, file),
-                model::keep);
+                written -> {
+                    model.keep(written);
+                    then.accept(written);
+                });
     }
 }

@@ -8,6 +8,7 @@ import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -42,8 +43,7 @@ final class SegmentPanel extends LabPanel {
         actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
-        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
-        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        actions.addPicture(new ShownPicture("segment", stage, stage::svg), onFailure);
         actions.add(
                 "copyCommand",
                 () -> Copying.text(LineCommand.of(model.state().choice()), onFailure));

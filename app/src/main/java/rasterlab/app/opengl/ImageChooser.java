@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import rasterlab.app.canvas.LastFolderChooser;
 import rasterlab.app.language.Texts;
 
 /** Asks the user for an image file. */
@@ -17,7 +18,7 @@ final class ImageChooser {
      * @param above the dialog comes up above it
      */
     static Optional<Path> ask(Component above, Texts texts) {
-        var chooser = new JFileChooser();
+        var chooser = new LastFolderChooser();
         chooser.setName("image.chooser");
         chooser.setDialogTitle(texts.text("open.title"));
         chooser.setFileFilter(

@@ -10,6 +10,7 @@ import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -39,10 +40,9 @@ public final class OpenGlPanel extends LabPanel {
         actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
-        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
-        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
-        actions.add("copyCalls", () -> Copying.text(stage.log().program(), onFailure));
+        actions.addPicture(new ShownPicture("opengl", stage, stage::svg), onFailure);
         actions.add("copyCommand", () -> command().ifPresent(c -> Copying.text(c, onFailure)));
+        actions.add("copyCalls", () -> Copying.text(stage.log().program(), onFailure));
     }
 
     @Override

@@ -69,8 +69,8 @@ public final class RowPanel extends LabCard {
     }
 
     @Override
-    protected void whenDrawn(Runnable copy) {
-        model.whenShown(copy);
+    protected void whenDrawn(Runnable taken) {
+        model.whenShown(taken);
     }
 
     @Override

@@ -12,6 +12,7 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlaneView;
+import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -64,8 +65,7 @@ final class FunctionPanel extends LabPanel {
         actions = new Actions(canvas);
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
-        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
-        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        actions.addPicture(new ShownPicture("function", stage, stage::svg), onFailure);
         actions.add(
                 "copyCommand", () -> Copying.text(FunctionCommand.of(model.state()), onFailure));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));

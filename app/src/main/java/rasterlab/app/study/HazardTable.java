@@ -2,10 +2,13 @@ package rasterlab.app.study;
 
 import java.awt.Color;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
@@ -17,8 +20,8 @@ import javax.swing.ScrollPaneConstants;
 import javax.swing.UIManager;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
-import javax.swing.table.JTableHeader;
 import javax.swing.table.TableCellRenderer;
+import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
@@ -87,25 +90,38 @@ final class HazardTable extends JTable {
 
     /** The whole table with its names, as an SVG document. */
     String svg() {
-        JTableHeader methodNames = getTableHeader();
-        JTableHeader corner = names.getTableHeader();
+        Dimension whole = whole();
+        return SvgPicture.of(whole.width, whole.height, this::printWhole);
+    }
+
+    /** The same dot by dot. */
+    BufferedImage dots() {
+        Dimension whole = whole();
+        return DevicePixels.painted(
+                whole.width, whole.height, DevicePixels.scale(this), this::printWhole);
+    }
+
+    private Dimension whole() {
+        return new Dimension(
+                names.getPreferredSize().width + getPreferredSize().width,
+                getTableHeader().getPreferredSize().height + getRowCount() * getRowHeight());
+    }
+
+    private void printWhole(Graphics2D g) {
         int left = names.getPreferredSize().width;
-        int top = methodNames.getPreferredSize().height;
-        int right = getPreferredSize().width;
-        int rows = getRowCount() * getRowHeight();
-        shape(corner, left, top);
-        shape(methodNames, right, top);
-        shape(names, left, rows);
-        shape(this, right, rows);
-        return SvgPicture.of(
-                left + right,
-                top + rows,
-                g -> {
-                    SvgPicture.within(new Rectangle(0, 0, left, top), g, corner::print);
-                    SvgPicture.within(new Rectangle(left, 0, right, top), g, methodNames::print);
-                    SvgPicture.within(new Rectangle(0, top, left, rows), g, names::print);
-                    SvgPicture.within(new Rectangle(left, top, right, rows), g, this::print);
-                });
+        int top = getTableHeader().getPreferredSize().height;
+        Dimension whole = whole();
+        int right = whole.width - left;
+        int rows = whole.height - top;
+        print(names.getTableHeader(), new Rectangle(0, 0, left, top), g);
+        print(getTableHeader(), new Rectangle(left, 0, right, top), g);
+        print(names, new Rectangle(0, top, left, rows), g);
+        print(this, new Rectangle(left, top, right, rows), g);
+    }
+
+    private static void print(JComponent part, Rectangle place, Graphics2D g) {
+        shape(part, place.width, place.height);
+        SvgPicture.within(place, g, part::print);
     }
 
     /** A part that no window has laid out yet. */

@@ -2,9 +2,9 @@ package rasterlab.app.study;
 
 import java.awt.CardLayout;
 import java.awt.Insets;
+import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.Locale;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -22,9 +22,9 @@ import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.SaveChooser;
+import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.study.Study;
 
 /** Speed and accuracy as the window shows them, in one language. */
@@ -71,10 +71,10 @@ public final class StudyPanel extends LabPanel {
         measure = button("measure", this::measure);
         hazards = button("tryHazards", this::tryHazards);
         cancel = button("cancel", model::cancel);
-        save = button("save", this::save);
+        save = button("save", this::saveStudy);
         actions = new Actions(Texts.of("canvas", language));
-        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
-        actions.add("copySvg", this::copySvg);
+        actions.addPicture(
+                new ShownPicture("study", this::dots, this::svg, Runnable::run), onFailure);
         actions.add("copyCommand", () -> Copying.text(command(), onFailure));
         stage.setName("stage");
         stage.add(chart, StudyView.CHART.code());
@@ -149,54 +149,20 @@ public final class StudyPanel extends LabPanel {
         }
     }
 
-    private void copySvg() {
-        if (model.state().view() == StudyView.HAZARDS) {
-            Copying.svg(table.svg(), onFailure);
-            return;
-        }
-        model.state()
-                .study()
-                .ifPresent(
-                        study ->
-                                Copying.svg(
-                                        new String(
-                                                StudyChart.svg(study, texts.language()),
-                                                StandardCharsets.UTF_8),
-                                        onFailure));
+    private BufferedImage dots() {
+        return model.state().view() == StudyView.HAZARDS
+                ? table.dots()
+                : ShownPicture.dotsOf(chart);
+    }
+
+    private String svg() {
+        if (model.state().view() == StudyView.HAZARDS) return table.svg();
+        Study study = model.state().study().orElseThrow();
+        return new String(StudyChart.svg(study, texts.language()), StandardCharsets.UTF_8);
     }
 
     private String command() {
         return StudyLabCommand.of(model.state(), texts.language());
-    }
-
-    private void save() {
-        if (model.state().view() == StudyView.HAZARDS) saveTable();
-        else saveStudy();
-    }
-
-    private void saveTable() {
-        var chooser = new SaveChooser(texts.language(), StudyPanel::drawing);
-        chooser.setDialogTitle(texts.text("save.table"));
-        chooser.setFileFilter(new FileNameExtensionFilter("SVG", "svg"));
-        chooser.toSave(this, "hazards-" + model.state().topic().name() + ".svg")
-                .ifPresent(this::writeTable);
-    }
-
-    private static Path drawing(Path file) {
-        String path = file.toString();
-        return path.toLowerCase(Locale.ROOT).endsWith(".svg") ? file : Path.of(path + ".svg");
-    }
-
-    private void writeTable(Path file) {
-        byte[] svg = table.svg().getBytes(StandardCharsets.UTF_8);
-        writing.write(
-                texts.text("save.table"),
-                () -> {
-                    WholeFile.requireWritable(file);
-                    WholeFile.write(file, svg);
-                    return file;
-                },
-                done -> {});
     }
 
     private void saveStudy() {
@@ -227,7 +193,8 @@ public final class StudyPanel extends LabPanel {
         hazards.setEnabled(!running);
         cancel.setEnabled(running);
         boolean drawn = state.study().isPresent() || state.view() == StudyView.HAZARDS;
-        save.setEnabled(drawn);
+        save.setEnabled(state.study().isPresent() && state.view() == StudyView.CHART);
+        actions.enable("savePicture", drawn);
         actions.enable("copySvg", drawn);
         cards.show(stage, state.view().code());
         chart.refresh();

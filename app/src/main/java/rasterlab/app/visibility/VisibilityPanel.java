@@ -10,6 +10,7 @@ import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -50,8 +51,7 @@ public final class VisibilityPanel extends LabPanel {
         actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
-        actions.add("copyPicture", () -> Copying.picture(stage, onFailure));
-        actions.add("copySvg", () -> Copying.svg(stage.svg(), onFailure));
+        actions.addPicture(new ShownPicture("hidden-surfaces", stage, stage::svg), onFailure);
         rows = new RowCard(shown, cards, () -> rows(onFailure));
         actions.add("copyCommand", () -> Copying.text(VisibilityCommand.of(model), onFailure));
     }

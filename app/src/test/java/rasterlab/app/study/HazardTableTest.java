@@ -35,6 +35,9 @@ class HazardTableTest {
             table.scroll();
             table.refresh();
             String svg = table.svg();
+            BufferedImage dots = table.dots();
+            assertTrue(svg.contains("width=\"" + dots.getWidth() + "\""), dots.toString());
+            assertTrue(svg.contains("height=\"" + dots.getHeight() + "\""), dots.toString());
             for (Method<?> method : model.state().topic().methods())
                 assertTrue(svg.contains(">" + method.name() + "<"), method.name());
             for (Hazard<?> hazard : model.state().topic().hazards())

@@ -13,6 +13,7 @@ import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.canvas.Steps;
 import rasterlab.app.language.Language;
@@ -40,27 +41,28 @@ public abstract class LabCard extends LabPanel {
     }
 
     /**
-     * Adds the buttons that copy what is shown.
+     * Adds the buttons that save and copy what is shown.
      *
      * @param command empty where no command draws it
-     * @param onFailure told what could not be copied
+     * @param onFailure told what could not be copied or saved
      */
     protected final void addCopies(
             Supplier<? extends JComponent> picture,
             Supplier<String> svg,
             Supplier<Optional<String>> command,
             Consumer<Throwable> onFailure) {
-        actions.add(
-                "copyPicture", () -> whenDrawn(() -> Copying.picture(picture.get(), onFailure)));
-        actions.add("copySvg", () -> whenDrawn(() -> Copying.svg(svg.get(), onFailure)));
+        actions.addPicture(
+                new ShownPicture(
+                        getName(), () -> ShownPicture.dotsOf(picture.get()), svg, this::whenDrawn),
+                onFailure);
         actions.add(
                 "copyCommand",
                 () -> command.get().ifPresent(text -> Copying.text(text, onFailure)));
     }
 
     /** Runs it as soon as the picture is that of the present choice. */
-    protected void whenDrawn(Runnable copy) {
-        copy.run();
+    protected void whenDrawn(Runnable taken) {
+        taken.run();
     }
 
     protected final Actions actions() {

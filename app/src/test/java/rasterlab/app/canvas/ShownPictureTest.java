@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
-class CopyingTest {
+class ShownPictureTest {
     private static final int GROUND = Color.WHITE.getRGB();
     private static final int RING = Color.BLUE.getRGB();
 
@@ -70,7 +70,7 @@ class CopyingTest {
 
     @Test
     void copiedPictureHasNoButtonsAndNoRing() {
-        assertEquals(Set.of(GROUND, Color.GREEN.getRGB()), colours(Copying.drawn(stage())));
+        assertEquals(Set.of(GROUND, Color.GREEN.getRGB()), colours(ShownPicture.dotsOf(stage())));
     }
 
     @Test
