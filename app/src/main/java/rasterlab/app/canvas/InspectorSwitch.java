@@ -1,5 +1,7 @@
 package rasterlab.app.canvas;
 
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BasicStroke;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -67,18 +69,19 @@ final class InspectorSwitch extends JButton {
             path.moveTo(back, y + 1);
             path.lineTo(tip, y + getIconHeight() / 2.0);
             path.lineTo(back, y + getIconHeight() - 1);
+            g2.setStroke(new BasicStroke(UIScale.scale(1f)));
             g2.draw(path);
             g2.dispose();
         }
 
         @Override
         public int getIconWidth() {
-            return 6;
+            return UIScale.scale(6);
         }
 
         @Override
         public int getIconHeight() {
-            return 11;
+            return UIScale.scale(11);
         }
     }
 }

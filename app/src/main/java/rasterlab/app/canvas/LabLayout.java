@@ -15,7 +15,8 @@ import net.miginfocom.swing.MigLayout;
 
 /**
  * The one layout of every lab: hazard chips above the stage, the stage left and largest, the
- * inspector on the right, which can be hidden, the timeline below.
+ * inspector on the right, which can be hidden, the timeline below. In large type an inspector that
+ * would take nearly half of the lab is hidden until it is asked for.
  */
 public final class LabLayout extends JPanel {
     private static final long serialVersionUID = 1L;
@@ -31,8 +32,16 @@ public final class LabLayout extends JPanel {
 
     private static final String HIDDEN = "Rasterlab.inspectorsHidden";
 
+    /** From this share of the lab on an inspector in large type crowds the stage. */
+    private static final double CROWD = 0.45;
+
+    /** Whether the inspectors were asked for where they crowd the stage. */
+    private static final String CROWDING = "Rasterlab.inspectorsCrowd";
+
     private final JPanel column;
     private final InspectorSwitch hiding;
+    private final boolean large = LargeType.now();
+    private final int wide;
 
     /**
      * @param actions buttons that stay in sight below the inspector
@@ -55,12 +64,18 @@ public final class LabLayout extends JPanel {
         add(hiding, "cell 1 0 1 3, growy");
         int usual = UIScale.scale(inspector.stacked() ? STACKED : INSPECTOR);
         int buttons = actions.getMinimumSize().width;
-        int wide = Math.max(usual, Math.max(needed(inspector), buttons));
+        wide = Math.max(usual, Math.max(needed(inspector), buttons));
         String width = "w 0:%dpx:max(50%%,%dpx), ".formatted(wide, buttons);
         add(column, width + "cell 2 0 1 3, growy, hmin 0");
         add(stage, "cell 0 1, wmin 100, hmin 100");
         add(timeline, "cell 0 2, wmin 0, growx");
         refresh();
+    }
+
+    @Override
+    public void doLayout() {
+        refresh();
+        super.doLayout();
     }
 
     /** Whether the labs show their inspectors. On the event thread. */
@@ -73,24 +88,38 @@ public final class LabLayout extends JPanel {
         UIManager.put(HIDDEN, !shown);
     }
 
+    /** Shows inspectors, or hides them, where they crowd the stage. On the event thread. */
+    public static void showCrowdingInspectors(boolean shown) {
+        UIManager.put(CROWDING, shown);
+    }
+
     /** In every lab of the window at once, so that no tab looks otherwise than the one before. */
     private void toggle(JComponent stage) {
-        showInspectors(!showsInspectors());
+        boolean shown = !column.isVisible();
+        if (crowded()) showCrowdingInspectors(shown);
+        if (shown || !crowded()) showInspectors(shown);
         Component window = SwingUtilities.getRoot(this);
         refreshAll(window instanceof Container all ? all : this);
         if (!column.isVisible() && !stage.requestFocusInWindow()) hiding.requestFocusInWindow();
     }
 
     private static void refreshAll(Container container) {
-        if (container instanceof LabLayout lab) lab.refresh();
+        if (container instanceof LabLayout lab) {
+            lab.refresh();
+            lab.revalidate();
+        }
         for (Component each : container.getComponents())
             if (each instanceof Container inner) refreshAll(inner);
     }
 
     private void refresh() {
-        column.setVisible(showsInspectors());
-        hiding.refresh(showsInspectors());
-        revalidate();
+        boolean shown = showsInspectors() && (!crowded() || UIManager.getBoolean(CROWDING));
+        column.setVisible(shown);
+        hiding.refresh(shown);
+    }
+
+    private boolean crowded() {
+        return large && getWidth() > 0 && wide > CROWD * getWidth();
     }
 
     /** In view units as they are, where INSPECTOR still grows with the font. */

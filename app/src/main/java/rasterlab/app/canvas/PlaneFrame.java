@@ -40,7 +40,7 @@ record PlaneFrame(
     private static final double DOT = 3.5;
 
     /** Between a point and its label, for the ring around the point. */
-    private static final double AWAY = 15;
+    private static final int AWAY = 15;
 
     /**
      * @throws CancellationException soon after {@code cancelled} says true
@@ -134,12 +134,16 @@ record PlaneFrame(
                 .map(corner -> new Rectangle(corner, size.getSize()));
     }
 
+    private static double away() {
+        return PictureType.scaled(AWAY);
+    }
+
     private Rectangle ring(PlanePoint point) {
         return new Rectangle(
-                (int) (map.viewX(point.x()) - AWAY),
-                (int) (map.viewY(point.y()) - AWAY),
-                (int) (2 * AWAY),
-                (int) (2 * AWAY));
+                (int) (map.viewX(point.x()) - away()),
+                (int) (map.viewY(point.y()) - away()),
+                (int) (2 * away()),
+                (int) (2 * away()));
     }
 
     /** The places of labels and of the rings around points. */
@@ -185,14 +189,14 @@ record PlaneFrame(
         int wide = metrics.stringWidth(point.label());
         double away =
                 Math.min(
-                        (AWAY + wide / 2.0) / Math.abs(dx / length),
-                        (AWAY + metrics.getAscent() / 2.0) / Math.abs(dy / length));
+                        (away() + wide / 2.0) / Math.abs(dx / length),
+                        (away() + metrics.getAscent() / 2.0) / Math.abs(dy / length));
         double left = x + dx / length * away - wide / 2.0;
         double fitting = Math.max(Rulers.left() + 6, Math.min(width - wide - 8, left));
         // A label that the stage's edge pushes back to its point stands above it.
         double base =
-                Math.abs(fitting - left) > AWAY / 2
-                        ? y - AWAY
+                Math.abs(fitting - left) > away() / 2
+                        ? y - away()
                         : y + dy / length * away + metrics.getAscent() / 2.0 - 1;
         int top = Rulers.top() + metrics.getAscent() + 4;
         int baseline = (int) Math.max(top, Math.min(height - 8, base));

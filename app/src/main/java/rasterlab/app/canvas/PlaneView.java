@@ -1,6 +1,5 @@
 package rasterlab.app.canvas;
 
-import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Graphics;
@@ -195,7 +194,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     }
 
     private Rectangle besideTheNote() {
-        return PlaneFrame.note(picture, note, getSize(), UIManager.getFont("Label.font")).below();
+        return PlaneFrame.note(picture, note, getSize(), PictureType.in(getSize())).below();
     }
 
     /**
@@ -210,7 +209,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         int right = sight.x + sight.width;
         int bottom = sight.y + sight.height;
         PlaneMap map = map(sight);
-        int size = UIScale.scale(22);
+        int size = PictureType.scaled(22);
         for (PlaneHandle handle : handles)
             handle.setBounds(
                     Rulers.square(map.viewX(handle.point().x()), sight.x, right, size),
@@ -233,7 +232,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
                 getHeight(),
                 DevicePixels.scale(this),
                 StageColours.now(),
-                UIManager.getFont("Label.font"),
+                PictureType.in(getSize()),
                 texts.locale());
     }
 

@@ -1,6 +1,5 @@
 package rasterlab.app.canvas;
 
-import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
@@ -26,17 +25,17 @@ public final class Rulers {
         this.grid = grid;
         this.view = view;
         this.colours = colours;
-        this.font = font.deriveFont(Font.PLAIN, UIScale.scale(11f));
+        this.font = font.deriveFont(Font.PLAIN, PictureType.scaled(11f));
     }
 
     /** Height of the upper margin in view units. */
     public static int top() {
-        return UIScale.scale(22);
+        return PictureType.scaled(22);
     }
 
     /** Width of the left margin in view units. */
     public static int left() {
-        return UIScale.scale(44);
+        return PictureType.scaled(44);
     }
 
     /** What the margins leave of the view. */
@@ -78,7 +77,7 @@ public final class Rulers {
         g.setColor(colours.margin());
         g.fillRect(0, 0, left(), top());
         g.setColor(colours.ink());
-        g.drawString("y\\x", left() - UIScale.scale(24), baseline());
+        g.drawString("y\\x", left() - PictureType.scaled(24), baseline());
     }
 
     private void paintNumbers(Graphics2D g) {
@@ -104,7 +103,7 @@ public final class Rulers {
     }
 
     private static int baseline() {
-        return UIScale.scale(15);
+        return PictureType.scaled(15);
     }
 
     /** A number that fits the left margin: of a long one, the end, which is what changes. */

@@ -83,6 +83,7 @@ public final class ZoomButtons extends JPanel {
         button.setToolTipText(texts.text(key));
         button.getAccessibleContext().setAccessibleName(texts.text(key));
         button.putClientProperty("JButton.squareSize", true);
+        button.setFont(button.getFont().deriveFont(PictureType.grown(button.getFont())));
         button.addActionListener(e -> action.run());
         return button;
     }

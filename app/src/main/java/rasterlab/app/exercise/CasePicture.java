@@ -3,6 +3,7 @@ package rasterlab.app.exercise;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.Dimension;
+import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -17,6 +18,7 @@ import javax.accessibility.AccessibleRole;
 import javax.imageio.ImageIO;
 import javax.swing.Timer;
 import javax.swing.UIManager;
+import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.language.Texts;
 
@@ -27,10 +29,15 @@ final class CasePicture extends SelfDrawn {
     static final List<String> VIEWS =
             List.of("together", "expected", "actual", "difference", "blink");
 
+    private static final List<String> TOGETHER = List.of("expected", "actual", "difference");
+
+    /** Of the usual type. */
+    private static final float SMALLER = 0.85f;
+
     /** As long as the eye needs to see what jumps. */
     private static final int BLINK_MILLIS = 450;
 
-    private static final int GAP = 10;
+    private static final int GAP = 6;
 
     private record Shown(String key, BufferedImage picture) {}
 
@@ -117,14 +124,14 @@ final class CasePicture extends SelfDrawn {
         var g = (Graphics2D) graphics.create();
         g.setRenderingHint(
                 RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-        g.setFont(UIManager.getFont("Label.font"));
         if (!decoded.isEmpty()) paintPictures(g);
         g.dispose();
     }
 
     private void paintPictures(Graphics2D g) {
         int gap = UIScale.scale(GAP);
-        String alone = view.equals("together") && !fit(g.getFontMetrics()) ? "difference" : seen();
+        g.setFont(typeOfNames());
+        String alone = view.equals("together") && !together() ? "difference" : seen();
         List<Shown> seen =
                 alone.equals("together")
                         ? decoded
@@ -134,10 +141,23 @@ final class CasePicture extends SelfDrawn {
     }
 
     /** Whether all pictures have room for their names beside each other. */
-    private boolean fit(FontMetrics metrics) {
-        int width = getWidth() / decoded.size() - UIScale.scale(GAP);
-        return decoded.stream()
-                .allMatch(one -> metrics.stringWidth(texts.text("view." + one.key())) <= width);
+    boolean together() {
+        return fit(typeOfNames());
+    }
+
+    /** Smaller than usual where all names have room by that only. */
+    private Font typeOfNames() {
+        Font usual = PictureType.in(getSize());
+        Font smaller = usual.deriveFont(SMALLER * usual.getSize2D());
+        return !fit(usual) && fit(smaller) ? smaller : usual;
+    }
+
+    private boolean fit(Font font) {
+        FontMetrics metrics = getFontMetrics(font);
+        int gap = UIScale.scale(GAP);
+        int width = (getWidth() - gap * (TOGETHER.size() - 1)) / TOGETHER.size();
+        return TOGETHER.stream()
+                .allMatch(key -> metrics.stringWidth(texts.text("view." + key)) <= width);
     }
 
     /** One picture at the top of its column, with a frame and its name. */

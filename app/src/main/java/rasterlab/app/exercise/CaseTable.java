@@ -1,5 +1,6 @@
 package rasterlab.app.exercise;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.util.List;
 import java.util.Optional;
@@ -12,6 +13,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableCellRenderer;
 import javax.swing.table.TableColumn;
 import rasterlab.app.language.Texts;
+import rasterlab.exercises.score.GradingVerdict;
 
 /** The cases of a result, one in each row. */
 final class CaseTable extends JTable {
@@ -19,8 +21,16 @@ final class CaseTable extends JTable {
 
     private static final List<String> COLUMNS = List.of("sign", "case", "points", "verdict");
 
-    /** Left and right of a text, together. */
+    /** Left and right of a text, together; more beside large type. */
     private static final int MARGIN = 14;
+
+    /** Verdicts that have room before any of them is there, so that no place moves by them. */
+    private static final List<GradingVerdict> USUAL =
+            List.of(
+                    GradingVerdict.OK,
+                    GradingVerdict.WRONG,
+                    GradingVerdict.TIME_LIMIT,
+                    GradingVerdict.NOT_MEASURED);
 
     private final transient Texts texts;
     private final transient Rows rows = new Rows();
@@ -50,20 +60,39 @@ final class CaseTable extends JTable {
                         });
     }
 
-    /** Without the verdict in words where there is no room for it: the sign tells it too. */
+    /**
+     * Without the verdict in words where there is no room for the shortest: the sign tells it too.
+     */
     @Override
     public void doLayout() {
-        boolean roomy = getWidth() >= needed();
+        int rest = getWidth() - least();
+        boolean roomy = rest >= said(List.of(GradingVerdict.OK, GradingVerdict.WRONG));
         if (roomy && getColumnCount() < COLUMNS.size()) addColumn(verdict);
         if (!roomy && getColumnCount() == COLUMNS.size()) removeColumn(verdict);
-        for (int column = 0; column < getColumnCount(); column++)
-            if (column != 1) width(column, widest(column));
+        width(0, widest(0));
+        width(2, widest(2));
+        if (roomy) width(3, Math.min(rest, widest(3)));
         super.doLayout();
     }
 
-    /** The width in which nothing is cut off. */
+    /** The width in which nothing is cut off, whatever is usually said of the cases. */
     int needed() {
-        return IntStream.range(0, COLUMNS.size()).map(this::widest).sum();
+        return least() + said(USUAL);
+    }
+
+    /** The width of all columns but that of verdicts. */
+    int least() {
+        return IntStream.range(0, COLUMNS.size() - 1).map(this::widest).sum();
+    }
+
+    private int said(List<GradingVerdict> verdicts) {
+        var metrics = getFontMetrics(getFont());
+        return margin()
+                + verdicts.stream()
+                        .map(one -> texts.text("verdict." + one.code()))
+                        .mapToInt(metrics::stringWidth)
+                        .max()
+                        .orElseThrow();
     }
 
     /** Of a column with its head. */
@@ -71,11 +100,18 @@ final class CaseTable extends JTable {
         var metrics = getFontMetrics(getFont());
         int widest = metrics.stringWidth(column == 0 ? "✓" : head(column));
         for (int row = 0; row < rows.getRowCount(); row++)
-            widest =
-                    Math.max(
-                            widest,
-                            metrics.stringWidth(String.valueOf(rows.getValueAt(row, column))));
-        return widest + MARGIN;
+            widest = Math.max(widest, metrics.stringWidth(longest(row, column)));
+        return widest + margin();
+    }
+
+    /** What a cell says, or will say when its case is tried. */
+    private String longest(int row, int column) {
+        int of = rows.cases.get(row).of();
+        return column == 2 ? of + "/" + of : String.valueOf(rows.getValueAt(row, column));
+    }
+
+    private static int margin() {
+        return Math.max(MARGIN, UIScale.scale(MARGIN - 3));
     }
 
     private void width(int column, int width) {

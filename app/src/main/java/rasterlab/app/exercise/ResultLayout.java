@@ -9,7 +9,7 @@ import javax.swing.UIManager;
 
 /**
  * The cases with the chosen one's reason and pictures beside them, or below them where the cases'
- * columns take the width.
+ * names take the width. Verdicts decide nothing: a check moves no place.
  */
 final class ResultLayout implements LayoutManager {
     private static final int GAP = 12;
@@ -52,7 +52,7 @@ final class ResultLayout implements LayoutManager {
         int bar = UIScale.scale(UIManager.getInt("ScrollBar.width")) + 2;
         int needed = table.needed() + bar;
         int most = width - gap - BESIDE * type;
-        if (needed > most && height >= ABOVE * type) {
+        if (table.least() + bar > most && height >= ABOVE * type) {
             int left = (width - gap) * 2 / 5;
             int top = Math.min((height - gap) / 2, height - gap - heightOfWords(left));
             top = Math.max(top, ROWS * table.getRowHeight());

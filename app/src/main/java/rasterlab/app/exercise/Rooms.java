@@ -89,7 +89,7 @@ final class Rooms extends JPanel {
 
     private JComponent split() {
         var right = new JSplitPane(JSplitPane.VERTICAL_SPLIT, program, result);
-        divide(right, 0.56, "split.result");
+        divide(right, 0.5, "split.result");
         var both = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, statement, right);
         divide(both, 0.38, "split.statement");
         return both;

@@ -15,6 +15,7 @@ import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
@@ -87,7 +88,8 @@ final class LightStage extends SelfDrawn implements Settling {
     }
 
     private StagePlan plan() {
-        return new StagePlan(getWidth(), getHeight(), getFontMetrics(getFont()).getHeight());
+        return new StagePlan(
+                getWidth(), getHeight(), getFontMetrics(PictureType.in(getSize())).getHeight());
     }
 
     @Override
@@ -118,6 +120,7 @@ final class LightStage extends SelfDrawn implements Settling {
     private void paintAll(Graphics2D g) {
         g.setColor(StageColours.now().margin());
         g.fillRect(0, 0, getWidth(), getHeight());
+        g.setFont(PictureType.in(getSize()));
         LightLabState state = model.state();
         double scale = DevicePixels.scale(this);
         state.drawn()

@@ -4,10 +4,12 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import rasterlab.app.canvas.MethodColours;
@@ -19,9 +21,6 @@ import rasterlab.app.language.Texts;
 final class ProfilePainter {
     private static final int BESIDE = 8;
     private static final int RIGHT = 14;
-
-    /** A name's line, and what is between it and the next one. */
-    private static final int NAMED = 28 + 12;
 
     /** What the eye reports runs over by so much at most. */
     private static final double LEAST = -0.15;
@@ -48,7 +47,13 @@ final class ProfilePainter {
     void paint(int width, int height) {
         g.setColor(colours.ground());
         g.fillRect(0, 0, width, height);
-        Rectangle2D.Double box = box(width, height, g.getFontMetrics(), texts.locale());
+        FontMetrics metrics = g.getFontMetrics();
+        Rectangle2D.Double box = box(width, height, metrics, texts.locale());
+        Legend legend = legend();
+        List<Rectangle> named =
+                legend.places(metrics, (int) box.x, BESIDE, Math.max(1, (int) box.getMaxX()));
+        int wrapped = named.get(named.size() - 1).y - named.get(0).y;
+        box.setRect(box.x, box.y + wrapped, box.width, box.height - wrapped);
         if (box.width < 10 || box.height < 10) return;
         axes(box);
         boolean mach = drawn.choice().mach();
@@ -58,7 +63,7 @@ final class ProfilePainter {
             if (mach) curve(picture.reported(), box, colour, true);
             curve(picture.brightness(), box, colour, false);
         }
-        legend(box, mach);
+        legend.paint(g, named, colours.ink());
     }
 
     /** Where the curves lie: what is written around it has the room that its type needs. */
@@ -112,38 +117,20 @@ final class ProfilePainter {
             if (i == 0) path.moveTo(x, y(values[i], box));
             else path.lineTo(x, y(values[i], box));
         }
-        g.setStroke(
-                dashed
-                        ? new BasicStroke(1.2f, 1, 1, 10f, new float[] {5f, 4f}, 0f)
-                        : new BasicStroke(2.2f, 1, 1));
+        g.setStroke(Legend.stroke(dashed));
         g.setColor(colour);
         g.draw(path);
     }
 
-    private void legend(Rectangle2D box, boolean mach) {
-        FontMetrics metrics = g.getFontMetrics();
-        List<String> names =
-                drawn.pictures().stream()
-                        .map(picture -> texts.text("shading." + picture.shading().code()))
-                        .toList();
-        int all = names.stream().mapToInt(name -> NAMED + metrics.stringWidth(name)).sum();
-        int x = (int) Math.max(BESIDE, Math.min(box.getX(), box.getMaxX() - all));
-        int base = metrics.getAscent() + 5;
-        for (int i = 0; i < names.size(); i++)
-            x = entry(x, base, names.get(i), LightPainter.COLOURS.get(i), false);
-        boolean room = x + NAMED + metrics.stringWidth(texts.text("profile.eye")) <= box.getMaxX();
-        if (mach && room) entry(x, base, texts.text("profile.eye"), colours.ink(), true);
-    }
-
-    private int entry(int x, int base, String text, Color colour, boolean dashed) {
-        g.setStroke(
-                dashed
-                        ? new BasicStroke(1.2f, 1, 1, 10f, new float[] {5f, 4f}, 0f)
-                        : new BasicStroke(2.2f, 1, 1));
-        g.setColor(MethodColours.edgeOn(colours.ground(), colour));
-        g.draw(new Line2D.Double(x, base - 5, x + 22, base - 5));
-        g.setColor(colours.ink());
-        g.drawString(text, x + 28, base);
-        return x + NAMED + g.getFontMetrics().stringWidth(text);
+    private Legend legend() {
+        var entries = new ArrayList<Legend.Entry>();
+        for (int i = 0; i < drawn.pictures().size(); i++) {
+            String shading = drawn.pictures().get(i).shading().code();
+            Color colour = MethodColours.edgeOn(colours.ground(), LightPainter.COLOURS.get(i));
+            entries.add(new Legend.Entry(texts.text("shading." + shading), colour, false));
+        }
+        if (drawn.choice().mach())
+            entries.add(new Legend.Entry(texts.text("profile.eye"), colours.ink(), true));
+        return new Legend(entries);
     }
 }

@@ -1,6 +1,5 @@
 package rasterlab.app.line;
 
-import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.FontMetrics;
@@ -14,6 +13,7 @@ import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.DevicePixels;
+import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.Rulers;
@@ -79,7 +79,7 @@ record LineFrame(
      * @param sight what rulers and the note leave of the stage
      */
     static Rectangle around(End end, Segment segment, PixelGrid grid, Rectangle sight) {
-        int size = (int) Math.max(UIScale.scale(26), Math.min(60, grid.cell() * 1.5 + 6));
+        int size = (int) Math.max(PictureType.scaled(26), Math.min(60, grid.cell() * 1.5 + 6));
         int right = sight.x + sight.width;
         int bottom = sight.y + sight.height;
         return new Rectangle(

@@ -22,6 +22,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.ReadOut;
 import rasterlab.app.canvas.SelfDrawn;
@@ -149,7 +150,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
 
     /** What rulers and the note leave. */
     private Rectangle sight() {
-        return LineFrame.note(note(), getSize(), UIManager.getFont("Label.font")).below();
+        return LineFrame.note(note(), getSize(), PictureType.in(getSize())).below();
     }
 
     private String note() {
@@ -193,7 +194,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                 getHeight(),
                 DevicePixels.scale(this),
                 StageColours.now(),
-                UIManager.getFont("Label.font"),
+                PictureType.in(getSize()),
                 note(),
                 texts.locale());
     }

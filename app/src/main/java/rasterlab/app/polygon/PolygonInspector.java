@@ -201,6 +201,7 @@ final class PolygonInspector {
         column.showRow(faulty, cut);
         faulty.setText(readings.faulty());
         worst.setText(readings.worst());
+        worst.setToolTipText(shown.judges() ? texts.text("worst.hint") : null);
         column.showRow(other, state.results().other().isPresent());
         other.setText(readings.other());
         selected.setText(readings.selected());

@@ -170,7 +170,8 @@ final class PolygonReadings {
         if (outcome.ending() == Outcome.Ending.REFUSED) return NONE;
         return texts.text(
                 "worst." + scene.mode().code(),
-                Shown.number(outcome.deviation().worst(), texts.locale()));
+                Shown.number(outcome.deviation().worst(), texts.locale()),
+                outcome.deviation().worst());
     }
 
     /** The second method beside the exact answer in one line; "" when none is compared. */

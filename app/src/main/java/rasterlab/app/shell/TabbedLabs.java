@@ -50,6 +50,12 @@ final class TabbedLabs extends JTabbedPane {
         getActionMap().put("navigateLeft", stepping(-1));
     }
 
+    @Override
+    public void doLayout() {
+        TitleType.fit(this);
+        super.doLayout();
+    }
+
     private Action stepping(int by) {
         return new AbstractAction() {
             private static final long serialVersionUID = 1L;

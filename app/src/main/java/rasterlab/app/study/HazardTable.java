@@ -38,6 +38,7 @@ import rasterlab.engine.study.Verdict;
 final class HazardTable extends JTable {
     private static final long serialVersionUID = 1L;
 
+    /** Width of a method's column in view units; more where large signs need it. */
     private static final int COLUMN = 46;
 
     private final transient StudyLabModel model;
@@ -155,7 +156,7 @@ final class HazardTable extends JTable {
 
     private void shape() {
         for (int i = 0; i < getColumnCount(); i++) {
-            width(i, COLUMN);
+            width(i, Math.max(COLUMN, 2 * getFont().getSize()));
             getColumnModel().getColumn(i).setHeaderRenderer(new UprightHeader(false));
         }
         names.show(shown, hazards, called);

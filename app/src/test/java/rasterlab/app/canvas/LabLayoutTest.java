@@ -20,16 +20,23 @@ import javax.swing.KeyStroke;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.shell.LabTheme;
 
 /** A lab's inspector; that all labs of a window hide theirs at once takes a window. */
 class LabLayoutTest {
 
     @AfterEach
     void inspectorsAreShownAgain() throws Exception {
-        EventQueue.invokeAndWait(() -> LabLayout.showInspectors(true));
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    LabLayout.showInspectors(true);
+                    LabLayout.showCrowdingInspectors(false);
+                });
     }
 
     private static LabLayout lab() {
@@ -105,6 +112,51 @@ class LabLayoutTest {
                     assertTrue(places.get(0).getMaxY() <= stage.y, places.toString());
                     assertTrue(stage.getMaxY() <= places.get(2).y, places.toString());
                 });
+    }
+
+    @ParameterizedTest(name = "the projector''s picture is small beside the controls: {0} %")
+    @ValueSource(ints = {150, 200})
+    void largeTypeLeavesTheStageTheWidthUntilTheInspectorIsAskedFor(int percent) throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.PROJECTOR.install(percent);
+                    LabLayout lab = lab();
+                    layOut(lab);
+                    assertFalse(shown(lab), "it crowds the stage");
+                    assertTrue(stage(lab).getWidth() > 1100, stage(lab).getBounds().toString());
+                    press(KeyEvent.VK_F9, lab);
+                    layOut(lab);
+                    assertTrue(shown(lab), "it was asked for");
+                    press(KeyEvent.VK_F9, lab);
+                    layOut(lab);
+                    assertFalse(shown(lab), "it was sent away");
+                    assertTrue(LabLayout.showsInspectors(), "in other type it is seen again");
+                });
+    }
+
+    @ParameterizedTest(name = "the controls are gone though they have room: {0}")
+    @EnumSource(LabTheme.class)
+    void inspectorThatHasRoomIsSeen(LabTheme theme) throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    theme.install();
+                    LabLayout lab = lab();
+                    layOut(lab);
+                    assertTrue(shown(lab));
+                });
+    }
+
+    private static void layOut(LabLayout lab) {
+        lab.setSize(1280, 740);
+        lab.doLayout();
+        lab.doLayout();
+    }
+
+    private static Component stage(LabLayout lab) {
+        return found(lab, JLabel.class).stream()
+                .filter(each -> each.getText().equals("stage"))
+                .findFirst()
+                .orElseThrow();
     }
 
     @Test

@@ -38,8 +38,8 @@ class ResultGuideTest {
 
     @ParameterizedTest(name = "half the window is empty: {0}, type of {1} in {2}×{3}")
     @CsvSource({
-        "ENGLISH, 14, 780, 300",
-        "RUSSIAN, 14, 780, 300",
+        "ENGLISH, 14, 780, 340",
+        "RUSSIAN, 14, 780, 340",
         "ENGLISH, 14, 870, 430",
         "RUSSIAN, 14, 870, 430",
         "RUSSIAN, 19, 1200, 560"

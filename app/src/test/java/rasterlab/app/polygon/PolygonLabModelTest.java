@@ -224,6 +224,20 @@ class PolygonLabModelTest {
     }
 
     @Test
+    void pointOnASideIsSaidToBeThereAndNotBesideIt() {
+        assertEquals("on the side (within 1 ulp)", worst(Language.ENGLISH));
+        assertEquals("на стороне (до 1 ulp)", worst(Language.RUSSIAN));
+        model.move(Grip.POINT, 4, 2);
+        settle();
+        assertEquals("none", worst(Language.ENGLISH));
+        assertEquals("нет", worst(Language.RUSSIAN));
+    }
+
+    private String worst(Language language) {
+        return new PolygonReadings(model.state(), Texts.of("polygon", language)).worst();
+    }
+
+    @Test
     void numbersSayThatTheyAreAboutThePointAlone() {
         model.compareWith("robust");
         settle();

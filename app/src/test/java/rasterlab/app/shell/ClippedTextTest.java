@@ -15,12 +15,17 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.language.Language;
 
 class ClippedTextTest {
     @AfterAll
     static void typeIsOfUsualSizeAgain() throws InterruptedException {
-        OffscreenPainter.onEventThread(LabTheme.LIGHT::install);
+        OffscreenPainter.onEventThread(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    LabLayout.showCrowdingInspectors(false);
+                });
     }
 
     static Stream<Arguments> sizes() {
@@ -50,6 +55,7 @@ class ClippedTextTest {
         OffscreenPainter.onEventThread(
                 () -> {
                     DesktopType.install(theme, textPercent);
+                    LabLayout.showCrowdingInspectors(true);
                     models.set(LabModels.first(failures::add));
                     models.get().line().compareWith("naive-textbook");
                     tabs.set(LabTabs.create(models.get(), language, failures::add));

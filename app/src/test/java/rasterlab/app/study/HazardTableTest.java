@@ -4,12 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
+import java.awt.EventQueue;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JTable;
-import javax.swing.SwingUtilities;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
@@ -20,9 +21,32 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 
 class HazardTableTest {
-    @BeforeAll
-    static void wear() throws Exception {
-        SwingUtilities.invokeAndWait(LabTheme.LIGHT::install);
+    @BeforeEach
+    @AfterEach
+    void usualTheme() throws Exception {
+        EventQueue.invokeAndWait(LabTheme.LIGHT::install);
+    }
+
+    @Test
+    @DisplayName("the projector's largest signs are dots")
+    void columnsAreAsWideAsTheirSigns() throws Exception {
+        EventQueue.invokeAndWait(() -> LabTheme.PROJECTOR.install(200));
+        try (var model =
+                new StudyLabModel(
+                        List.of(new LineTopic()),
+                        Runnable::run,
+                        failure -> {
+                            throw new AssertionError(failure);
+                        })) {
+            var table = new HazardTable(model, Texts.of("study", Language.ENGLISH), () -> {});
+            table.scroll();
+            table.refresh();
+            int needed =
+                    table.prepareRenderer(table.getCellRenderer(0, 0), 0, 0)
+                            .getPreferredSize()
+                            .width;
+            assertTrue(table.getColumnModel().getColumn(0).getWidth() >= needed, "needs " + needed);
+        }
     }
 
     @Test

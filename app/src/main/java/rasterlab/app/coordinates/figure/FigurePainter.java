@@ -4,9 +4,11 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PlaneMap;
@@ -28,11 +30,31 @@ final class FigurePainter {
     private final Graphics2D g;
     private final PlaneMap map;
     private final StageColours colours;
+    private final LabelPlaces places;
 
-    FigurePainter(Graphics2D g, PlaneMap map, StageColours colours) {
+    /**
+     * @param marks all that will be painted
+     * @param taken where no labels stand if there is room elsewhere
+     */
+    FigurePainter(
+            Graphics2D g,
+            PlaneMap map,
+            StageColours colours,
+            List<Mark> marks,
+            List<Rectangle> taken) {
         this.g = g;
         this.map = map;
         this.colours = colours;
+        var lines = new ArrayList<Line2D>();
+        for (Mark mark : marks)
+            if (mark instanceof Mark.Line line) add(lines, line.from(), line.to());
+            else if (mark instanceof Mark.Arrow arrow) add(lines, arrow.from(), arrow.to());
+        places = new LabelPlaces(g.getClipBounds(), lines, taken);
+    }
+
+    private void add(List<Line2D> lines, Spot from, Spot to) {
+        if (from.isFinite() && to.isFinite())
+            lines.add(new Line2D.Double(x(from), y(from), x(to), y(to)));
     }
 
     void paint(Mark mark) {
@@ -168,9 +190,13 @@ final class FigurePainter {
             label(beside.label(), x(beside.at()) + 6 + half, y(beside.at()));
     }
 
-    /** To the right of a place, and a little above it. */
+    /** Where it hides no lines. */
     private void beside(String label, double x, double y) {
-        label(label, x + 11 + g.getFontMetrics().stringWidth(label) / 2.0, y - 11);
+        if (label.isEmpty()) return;
+        FontMetrics metrics = g.getFontMetrics();
+        Rectangle place =
+                places.take(x, y, metrics.stringWidth(label) + 8, metrics.getHeight() + 1);
+        label(label, place.getCenterX(), place.getCenterY());
     }
 
     private void label(String label, double middleX, double middleY) {

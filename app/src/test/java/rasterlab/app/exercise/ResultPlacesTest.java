@@ -1,0 +1,130 @@
+package rasterlab.app.exercise;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.EventQueue;
+import java.awt.Rectangle;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JTable;
+import javax.swing.UIManager;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Points;
+
+/** Where table, reason and pictures stand before a check and after it. */
+class ResultPlacesTest {
+    private static final List<Throwable> FAILURES = new CopyOnWriteArrayList<>();
+    private static final Exercise EXERCISE = Catalogue.builtIn().all().get(0);
+
+    @AfterEach
+    void usualTheme() throws Exception {
+        EventQueue.invokeAndWait(LabTheme.LIGHT::install);
+        assertEquals(List.of(), FAILURES);
+    }
+
+    /** The sizes are those of windows of 900×600, 1280×800 and 1920×1080. */
+    @ParameterizedTest(name = "the table moves when its cases are checked: {0}, {1}×{2}")
+    @CsvSource({
+        "ENGLISH, 870, 440",
+        "RUSSIAN, 870, 440",
+        "ENGLISH, 775, 335",
+        "RUSSIAN, 775, 335",
+        "ENGLISH, 1170, 475",
+        "RUSSIAN, 1170, 475"
+    })
+    void tableStaysWhateverTheVerdicts(Language language, int width, int height) throws Exception {
+        var made = new AtomicReference<ResultPane>();
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    double usual = UIManager.getFont("defaultFont").getSize2D();
+                    LabTheme.LIGHT.install((int) Math.round(100 * 14 / usual));
+                    made.set(
+                            new ResultPane(
+                                    Texts.of("exercise", language),
+                                    ExerciseRoomsTest.NOWHERE,
+                                    remark -> {},
+                                    FAILURES::add));
+                    show(made.get(), Optional.empty());
+                });
+        ResultPane pane = made.get();
+        OffscreenPainter.paint(pane, width, height);
+        Rectangle before = named(pane, "cases.scroll").getBounds();
+        Rectangle guide = named(pane, "guide.scroll").getBounds();
+        for (GradingVerdict verdict : GradingVerdict.values()) {
+            EventQueue.invokeAndWait(() -> show(pane, Optional.of(outcome(verdict))));
+            OffscreenPainter.paint(pane, width, height);
+            Rectangle after = named(pane, "cases.scroll").getBounds();
+            // The line above may wrap, by which the table is lower.
+            assertEquals(before.getLocation(), after.getLocation(), verdict.code());
+            assertEquals(before.width, after.width, verdict.code());
+            assertEquals(guide.x, named(pane, "case.picture").getX(), verdict.code());
+        }
+        assertUseful(pane);
+        EventQueue.invokeAndWait(pane::close);
+    }
+
+    private static void assertUseful(ResultPane pane) {
+        var picture = (CasePicture) named(pane, "case.picture");
+        assertTrue(picture.together(), "no room for three pictures in " + picture.getSize());
+        assertTrue(picture.getHeight() >= 120, "pictures are high by " + picture.getHeight());
+        var table = (JTable) named(pane, "cases");
+        int rows = table.getParent().getHeight() / table.getRowHeight();
+        assertTrue(rows >= 9, rows + " rows are seen");
+    }
+
+    private static void show(ResultPane pane, Optional<Outcome> outcome) {
+        pane.show(
+                new ExerciseState(
+                        EXERCISE,
+                        EXERCISE.starter(),
+                        List.of(),
+                        outcome,
+                        Work.NONE,
+                        Notice.NONE,
+                        Notice.NONE,
+                        Optional.empty()),
+                TriedCase.untried(EXERCISE));
+    }
+
+    private static Outcome outcome(GradingVerdict verdict) {
+        List<TriedCase> cases =
+                TriedCase.untried(EXERCISE).stream()
+                        .map(
+                                one ->
+                                        new TriedCase(
+                                                one.name(),
+                                                verdict.code(),
+                                                0,
+                                                one.of(),
+                                                Said.NOTHING,
+                                                Optional.empty(),
+                                                ""))
+                        .toList();
+        return new Outcome(
+                "", 0, verdict.code(), new Points(0, 0, 0, 100), cases, List.of(), Said.NOTHING, 0);
+    }
+
+    private static Component named(Container within, String name) {
+        for (Component each : within.getComponents()) {
+            if (name.equals(each.getName())) return each;
+            Component found = each instanceof Container inner ? named(inner, name) : null;
+            if (found != null) return found;
+        }
+        return null;
+    }
+}
