@@ -100,17 +100,20 @@ public final class TexturedPixels implements PixelColors {
     }
 
     private void lookTrilinear(PixelBatch batch, float[] s, float[] t, int[] texel) {
+        int width = sampler.texture().width();
+        int height = sampler.texture().height();
+        if (matrix.isEmpty()) {
+            float[] squaredStep = batch.squaredSteps(width, height);
+            sampler.trilinear(batch.lanes(), batch.count, s, t, squaredStep, texel);
+            return;
+        }
         float[] sRight = batch.right(TEXTURE_S);
         float[] tRight = batch.right(TEXTURE_T);
         float[] sDown = batch.down(TEXTURE_S);
         float[] tDown = batch.down(TEXTURE_T);
-        if (matrix.isPresent()) {
-            matrix.get().transformSlopes(batch.count, s, t, sRight, tRight);
-            matrix.get().transformSlopes(batch.count, s, t, sDown, tDown);
-            matrix.get().transform(batch.count, s, t);
-        }
-        int width = sampler.texture().width();
-        int height = sampler.texture().height();
+        matrix.get().transformSlopes(batch.count, s, t, sRight, tRight);
+        matrix.get().transformSlopes(batch.count, s, t, sDown, tDown);
+        matrix.get().transform(batch.count, s, t);
         DetailLevel.squareSteps(batch.count, sRight, tRight, sDown, tDown, width, height);
         sampler.trilinear(batch.lanes(), batch.count, s, t, sRight, texel);
     }

@@ -36,11 +36,12 @@ public final class PixelBatch {
     /** Depth, 0 to 1. */
     final float[] depth = new float[ROOM];
 
-    /** 1/w, linear on the picture, and what it grows by to the right and down. */
+    /** 1/w, linear on the picture; w while colours are found. */
     final float[] nearness = new float[ROOM];
 
-    final float[] nearnessRight = new float[ROOM];
-    final float[] nearnessDown = new float[ROOM];
+    final PixelSlopes slopes = new PixelSlopes();
+
+    private final float[] squaredSteps = new float[ROOM];
 
     /** Whether alpha counts for nothing. */
     boolean opaque;
@@ -90,21 +91,41 @@ public final class PixelBatch {
         return values.get(quantity);
     }
 
-    /** How fast the value grows to the right at the pixel's centre, per pixel: not a copy. */
+    /**
+     * Finds how fast the value, as it is now, grows to the right at the pixels' centres, per pixel;
+     * the numbers may be overwritten.
+     */
     public float[] right(VertexQuantity quantity) {
-        return slope(right, quantity);
+        requireSlope(quantity);
+        slopes.findRight(quantity, values(quantity), nearness, right.get(quantity));
+        return right.get(quantity);
     }
 
     /** How fast it grows downward. */
     public float[] down(VertexQuantity quantity) {
-        return slope(down, quantity);
+        requireSlope(quantity);
+        slopes.findDown(quantity, values(quantity), nearness, down.get(quantity));
+        return down.get(quantity);
     }
 
-    private float[] slope(Map<VertexQuantity, float[]> slopes, VertexQuantity quantity) {
+    /**
+     * Finds ρ² of the texture coordinates as they are now, see {@link
+     * rasterlab.engine.texture.DetailLevel}; they must not be affine.
+     *
+     * @param width of the texture in texels
+     * @param height of the texture in texels
+     */
+    public float[] squaredSteps(int width, int height) {
+        requireSlope(VertexQuantity.TEXTURE_S);
+        requireSlope(VertexQuantity.TEXTURE_T);
+        loops.squareSteps(this, width, height, squaredSteps);
+        return squaredSteps;
+    }
+
+    private void requireSlope(VertexQuantity quantity) {
         if (!sloping.contains(quantity))
             throw new IllegalArgumentException(
                     "the slope of " + quantity + " was not asked for by wantsSlopes()");
-        return slopes.get(quantity);
     }
 
     /**

@@ -16,7 +16,6 @@ final class PixelFill {
     private final PixelBatch batch;
     private final RowWeights weights = new RowWeights();
     private final RowLoops loops;
-    private final PixelSlopes slopes;
     private final float[][] values = new float[Frame.QUANTITIES.length][];
     private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
     private final boolean[] divided = new boolean[Frame.QUANTITIES.length];
@@ -25,6 +24,7 @@ final class PixelFill {
     private final float[][] growing = new float[RowLoops.VALUES][];
 
     private final float[] corners = new float[3 * RowLoops.VALUES];
+    private Frame frame;
     private DepthRaster out;
     private PixelColors colors;
     private Blending blending;
@@ -46,17 +46,17 @@ final class PixelFill {
     PixelFill(RowLoops loops) {
         this.loops = loops;
         batch = new PixelBatch(loops);
-        slopes = new PixelSlopes(batch);
     }
 
     /** Forgets what a frame left behind that failed. */
     void begin(Frame frame) {
+        this.frame = frame;
         var surface = (Surface.PerPixel) frame.surface;
         out = frame.out;
         colors = surface.colors();
         blending = surface.blending();
         batch.begin(colors);
-        slopes.begin(frame, colors);
+        batch.slopes.begin(frame, colors);
         batch.opaque = blending.early();
         wholeAlpha = batch.opaque && colors.wants().contains(VertexQuantity.ALPHA);
         count = frame.attributeCount;
@@ -141,7 +141,7 @@ final class PixelFill {
         between(divides ? firstFlat + 1 : firstFlat, first);
         for (int k = firstFlat; k < count; k++)
             Arrays.fill(values[k], first, batch.count, v.attribute(k, third));
-        slopes.interpolate(scan, v, first);
+        batch.slopes.endRun(scan, frame, corners, firstFlat, batch.count);
     }
 
     /** Of each value what corner a has, and what b and c have more. */
@@ -180,13 +180,13 @@ final class PixelFill {
         if (blending.early()) write(n);
         else blend(n);
         batch.count = 0;
+        batch.slopes.runs = 0;
     }
 
     private void divide(int n) {
         float[] w = batch.nearness;
         for (int i = 0; i < n; i++) w[i] = 1 / w[i];
         for (int k = 0; k < firstFlat; k++) if (divided[k]) multiply(values[k], w, n);
-        slopes.divide(values, n);
     }
 
     private static void multiply(float[] values, float[] w, int n) {

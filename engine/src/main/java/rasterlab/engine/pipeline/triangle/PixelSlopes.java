@@ -7,68 +7,104 @@ import rasterlab.engine.scene.VertexQuantity;
  * How fast values grow on the picture, exactly, at the centre of each pixel of a batch.
  *
  * <p>With v = n/q, n and q = 1/w linear on the picture, {@code dv/dx = (dn/dx − v·dq/dx)·w}. What
- * is affine has the slope dn/dx. One per thread.
+ * is affine has the slope dn/dx. Slopes of n and q are the same in all pixels of a triangle, which
+ * are a run of the batch: they are kept once for each run. One per thread.
  */
 final class PixelSlopes {
-    private final PixelBatch batch;
-    private final int[] attribute = new int[Frame.QUANTITIES.length];
+    /** How many runs the batch has. */
+    int runs;
+
+    /** The pixel after each run's last. */
+    final int[] end = new int[PixelBatch.SIZE];
+
+    /** In each run, what 1/w grows by to the right and down. */
+    final float[] nearnessRight = new float[PixelBatch.SIZE];
+
+    final float[] nearnessDown = new float[PixelBatch.SIZE];
+
     private final float[][] right = new float[Frame.QUANTITIES.length][];
     private final float[][] down = new float[Frame.QUANTITIES.length][];
     private final boolean[] affine = new boolean[Frame.QUANTITIES.length];
-    private int count;
 
-    PixelSlopes(PixelBatch batch) {
-        this.batch = batch;
-    }
+    /** The attributes whose slopes are wanted. */
+    private final int[] attribute = new int[Frame.QUANTITIES.length];
+
+    private int count;
 
     void begin(Frame frame, PixelColors colors) {
         count = 0;
+        runs = 0;
         for (int k = 0; k < frame.attributeCount; k++) {
             VertexQuantity quantity = frame.attribute[k];
             if (!colors.wantsSlopes().contains(quantity)) continue;
-            attribute[count] = k;
-            right[count] = batch.right(quantity);
-            down[count] = batch.down(quantity);
-            affine[count++] = colors.affine().contains(quantity);
+            int place = quantity.ordinal();
+            if (right[place] == null) {
+                right[place] = new float[PixelBatch.SIZE];
+                down[place] = new float[PixelBatch.SIZE];
+            }
+            affine[place] = colors.affine().contains(quantity);
+            attribute[count++] = k;
         }
     }
 
-    /** dn/dx and dq/dx for the batch's pixels from {@code first}, all of one triangle. */
-    void interpolate(Scan scan, ScreenVertices v, int first) {
+    /**
+     * Ends a run: the batch's pixels since the last one are of one triangle.
+     *
+     * @param corners of its values, as {@link RowLoops#between} has them
+     * @param nearness where 1/w is among them
+     */
+    void endRun(Scan scan, Frame frame, float[] corners, int nearness, int pixels) {
         if (count == 0) return;
         float rightB = scan.stepB * scan.inverseArea;
         float rightC = scan.stepC * scan.inverseArea;
         float downB = scan.downB * scan.inverseArea;
         float downC = scan.downC * scan.inverseArea;
-        float qa = v.nearness(scan.a);
-        float qb = v.nearness(scan.b);
-        float qc = v.nearness(scan.c);
-        Arrays.fill(
-                batch.nearnessRight, first, batch.count, rightB * (qb - qa) + rightC * (qc - qa));
-        Arrays.fill(batch.nearnessDown, first, batch.count, downB * (qb - qa) + downC * (qc - qa));
+        end[runs] = pixels;
+        float b = corners[RowLoops.VALUES + nearness];
+        float c = corners[2 * RowLoops.VALUES + nearness];
+        nearnessRight[runs] = rightB * b + rightC * c;
+        nearnessDown[runs] = downB * b + downC * c;
         for (int k = 0; k < count; k++) {
-            int of = attribute[k];
-            float a = v.attribute(of, scan.a) * (affine[k] ? 1 : qa);
-            float b = v.attribute(of, scan.b) * (affine[k] ? 1 : qb) - a;
-            float c = v.attribute(of, scan.c) * (affine[k] ? 1 : qc) - a;
-            Arrays.fill(right[k], first, batch.count, rightB * b + rightC * c);
-            Arrays.fill(down[k], first, batch.count, downB * b + downC * c);
+            int place = frame.attribute[attribute[k]].ordinal();
+            b = corners[RowLoops.VALUES + attribute[k]];
+            c = corners[2 * RowLoops.VALUES + attribute[k]];
+            right[place][runs] = rightB * b + rightC * c;
+            down[place][runs] = downB * b + downC * c;
         }
+        runs++;
     }
 
-    /**
-     * @param values of the attributes, divided already
-     */
-    void divide(float[][] values, int n) {
-        for (int k = 0; k < count; k++) {
-            if (affine[k]) continue;
-            divide(right[k], values[attribute[k]], batch.nearnessRight, n);
-            divide(down[k], values[attribute[k]], batch.nearnessDown, n);
-        }
+    /** What n grows by to the right in each run. */
+    float[] right(VertexQuantity quantity) {
+        return right[quantity.ordinal()];
     }
 
-    private void divide(float[] slope, float[] value, float[] ofNearness, int n) {
-        float[] w = batch.nearness;
-        for (int i = 0; i < n; i++) slope[i] = (slope[i] - value[i] * ofNearness[i]) * w[i];
+    /** What it grows by downward. */
+    float[] down(VertexQuantity quantity) {
+        return down[quantity.ordinal()];
+    }
+
+    /** Finds the slopes of a value to the right. */
+    void findRight(VertexQuantity quantity, float[] value, float[] w, float[] slope) {
+        find(right(quantity), nearnessRight, affine[quantity.ordinal()], value, w, slope);
+    }
+
+    void findDown(VertexQuantity quantity, float[] value, float[] w, float[] slope) {
+        find(down(quantity), nearnessDown, affine[quantity.ordinal()], value, w, slope);
+    }
+
+    private void find(
+            float[] ofRun,
+            float[] ofNearness,
+            boolean linear,
+            float[] value,
+            float[] w,
+            float[] slope) {
+        int from = 0;
+        for (int run = 0; run < runs; from = end[run++])
+            if (linear) Arrays.fill(slope, from, end[run], ofRun[run]);
+            else
+                for (int i = from; i < end[run]; i++)
+                    slope[i] = (ofRun[run] - value[i] * ofNearness[run]) * w[i];
     }
 }

@@ -1,5 +1,8 @@
 package rasterlab.engine.pipeline.triangle;
 
+import static rasterlab.engine.scene.VertexQuantity.TEXTURE_S;
+import static rasterlab.engine.scene.VertexQuantity.TEXTURE_T;
+
 import rasterlab.engine.lanes.Lanes;
 
 /** One pixel after the other. */
@@ -118,6 +121,34 @@ final class PlainLoops implements RowLoops {
             PixelBatch batch, int first, float[] to, float a, float b, float c) {
         for (int i = first; i < batch.count; i++)
             to[i] = a + batch.weightB[i] * b + batch.weightC[i] * c;
+    }
+
+    @Override
+    public void squareSteps(PixelBatch batch, int width, int height, float[] squaredSteps) {
+        float[] s = batch.values(TEXTURE_S);
+        float[] t = batch.values(TEXTURE_T);
+        float[] w = batch.nearness;
+        PixelSlopes slopes = batch.slopes;
+        int from = 0;
+        for (int run = 0; run < slopes.runs; from = slopes.end[run++]) {
+            float rightS = slopes.right(TEXTURE_S)[run] * width;
+            float rightT = slopes.right(TEXTURE_T)[run] * height;
+            float downS = slopes.down(TEXTURE_S)[run] * width;
+            float downT = slopes.down(TEXTURE_T)[run] * height;
+            float rightS1 = slopes.nearnessRight[run] * width;
+            float rightT1 = slopes.nearnessRight[run] * height;
+            float downS1 = slopes.nearnessDown[run] * width;
+            float downT1 = slopes.nearnessDown[run] * height;
+            for (int i = from; i < slopes.end[run]; i++) {
+                float ux = rightS - s[i] * rightS1;
+                float vx = rightT - t[i] * rightT1;
+                float uy = downS - s[i] * downS1;
+                float vy = downT - t[i] * downT1;
+                float right = ux * ux + vx * vx;
+                float down = uy * uy + vy * vy;
+                squaredSteps[i] = (right < down ? down : right) * w[i] * w[i];
+            }
+        }
     }
 
     @Override

@@ -48,6 +48,12 @@ interface RowLoops {
      */
     void between(PixelBatch batch, float[][] to, float[] corners, int n, int first);
 
+    /**
+     * Finds ρ² of the batch's pixels from their texture coordinates, w and the slopes of their
+     * runs.
+     */
+    void squareSteps(PixelBatch batch, int width, int height, float[] squaredSteps);
+
     /** Packs the colours of a batch as {@link PixelLevels} does. */
     void pack(PixelBatch batch, float[] red, float[] green, float[] blue);
 }

@@ -1,5 +1,8 @@
 package rasterlab.engine.pipeline.triangle;
 
+import static rasterlab.engine.scene.VertexQuantity.TEXTURE_S;
+import static rasterlab.engine.scene.VertexQuantity.TEXTURE_T;
+
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
 import jdk.incubator.vector.VectorMask;
@@ -210,6 +213,61 @@ final class VectorLoops implements RowLoops {
             b.mul(b0).add(a0).add(c.mul(c0)).intoArray(to0, i);
             b.mul(b1).add(a1).add(c.mul(c1)).intoArray(to1, i);
             b.mul(b2).add(a2).add(c.mul(c2)).intoArray(to2, i);
+        }
+    }
+
+    @Override
+    public void squareSteps(PixelBatch batch, int width, int height, float[] squaredSteps) {
+        squareStepsInLanes(
+                batch.slopes,
+                batch.values(TEXTURE_S),
+                batch.values(TEXTURE_T),
+                batch.nearness,
+                width,
+                height,
+                squaredSteps);
+    }
+
+    /** What is written beyond a run is written again by the next. */
+    private static void squareStepsInLanes(
+            PixelSlopes slopes,
+            float[] s,
+            float[] t,
+            float[] w,
+            int width,
+            int height,
+            float[] squaredSteps) {
+        float[] ofRightS = slopes.right(TEXTURE_S);
+        float[] ofRightT = slopes.right(TEXTURE_T);
+        float[] ofDownS = slopes.down(TEXTURE_S);
+        float[] ofDownT = slopes.down(TEXTURE_T);
+        int i = 0;
+        for (int run = 0; run < slopes.runs; run++) {
+            float rightS = ofRightS[run] * width;
+            float rightT = ofRightT[run] * height;
+            float downS = ofDownS[run] * width;
+            float downT = ofDownT[run] * height;
+            float rightS1 = -slopes.nearnessRight[run] * width;
+            float rightT1 = -slopes.nearnessRight[run] * height;
+            float downS1 = -slopes.nearnessDown[run] * width;
+            float downT1 = -slopes.nearnessDown[run] * height;
+            int end = slopes.end[run];
+            for (; i < end; i += LANES) {
+                FloatVector here = FloatVector.fromArray(FLOATS, s, i);
+                FloatVector ux = here.mul(rightS1).add(rightS);
+                FloatVector uy = here.mul(downS1).add(downS);
+                FloatVector there = FloatVector.fromArray(FLOATS, t, i);
+                FloatVector vx = there.mul(rightT1).add(rightT);
+                FloatVector vy = there.mul(downT1).add(downT);
+                FloatVector right = ux.mul(ux).add(vx.mul(vx));
+                FloatVector down = uy.mul(uy).add(vy.mul(vy));
+                FloatVector far = FloatVector.fromArray(FLOATS, w, i);
+                right.blend(down, right.compare(VectorOperators.LT, down))
+                        .mul(far)
+                        .mul(far)
+                        .intoArray(squaredSteps, i);
+            }
+            i = end;
         }
     }
 
