@@ -4,6 +4,9 @@ import rasterlab.engine.lanes.Lanes;
 
 /** One band of rows after the other: cleared, then drawn in the mesh's order. One per thread. */
 final class BandStage {
+    /** The most pixels of a box that are asked one by one. */
+    private static final int FEW = 4;
+
     private final TriangleScan scan = new TriangleScan();
     private final TinyScan tiny = new TinyScan();
     private final LinearColors linear = new LinearColors();
@@ -69,7 +72,8 @@ final class BandStage {
 
     private void fillTiny(Frame frame, ScreenVertices vertices, int third) {
         if (frame.surface instanceof Surface.Smooth) {
-            loops.smooth(frame.out, tiny, vertices);
+            if (tiny.columns * tiny.rows <= FEW) TinyFill.few(frame.out, tiny, vertices);
+            else loops.smooth(frame.out, tiny, vertices);
             return;
         }
         tiny.look(frame.out.width());

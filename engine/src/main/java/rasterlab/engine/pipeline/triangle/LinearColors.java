@@ -82,7 +82,7 @@ final class LinearColors {
         int a = v.at(scan.a);
         int b = v.at(scan.b);
         int c = v.at(scan.c);
-        float[] rgb = v.attributes;
+        float[] rgb = v.values;
         depth.load(scan, v);
         ra = rgb[a] * ONE + HALF;
         rb = (rgb[b] - rgb[a]) * ONE;

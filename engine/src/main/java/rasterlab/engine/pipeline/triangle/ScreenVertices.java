@@ -10,22 +10,18 @@ final class ScreenVertices {
     /** Of each vertex x and y, in steps of 1/256 pixel; see {@link Subpixels}. */
     private int[] places = new int[0];
 
-    /**
-     * Of each vertex its depth, 0 at the near plane and 1 at the far plane, and its nearness 1/w;
-     * both are linear on the picture.
-     */
-    private float[] depthsAndNearness = new float[0];
-
     /** See {@link ClipCode}. */
     short[] code = new short[0];
 
     /**
-     * Of each vertex, {@link #stride} numbers: what the surface wants, as {@link Frame#attribute}
-     * lists it; colours are levels 0 to 255 for surfaces of vertices, else 0 to 1.
+     * Of each vertex, {@link #stride} numbers: its depth, 0 at the near plane and 1 at the far
+     * plane, and its nearness 1/w, both linear on the picture; then its attributes, what the
+     * surface wants, as {@link Frame#attribute} lists it; colours are levels 0 to 255 for surfaces
+     * of vertices, else 0 to 1. Those of a mesh are found for needed vertices only.
      */
-    float[] attributes = new float[0];
+    float[] values = new float[0];
 
-    /** How many attributes a vertex has. */
+    /** How many numbers a vertex has. */
     int stride;
 
     /** For each group, whether a triangle in sight has one of its vertices. */
@@ -46,36 +42,44 @@ final class ScreenVertices {
     }
 
     float depth(int vertex) {
-        return depthsAndNearness[2 * vertex];
+        return values[stride * vertex];
     }
 
     float nearness(int vertex) {
-        return depthsAndNearness[2 * vertex + 1];
+        return values[stride * vertex + 1];
     }
 
     /** Where a vertex's attributes begin. */
     int at(int vertex) {
-        return stride * vertex;
+        return stride * vertex + 2;
     }
 
     float attribute(int k, int vertex) {
-        return attributes[at(vertex) + k];
+        return values[at(vertex) + k];
     }
 
     void putAttribute(int k, int vertex, float value) {
-        attributes[at(vertex) + k] = value;
+        values[at(vertex) + k] = value;
+    }
+
+    void place(int vertex, int x, int y) {
+        places[2 * vertex] = x;
+        places[2 * vertex + 1] = y;
+    }
+
+    void put(int vertex, float depth, float nearness) {
+        values[stride * vertex] = depth;
+        values[stride * vertex + 1] = nearness;
     }
 
     void put(int vertex, int x, int y, float depth, float nearness) {
-        places[2 * vertex] = x;
-        places[2 * vertex + 1] = y;
-        depthsAndNearness[2 * vertex] = depth;
-        depthsAndNearness[2 * vertex + 1] = nearness;
+        place(vertex, x, y);
+        put(vertex, depth, nearness);
     }
 
     /** Forgets all vertices and makes room for others. */
     void begin(int vertices, int attributeCount) {
-        stride = attributeCount;
+        stride = 2 + attributeCount;
         ensure(vertices);
     }
 
@@ -83,11 +87,9 @@ final class ScreenVertices {
     void ensure(int vertices) {
         int room = code.length;
         if (room < vertices) room = Math.max(vertices, room + (room >> 1));
-        if (attributes.length < vertices * stride)
-            attributes = Arrays.copyOf(attributes, room * stride);
+        if (values.length < vertices * stride) values = Arrays.copyOf(values, room * stride);
         if (room == code.length) return;
         places = Arrays.copyOf(places, 2 * room);
-        depthsAndNearness = Arrays.copyOf(depthsAndNearness, 2 * room);
         code = Arrays.copyOf(code, room);
         needed = new boolean[room / GROUP + 1];
     }

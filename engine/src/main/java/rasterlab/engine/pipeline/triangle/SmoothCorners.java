@@ -39,7 +39,7 @@ final class SmoothCorners {
         qa = v.nearness(a);
         qb = ofB - qa;
         qc = ofC - qa;
-        float[] rgb = v.attributes;
+        float[] rgb = v.values;
         int atA = v.at(a);
         int atB = v.at(b);
         int atC = v.at(c);

@@ -29,6 +29,61 @@ final class TinyFill {
         }
     }
 
+    /** The same for a box of so few pixels that nothing is prepared for the next one. */
+    static void few(DepthRaster out, TinyScan scan, ScreenVertices v) {
+        int[] argb = out.raster().argb();
+        float[] depth = out.depth();
+        float inverseArea = scan.inverseArea;
+        int stepA = scan.stepA;
+        int stepB = (int) scan.stepB;
+        int stepC = (int) scan.stepC;
+        int ownB = scan.ownB;
+        int ownC = scan.ownC;
+        float za = v.depth(scan.a);
+        float zb = v.depth(scan.b) - za;
+        float zc = v.depth(scan.c) - za;
+        for (int row = 0; row < scan.rows; row++) {
+            int eA = scan.rowA + row * scan.downA;
+            int eB = scan.rowB + row * (int) scan.downB;
+            int eC = scan.rowC + row * (int) scan.downC;
+            int cell = scan.at + row * out.width();
+            for (int end = cell + scan.columns; cell < end; cell++) {
+                if ((eA | eB + ownB | eC + ownC) >= 0) {
+                    float weightB = eB * inverseArea;
+                    float weightC = eC * inverseArea;
+                    float here = za + weightB * zb + weightC * zc;
+                    if (here < depth[cell]) {
+                        depth[cell] = here;
+                        argb[cell] = color(scan, v, weightB, weightC);
+                    }
+                }
+                eA += stepA;
+                eB += stepB;
+                eC += stepC;
+            }
+        }
+    }
+
+    private static int color(TinyScan scan, ScreenVertices v, float weightB, float weightC) {
+        float qa = v.nearness(scan.a);
+        float ofB = v.nearness(scan.b);
+        float ofC = v.nearness(scan.c);
+        float w = 1 / (qa + weightB * (ofB - qa) + weightC * (ofC - qa));
+        float shareB = weightB * ofB * w;
+        float shareC = weightC * ofC * w;
+        float[] rgb = v.values;
+        int a = v.at(scan.a);
+        int b = v.at(scan.b);
+        int c = v.at(scan.c);
+        float red = rgb[a];
+        float green = rgb[a + 1];
+        float blue = rgb[a + 2];
+        return SmoothFill.argb(
+                red + shareB * (rgb[b] - red) + shareC * (rgb[c] - red),
+                green + shareB * (rgb[b + 1] - green) + shareC * (rgb[c + 1] - green),
+                blue + shareB * (rgb[b + 2] - blue) + shareC * (rgb[c + 2] - blue));
+    }
+
     static void flat(DepthRaster out, TinyScan scan, ScreenVertices v, int color) {
         int[] argb = out.raster().argb();
         float[] depth = out.depth();

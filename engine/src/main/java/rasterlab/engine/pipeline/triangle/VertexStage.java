@@ -52,6 +52,7 @@ final class VertexStage {
 
     private void fill(Frame frame, int from, int end) {
         block.count = end - from;
+        putDepths(frame, from);
         toEye(frame, from);
         putPlaces(frame, from);
         if (frame.hasColors()) color(frame, from);
@@ -103,14 +104,23 @@ final class VertexStage {
             int code = seen ? 0 : ClipCode.of(x, y, z, w);
             any |= code;
             out.code[from + i] = (short) code;
-            out.put(
-                    from + i,
-                    subpixels.x(x * nearness),
-                    subpixels.y(y * nearness),
-                    (float) (0.5 + 0.5 * (z * nearness)),
-                    (float) nearness);
+            out.place(from + i, subpixels.x(x * nearness), subpixels.y(y * nearness));
         }
         return any;
+    }
+
+    /** Found again, so that of vertices out of sight nothing is written. */
+    private void putDepths(Frame frame, int from) {
+        float[] x = frame.mesh.values(VertexQuantity.X);
+        float[] y = frame.mesh.values(VertexQuantity.Y);
+        float[] z = frame.mesh.values(VertexQuantity.Z);
+        transform(frame.view.toClip(), 2, x, y, z, from, clipZ);
+        transform(frame.view.toClip(), 3, x, y, z, from, clipW);
+        for (int i = 0; i < block.count; i++) {
+            double nearness = 1.0 / clipW[i];
+            frame.vertices.put(
+                    from + i, (float) (0.5 + 0.5 * (clipZ[i] * nearness)), (float) nearness);
+        }
     }
 
     private void toEye(Frame frame, int from) {
@@ -162,10 +172,10 @@ final class VertexStage {
      * @param from the block's first vertex
      */
     private void put(ScreenVertices to, int k, float[] values, int first, int from) {
-        float[] attributes = to.attributes;
+        float[] written = to.values;
         int stride = to.stride;
         int at = to.at(from) + k;
-        for (int i = 0; i < block.count; i++) attributes[at + stride * i] = values[first + i];
+        for (int i = 0; i < block.count; i++) written[at + stride * i] = values[first + i];
     }
 
     private void color(Frame frame, int from) {

@@ -174,6 +174,24 @@ class RowLoopsTest {
         EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
     }
 
+    /** Where depths are equal nothing is drawn twice. */
+    @RepeatedTest(40)
+    void drawAFewPixelsAsTheOthers() {
+        var expected = new DepthRaster(WIDTH, TriangleScan.ROWS);
+        var actual = new DepthRaster(WIDTH, TriangleScan.ROWS);
+        expected.clearRows(0, 0xFF000000);
+        actual.clearRows(0, 0xFF000000);
+        var scan = new TinyScan();
+        for (int round = 0; round < 2000; round++) {
+            var v = triangle(WIDTH, TriangleScan.ROWS, 4, 4);
+            if (!scan.load(v, 0, 1, 2, expected, 0) || scan.rows <= 0 || scan.columns <= 0)
+                continue;
+            one.smooth(expected, scan, v);
+            TinyFill.few(actual, scan, v);
+        }
+        EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
+    }
+
     /** Corners within so many pixels, the first of them in the picture or beside it. */
     private ScreenVertices triangle(int width, int height, int columns, int rows) {
         var v = new ScreenVertices();
