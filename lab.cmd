@@ -85,9 +85,14 @@ if "%~1"=="grader" (
 )
 set "native="
 if %major% GEQ 24 set "native=--enable-native-access=ALL-UNNAMED"
-rem Only what draws many pictures gains by the Vector API: the first ones are slower, and Java warns of it.
+rem Only what draws many pictures gains by the Vector API: the first ones are slower, and Java warns of it,
+rem which who asks for help or names no group of benchmarks need not read.
 set "vector="
-if "%module%"=="tests" if %major% LEQ 25 set vector="@%root%\engine\vector-options"
+if not "%module%"=="tests" goto start
+if %major% GTR 25 goto start
+for %%A in (%arguments%) do for %%W in (raster pipeline window) do if "%%~A"=="%%W" set vector="@%root%\engine\vector-options"
+for %%A in (%arguments%) do for %%W in (-h --help -V --version) do if "%%~A"=="%%W" set "vector="
+:start
 set "options="
 if "%module%"=="app" set options="@%root%\app\java-options"
 "%java%" %native% %vector% %options% -Dfile.encoding=UTF-8 "-Drasterlab.home=%root%" -cp "%root%\%module%\target\classes;%root%\%module%\target\lib\*" %main% %arguments%

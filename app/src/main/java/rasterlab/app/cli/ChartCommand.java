@@ -51,7 +51,9 @@ final class ChartCommand implements Callable<Integer> {
     @Option(
             names = "--lang",
             paramLabel = "LANGUAGE",
-            description = "of the chart: en or ru; default: en")
+            description =
+                    "of the chart drawn (.svg, .png): en or ru; default: en; "
+                            + "what is printed and .csv are English")
     private ReportLanguage language = ReportLanguage.EN;
 
     @Option(

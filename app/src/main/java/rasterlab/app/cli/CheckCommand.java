@@ -7,6 +7,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
+import rasterlab.app.outcome.WholeFile;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.catalogue.Catalogue;
@@ -28,7 +29,7 @@ import rasterlab.exercises.score.Report;
         exitCodeList = {
             "0:every public case is right",
             "1:a case is not right, or the source was not accepted",
-            "2:no such exercise, or the file cannot be read",
+            "2:no such exercise, or the file cannot be read, or pictures cannot be written",
         },
         footer = {"", "Example: ./lab check line-bresenham Bresenham.java"})
 final class CheckCommand implements Callable<Integer> {
@@ -58,6 +59,7 @@ final class CheckCommand implements Callable<Integer> {
         Exercise chosen = chosen();
         String source = SourceFile.read(file);
         Path pictures = folder == null ? Path.of("check-" + chosen.id()) : folder;
+        WholeFile.requireFolderWritable(pictures);
         Report report = graded(chosen, source);
         var text = new ReportText(console.out(), language.texts(), file.getFileName().toString());
         text.print(chosen.title(language.code()), report);

@@ -48,7 +48,9 @@ final class StudyCommand implements Callable<Integer> {
     @Option(
             names = "--lang",
             paramLabel = "LANGUAGE",
-            description = "of the chart: en or ru; default: en")
+            description =
+                    "of the chart drawn (.svg, .png): en or ru; default: en; "
+                            + "what is printed and .csv, .json are English")
     private ReportLanguage language = ReportLanguage.EN;
 
     StudyCommand(Console console) {

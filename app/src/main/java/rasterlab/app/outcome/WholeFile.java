@@ -3,6 +3,7 @@ package rasterlab.app.outcome;
 import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -41,13 +42,36 @@ public final class WholeFile {
         if (Files.isDirectory(target)) throw cannotWrite(target, "it is a folder");
         if (Files.exists(target) && !Files.isRegularFile(target))
             throw cannotWrite(target, "it is a device, not a file");
-        Path trial = unfinished(target);
+        tryBeside(target, target);
+    }
+
+    /**
+     * Passes if the folder takes files, or can be made and then will: tried before long work is
+     * begun.
+     *
+     * @throws Complaint saying what is in the way; nothing is made
+     */
+    public static void requireFolderWritable(Path folder) {
+        Path standing = folder;
+        while (standing != null && !Files.exists(standing, LinkOption.NOFOLLOW_LINKS))
+            standing = standing.getParent();
+        if (standing == null) standing = Path.of("").toAbsolutePath();
+        if (Files.isRegularFile(standing))
+            throw Complaint.badInput(standing + ": is a file, a folder is wanted");
+        if (!Files.isDirectory(standing)) throw Complaint.badInput(standing + ": is no folder");
+        tryBeside(standing.resolve("trial"), folder);
+    }
+
+    /** Makes a file beside another and removes it again, before the target is to be written. */
+    private static void tryBeside(Path file, Path target) {
+        Path trial = unfinished(file);
         try {
             Files.write(trial, new byte[0], StandardOpenOption.CREATE_NEW);
             Files.delete(trial);
         } catch (IOException e) {
             throw cannotWrite(
-                    target, "a file cannot be made in " + folder + " (" + reason(e) + ")");
+                    target,
+                    "a file cannot be made in " + trial.getParent() + " (" + reason(e) + ")");
         }
     }
 
@@ -61,13 +85,12 @@ public final class WholeFile {
      * @throws Complaint if it cannot be made or written to
      */
     public static void requireFolder(Path folder) {
+        requireFolderWritable(folder);
         try {
             Files.createDirectories(folder);
         } catch (IOException e) {
             throw Complaint.badInput(folder + ": cannot be made a folder: " + reason(e));
         }
-        if (!Files.isWritable(folder))
-            throw Complaint.badInput(folder + ": no right to write there");
     }
 
     /** What a file error means, without the path that the message already has. */

@@ -16,14 +16,12 @@ import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.raster.PixelMark;
 
-/** Bands below each other, what is wrong in them, the error along the row, and the picture. */
+/** Bands below each other, what is wrong in them, the error along the row; the picture beside. */
 final class RowPainter {
-    private static final int MARGIN = 20;
+    private static final int MARGIN = RowPlan.MARGIN;
     private static final int GAP = 12;
     private static final int MARK = 16;
-
-    /** The highest that a band gets; a lower stage has lower ones. */
-    private static final int HIGHEST = 84;
+    private static final int BELOW_WORDS = 4;
 
     /** With less for each, there are bands and nothing else. */
     private static final int LOWEST = 10;
@@ -37,53 +35,60 @@ final class RowPainter {
     private final RowScene scene;
     private final StageColours colours = StageColours.now();
     private final FontMetrics metrics;
-    private double wide;
+    private final RowPlan plan;
+    private final double wide;
 
-    RowPainter(Graphics2D g, Texts texts, RowChoice choice, RowScene scene) {
+    RowPainter(Graphics2D g, Texts texts, RowChoice choice, RowScene scene, RowPlan plan) {
         this.g = g;
         this.texts = texts;
         this.choice = choice;
         this.scene = scene;
+        this.plan = plan;
+        wide = plan.wide();
         metrics = g.getFontMetrics();
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     }
 
-    /** The pixel under a view x, or the nearer end of the row. */
-    static int pixelAt(int x, int width, int pixels) {
-        int pixel = (int) Math.floor((x - MARGIN) * (double) pixels / (width - 2 * MARGIN));
-        return Math.max(0, Math.min(pixels - 1, pixel));
-    }
-
-    void paint(int width, int height) {
-        wide = width - 2.0 * MARGIN;
-        boolean answered = scene.errors().length > 0;
-        int parts = scene.bands().size() + 1 + (scene.image().isPresent() ? 2 : 0);
-        int words = metrics.getHeight() + 4;
-        int high = Math.min(HIGHEST, (height - 2 * MARGIN - MARK) / parts - words - GAP);
+    void paint() {
         if (wide < 1) return;
+        int high = high();
         if (high < LOWEST) {
-            bandsAlone(height);
+            bandsAlone();
             return;
         }
         int y = MARGIN;
         for (RowScene.Band band : scene.bands()) {
-            y = say(texts.text("band." + band.key(), choice.method()), y);
+            y = say(name(band), y);
             band(band, y, high);
             words(band, y + high / 2 + metrics.getAscent() / 2);
             chosen(y, high);
             y += high + GAP;
         }
-        if (!answered) y = failure(y);
+        if (scene.errors().length == 0) failure(y + MARK);
         else {
             marks(y - GAP + 2);
-            y = errors(y + MARK, high) + GAP;
+            errors(y + MARK, high);
         }
-        if (scene.image().isPresent()) image(scene.image().get(), y, height - MARGIN);
+        scene.image().filter(image -> plan.column() > 0).ifPresent(this::pictures);
+    }
+
+    /** Of a band, and of the errors below: all of them and their words fill the stage. */
+    private int high() {
+        boolean answered = scene.errors().length > 0;
+        int parts = scene.bands().size() + (answered ? 1 : 0);
+        int words = said(answered ? errorWords() : failureWords());
+        for (RowScene.Band band : scene.bands()) words += said(name(band));
+        int room = plan.height() - 2 * MARGIN - words - MARK - scene.bands().size() * GAP;
+        return Math.min(room / parts, (plan.height() - 2 * MARGIN) / 3);
+    }
+
+    private String name(RowScene.Band band) {
+        return texts.text("band." + band.key(), choice.method());
     }
 
     /** All that a very low stage has room for, in the same order. */
-    private void bandsAlone(int height) {
-        int step = height / scene.bands().size();
+    private void bandsAlone() {
+        int step = plan.height() / scene.bands().size();
         int high = Math.max(1, step - 4);
         int y = 2;
         for (RowScene.Band band : scene.bands()) {
@@ -95,13 +100,23 @@ final class RowPainter {
 
     /** Returns the view y below the words. */
     private int say(String words, int y) {
+        return say(words, MARGIN, plan.wide(), y);
+    }
+
+    private int say(String words, int left, int width, int y) {
         int below = y;
         g.setColor(colours.ink());
-        for (String line : Wrapping.lines(words, (int) wide, metrics::stringWidth)) {
-            g.drawString(line, MARGIN, below + metrics.getAscent());
+        for (String line : Wrapping.lines(words, width, metrics::stringWidth)) {
+            g.drawString(line, left, below + metrics.getAscent());
             below += metrics.getHeight();
         }
-        return below + 4;
+        return below + BELOW_WORDS;
+    }
+
+    /** View units that the words take above a band. */
+    private int said(String words) {
+        int lines = Wrapping.lines(words, plan.wide(), metrics::stringWidth).size();
+        return lines * metrics.getHeight() + BELOW_WORDS;
     }
 
     private double x(double pixel) {
@@ -163,27 +178,35 @@ final class RowPainter {
     }
 
     /** Why the method has no band. */
-    private int failure(int y) {
-        return say(
-                texts.text(
-                        scene.verdict().kind().code(),
-                        choice.method(),
-                        Complaints.said(texts.language(), scene.verdict().detail())),
-                y + MARK);
+    private void failure(int y) {
+        say(failureWords(), y);
     }
 
-    /** Bars from below, the worst as high as there is room; returns the view y below them. */
-    private int errors(int top, int high) {
+    private String failureWords() {
+        return texts.text(
+                scene.verdict().kind().code(),
+                choice.method(),
+                Complaints.said(texts.language(), scene.verdict().detail()));
+    }
+
+    private String errorWords() {
+        return texts.text(
+                "errors." + choice.topic(),
+                Shown.number(worst(), 3, texts.locale()),
+                scene.wrongPixels(),
+                scene.pixels());
+    }
+
+    private double worst() {
         double worst = 0;
         for (double error : scene.errors()) worst = Math.max(worst, error);
-        int y =
-                say(
-                        texts.text(
-                                "errors." + choice.topic(),
-                                Shown.number(worst, 3, texts.locale()),
-                                scene.wrongPixels(),
-                                scene.pixels()),
-                        top);
+        return worst;
+    }
+
+    /** Bars from below, the worst as high as there is room. */
+    private void errors(int top, int high) {
+        double worst = worst();
+        int y = say(errorWords(), top);
         g.setColor(colours.margin());
         g.fillRect(MARGIN, y, (int) wide, high);
         g.setColor(MethodColours.edgeOn(colours.margin(), MethodColours.of(choice.method())));
@@ -198,49 +221,23 @@ final class RowPainter {
         g.fill(area);
         g.setColor(colours.axis());
         g.drawLine(MARGIN, y + high, MARGIN + (int) wide, y + high);
-        return y + high;
     }
 
-    /** The picture with the footprint of the chosen pixel, brought into it where it repeats. */
-    private void image(RowScene.Image image, int top, int bottom) {
-        int y = say(texts.text("picture", image.width(), image.height()), top);
-        int size = bottom - y;
+    /** The picture, and below it the chosen pixel's footprint, as large as both fit. */
+    private void pictures(RowScene.Image image) {
+        String whole = texts.text("picture", image.width(), image.height());
+        String enlarged = texts.text("footprint");
+        int left = plan.columnLeft();
+        int width = plan.column();
+        int lines = Wrapping.lines(whole, width, metrics::stringWidth).size();
+        lines += Wrapping.lines(enlarged, width, metrics::stringWidth).size();
+        int words = lines * metrics.getHeight() + 2 * BELOW_WORDS;
+        int size = Math.min(width, (plan.height() - 2 * MARGIN - words - GAP) / 2);
         if (size < MARK) return;
-        var texels = new BufferedImage(image.width(), image.height(), BufferedImage.TYPE_INT_ARGB);
-        for (int row = 0; row < image.height(); row++)
-            texels.setRGB(
-                    0,
-                    image.height() - 1 - row,
-                    image.width(),
-                    1,
-                    image.argb(),
-                    row * image.width(),
-                    image.width());
-        g.drawImage(texels, MARGIN, y, size, size, null);
-        g.setColor(colours.axis());
-        g.drawRect(MARGIN, y, size, size);
-        footprint(image, y, size);
-    }
-
-    private void footprint(RowScene.Image image, int y, int size) {
-        double[] f = image.footprints();
-        int at = 6 * choice.pixel();
-        double s = f[at] - Math.floor(f[at]);
-        double t = f[at + 1] - Math.floor(f[at + 1]);
-        var outline = new Path2D.Double();
-        double[][] corners = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
-        for (double[] corner : corners) {
-            double px = MARGIN + size * (s + corner[0] * f[at + 2] + corner[1] * f[at + 4]);
-            double py = y + size * (1 - (t + corner[0] * f[at + 3] + corner[1] * f[at + 5]));
-            if (outline.getCurrentPoint() == null) outline.moveTo(px, py);
-            else outline.lineTo(px, py);
-        }
-        outline.closePath();
-        g.setColor(Color.WHITE);
-        g.setStroke(new BasicStroke(5));
-        g.draw(outline);
-        g.setColor(PixelMark.COLOUR);
-        g.setStroke(new BasicStroke(2));
-        g.draw(outline);
+        var painter = new FootprintPainter(g, image, choice.pixel());
+        int y = say(whole, left, width, MARGIN);
+        painter.whole(left, y, size);
+        y = say(enlarged, left, width, y + size + GAP);
+        painter.enlarged(left, y, size);
     }
 }

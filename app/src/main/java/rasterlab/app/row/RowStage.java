@@ -61,9 +61,12 @@ final class RowStage extends SelfDrawn implements Settling {
         g.fillRect(0, 0, getWidth(), getHeight());
         model.shown()
                 .ifPresent(
-                        scene ->
-                                new RowPainter(g, texts, model.choice(), scene)
-                                        .paint(getWidth(), getHeight()));
+                        scene -> new RowPainter(g, texts, model.choice(), scene, plan()).paint());
+    }
+
+    private RowPlan plan() {
+        boolean pictured = model.shown().flatMap(RowScene::image).isPresent();
+        return new RowPlan(getWidth(), getHeight(), pictured);
     }
 
     @Override
@@ -83,7 +86,7 @@ final class RowStage extends SelfDrawn implements Settling {
         @Override
         public void mousePressed(MouseEvent e) {
             requestFocusInWindow();
-            choose(e);
+            if (!plan().inColumn(e.getX())) choose(e);
         }
 
         @Override
@@ -92,7 +95,7 @@ final class RowStage extends SelfDrawn implements Settling {
         }
 
         private void choose(MouseEvent e) {
-            model.choosePixel(RowPainter.pixelAt(e.getX(), getWidth(), model.pixels()));
+            model.choosePixel(plan().pixelAt(e.getX(), model.pixels()));
         }
     }
 }

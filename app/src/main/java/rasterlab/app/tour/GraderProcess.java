@@ -11,25 +11,32 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 
-/** The grading server as a child process on a free port. */
+/** The grading server as a child process on a free port, with a data folder that goes with it. */
 final class GraderProcess implements AutoCloseable {
     private static final Duration LONGEST_START = Duration.ofMinutes(2);
     private static final Duration LONGEST_STOP = Duration.ofSeconds(10);
+
+    /** Once the program was told to end, by Ctrl+C for instance. */
+    private static final Duration LONGEST_LAST_STOP = Duration.ofSeconds(3);
+
     private static final String ADDRESS = "listening on ";
     private static final String TOKEN = "instructor token: ";
 
     private final Process process;
+    private final TemporaryFolder data;
     private final Consumer<String> log;
-    private final Thread stopper = new Thread(this::kill, "stop the server");
+    private final Thread stopper = new Thread(this::abandon, "stop the server");
     private final CompletableFuture<URI> address = new CompletableFuture<>();
     private final CompletableFuture<String> token = new CompletableFuture<>();
 
     private volatile String lastWords = "none";
 
-    private GraderProcess(Process process, Consumer<String> log) {
+    private GraderProcess(Process process, TemporaryFolder data, Consumer<String> log) {
         this.process = process;
+        this.data = data;
         this.log = log;
         Runtime.getRuntime().addShutdownHook(stopper);
         readOn(this::readOutput, "output of the server");
@@ -46,13 +53,13 @@ final class GraderProcess implements AutoCloseable {
      * Starts the server with an empty data folder.
      *
      * @param home the folder of the {@code ./lab} script
-     * @param data an empty folder
      * @param log told each line that the server says on its error stream, by another thread
      */
-    static GraderProcess start(Path home, Path data, Consumer<String> log) throws IOException {
+    static GraderProcess start(Path home, Consumer<String> log) throws IOException {
         boolean windows =
                 System.getProperty("os.name").toLowerCase(Locale.ROOT).startsWith("windows");
         Path script = home.resolve(windows ? "lab.cmd" : "lab");
+        var data = new TemporaryFolder();
         var command =
                 new ProcessBuilder(
                         script.toString(),
@@ -61,8 +68,13 @@ final class GraderProcess implements AutoCloseable {
                         "--port",
                         "0",
                         "--data",
-                        data.toString());
-        return new GraderProcess(command.start(), log);
+                        data.path().toString());
+        try {
+            return new GraderProcess(command.start(), data, log);
+        } catch (IOException e) {
+            data.close();
+            throw e;
+        }
     }
 
     /** Where the server listens; waits until it does. */
@@ -110,27 +122,47 @@ final class GraderProcess implements AutoCloseable {
         }
     }
 
-    /** Asks the server to stop, and makes it if it does not. */
+    /** Asks the server to stop, and makes it if it does not; its data go too. */
     @Override
-    public void close() {
+    public void close() throws IOException {
+        stop(LONGEST_STOP);
+        forgetStopper();
+        data.close();
+    }
+
+    /** When the program ends first: the server is given little time, and nothing of it is left. */
+    void abandon() {
+        stop(LONGEST_LAST_STOP);
+        try {
+            data.close();
+        } catch (IOException e) {
+            log.accept("the server's data stay in " + data.path() + ": " + e.getMessage());
+        }
+    }
+
+    private void stop(Duration longest) {
         process.descendants().forEach(ProcessHandle::destroy);
         process.destroy();
         try {
-            if (!process.waitFor(LONGEST_STOP.toSeconds(), TimeUnit.SECONDS)) kill();
+            if (!process.waitFor(longest.toSeconds(), TimeUnit.SECONDS)) kill();
             process.waitFor();
         } catch (InterruptedException e) {
             kill();
             Thread.currentThread().interrupt();
         }
-        forgetStopper();
     }
 
     private void forgetStopper() {
         try {
             Runtime.getRuntime().removeShutdownHook(stopper);
-        } catch (IllegalStateException e) {
-            log.accept("the program is ending, so the server is stopped twice: " + e.getMessage());
+        } catch (IllegalStateException ending) {
+            awaitEnd();
         }
+    }
+
+    /** The program is ending: nothing more is to be made of a server that was stopped for it. */
+    private static void awaitEnd() {
+        while (true) LockSupport.park();
     }
 
     private void kill() {

@@ -49,10 +49,7 @@ final class GradingSection implements TourPart {
                 home.orElseThrow(
                         () -> new IllegalStateException(page.texts().text("grading.home")));
         page.say(page.texts().text("grading.starting"));
-        try (var temporary = new TemporaryFolder();
-                var server =
-                        GraderProcess.start(
-                                script, temporary.path(), line -> page.say("  server: " + line))) {
+        try (var server = GraderProcess.start(script, line -> page.say("  server: " + line))) {
             var client = new GraderClient(server.address());
             String code = client.createCourse(server.token(), "Tour");
             String student = client.join(code, "Ada");

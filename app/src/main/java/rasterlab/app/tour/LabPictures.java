@@ -130,7 +130,7 @@ final class LabPictures implements TourPart {
 
     /** No order of whole boards is right; the list has the order in which they were drawn. */
     private static void showOrder(LabModels models) {
-        models.visibility().compare("cyclic-overlap", "painter", "newell");
+        models.visibility().compareColours("cyclic-overlap", "painter", "newell");
         models.visibility().watchSteps(true);
     }
 

@@ -21,6 +21,7 @@ final class TemporaryFolder implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
+        if (!Files.exists(path)) return;
         try (Stream<Path> entries = Files.walk(path)) {
             List<Path> deepestFirst = entries.sorted(Comparator.reverseOrder()).toList();
             for (Path entry : deepestFirst) Files.deleteIfExists(entry);

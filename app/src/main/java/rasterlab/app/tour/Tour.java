@@ -40,6 +40,7 @@ public final class Tour {
     /** Makes those parts and the page; returns and throws the same. */
     boolean make(List<TourPart> parts) throws InterruptedException {
         WholeFile.requireFolder(folder.resolve(TourPage.PICTURES));
+        WholeFile.requireWritable(index());
         var page = new TourPage(folder, language, progress);
         boolean whole = true;
         for (TourPart part : parts) whole &= made(part, page);

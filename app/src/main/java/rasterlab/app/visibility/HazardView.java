@@ -33,6 +33,7 @@ enum HazardView {
     private final UnaryOperator<SphericalView> camera;
     private final double zoom;
     private final boolean difference;
+    private final boolean coloured;
 
     /**
      * @param theta radians
@@ -53,29 +54,35 @@ enum HazardView {
                 method,
                 first -> new SphericalView(theta, phi, nearness * first.rho()),
                 zoom,
-                difference);
+                difference,
+                false);
     }
 
-    /** The scene as it is first seen, with what is wrong in it. */
+    /**
+     * The scene as it is first seen, with what is wrong in it; bodies need colours of their own.
+     */
     HazardView(String scene, String method) {
-        this(scene, method, first -> first, 1, true);
+        this(scene, method, first -> first, 1, true, true);
     }
 
     /**
      * @param camera what becomes of the scene's first one; asked when the view is shown, for scenes
      *     take long to make
+     * @param coloured whether the scene has bodies of several colours
      */
     HazardView(
             String scene,
             String method,
             UnaryOperator<SphericalView> camera,
             double zoom,
-            boolean difference) {
+            boolean difference,
+            boolean coloured) {
         this.scene = scene;
         this.method = method;
         this.camera = camera;
         this.zoom = zoom;
         this.difference = difference;
+        this.coloured = coloured;
     }
 
     /** Lower-case name with hyphens, part of keys and component names. */
@@ -83,9 +90,10 @@ enum HazardView {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
-    /** The choice that shows this view; shading and projection stay. */
+    /** The choice that shows this view; projection stays, and shading that tells bodies apart. */
     VisibilityChoice shown(VisibilityChoice choice) {
         VisibilityChoice other = choice.withScene(scene);
+        if (coloured) other = other.inColours();
         return other.with(LookChoice.USUAL)
                 .withView(StageView.COLOURS)
                 .withVisibility(method)

@@ -40,6 +40,11 @@ public record VisibilityChoice(
     static final double SMALLEST = 0.25;
     static final double LARGEST = 32;
 
+    /** The shading that tells the faces of scenes with several colours apart. */
+    static final String OWN_COLOURS = "flat";
+
+    private static final String VASE_TONES = "tone";
+
     private static final double FIRST_ZOOM = 1.6;
 
     public VisibilityChoice {
@@ -55,7 +60,7 @@ public record VisibilityChoice(
                 vase,
                 "painter",
                 "",
-                "tone",
+                VASE_TONES,
                 "perspective",
                 vase.scene().defaultCamera(),
                 FIRST_ZOOM,
@@ -130,6 +135,11 @@ public record VisibilityChoice(
         var draft = new Draft(this);
         draft.shading = other;
         return draft.choice();
+    }
+
+    /** The same in the scene's own colours, where the vase's greys are chosen. */
+    VisibilityChoice inColours() {
+        return shading.equals(VASE_TONES) ? withShading(OWN_COLOURS) : this;
     }
 
     VisibilityChoice withProjection(String other) {

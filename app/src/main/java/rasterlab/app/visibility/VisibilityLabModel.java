@@ -28,6 +28,8 @@ import rasterlab.engine.visibility.Visibility;
  * the executor it is given. Each change publishes a new immutable {@link VisibilityLabState}.
  */
 public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoCloseable {
+    private static final double BESIDE_ZOOM = 1.3;
+
     private final PictureMaker maker;
     private final LatestOnly<Frame, Frame.Pictures> pictures;
     private final LatestOnly<Frame, Optional<Differences>> differences;
@@ -163,12 +165,25 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
      * @throws IllegalArgumentException if the engine does not know a name
      */
     public void compare(String scene, String method, String comparison) {
+        choose(choice -> compared(choice, scene, method, comparison).withDifference(true));
+    }
+
+    /**
+     * The same in the scene's own colours, unmarked, and larger: a scene's own scale is for a wide
+     * picture, but each of the two is high.
+     */
+    public void compareColours(String scene, String method, String comparison) {
         choose(
                 choice ->
-                        choice.withScene(scene)
-                                .withVisibility(method)
-                                .withComparison(comparison)
-                                .withDifference(true));
+                        compared(choice, scene, method, comparison)
+                                .withShading(VisibilityChoice.OWN_COLOURS)
+                                .withZoom(BESIDE_ZOOM)
+                                .withDifference(false));
+    }
+
+    private static VisibilityChoice compared(
+            VisibilityChoice choice, String scene, String method, String comparison) {
+        return choice.withScene(scene).withVisibility(method).withComparison(comparison);
     }
 
     /** Lets the timeline go through the method's steps, or turn the scene. */

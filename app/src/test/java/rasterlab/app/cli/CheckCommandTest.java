@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.tour.Tour;
@@ -63,6 +64,15 @@ class CheckCommandTest {
         Ran ran = Ran.lab("check", "line-bresenham", file.toString());
         assertTrue(ran.out().contains("\nMyLine.java:2:13: "), ran.out());
         assertEquals(1, ran.exitCode());
+    }
+
+    @Test
+    void picturesThatCannotBeWrittenAreRefusedBeforeACaseRuns() throws Exception {
+        Path file = Files.writeString(folder.resolve("pictures"), "mine");
+        for (String solution : List.of("right", "wrong"))
+            check(solution)
+                    .assertComplains(2, "./lab check: " + file + ": is a file, a folder is wanted");
+        assertEquals("mine", Files.readString(file));
     }
 
     private Ran check(String solution, String... options) throws Exception {

@@ -65,6 +65,25 @@ class WholeFileTest {
     }
 
     @Test
+    void folderToBeMadeIsTriedWithoutMakingIt() throws Exception {
+        WholeFile.requireFolderWritable(folder.resolve("no/inner"));
+        WholeFile.requireFolderWritable(folder);
+        WholeFile.requireFolderWritable(Path.of("no/inner"));
+        assertEquals(List.of(), names());
+    }
+
+    @Test
+    void fileOnTheWayToAFolderIsNamed() throws Exception {
+        Path file = Files.writeString(folder.resolve("a.txt"), "mine");
+        for (Path wanted : List.of(file, file.resolve("inner"))) {
+            var complaint =
+                    assertThrows(Complaint.class, () -> WholeFile.requireFolder(wanted), "made");
+            assertEquals(file + ": is a file, a folder is wanted", complaint.getMessage());
+        }
+        assertEquals("mine", Files.readString(file));
+    }
+
+    @Test
     @EnabledOnOs(OS.LINUX)
     void deviceIsNotReplacedByAFile() {
         assertThrows(Complaint.class, () -> WholeFile.requireWritable(Path.of("/dev/null")));

@@ -68,7 +68,8 @@ class TourTest {
     void fileInPlaceOfTheFolderIsRefused() throws Exception {
         Path file = Files.writeString(folder.resolve("file"), "mine");
         var tour = new Tour(file, Language.ENGLISH, System.err);
-        assertThrows(Complaint.class, () -> tour.make(Optional.empty()));
+        var complaint = assertThrows(Complaint.class, () -> tour.make(Optional.empty()));
+        assertEquals(file + ": is a file, a folder is wanted", complaint.getMessage());
         assertEquals("mine", Files.readString(file));
     }
 

@@ -1,5 +1,6 @@
 package rasterlab.app.visibility;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
@@ -23,6 +24,14 @@ class HazardViewTest {
             })
     void methodFailsInTheView(HazardView view) {
         assertTrue(wrong(view, view.shown(VisibilityChoice.first()).visibility()) > 0, view.code());
+    }
+
+    @ParameterizedTest(name = "the bodies of {0} are all grey")
+    @EnumSource(names = {"CYCLIC", "PIERCING", "COPLANAR", "COARSE"})
+    void bodiesHaveTheirOwnColoursInsteadOfTheVasesGreys(HazardView view) {
+        assertEquals("flat", view.shown(VisibilityChoice.first()).shading());
+        var smooth = VisibilityChoice.first().withShading("phong");
+        assertEquals("phong", view.shown(smooth).shading(), "chosen by the user");
     }
 
     @Test

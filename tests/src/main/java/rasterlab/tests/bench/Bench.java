@@ -1,15 +1,19 @@
 package rasterlab.tests.bench;
 
 import java.io.IOException;
+import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.runner.Runner;
 import org.openjdk.jmh.runner.RunnerException;
@@ -28,7 +32,7 @@ import rasterlab.tests.bench.window.WindowBench;
 
 /** Measures the engine's methods beside their peers and prints the ratios. */
 @Command(
-        name = "lab bench",
+        name = "./lab bench",
         mixinStandardHelpOptions = true,
         description = {
             "Times our methods and what a user would pick instead, in one run, and prints",
@@ -69,13 +73,24 @@ public final class Bench implements Callable<Integer> {
     private int minutes;
 
     public static void main(String[] arguments) {
+        System.exit(commandLine(System.err).execute(arguments));
+    }
+
+    static CommandLine commandLine(PrintStream err) {
         var command = new CommandLine(new Bench());
-        command.setParameterExceptionHandler(
+        return command.setParameterExceptionHandler(
                 (wrong, given) -> {
-                    System.err.println("lab bench: " + wrong.getMessage());
+                    String name = command.getCommandName();
+                    err.println(name + ": " + wrong.getMessage() + " (see `" + name + " --help`)");
                     return CommandLine.ExitCode.USAGE;
                 });
-        System.exit(command.execute(arguments));
+    }
+
+    /** What can be measured; the {@code ./lab} scripts know these names too. */
+    public static SortedSet<String> groups() {
+        var names = new TreeSet<>(GROUPS.keySet());
+        names.addAll(List.of(PIPELINE, WINDOW));
+        return names;
     }
 
     @Override
@@ -101,14 +116,7 @@ public final class Bench implements Callable<Integer> {
     private List<Goal> goals() {
         if (!GROUPS.containsKey(group))
             throw wrong(
-                    "unknown group '"
-                            + group
-                            + "'; allowed are "
-                            + GROUPS.keySet()
-                            + ", "
-                            + PIPELINE
-                            + " and "
-                            + WINDOW);
+                    "unknown group '" + group + "'; allowed are " + String.join(", ", groups()));
         List<Goal> all = GROUPS.get(group).get();
         List<Goal> goals = all.stream().filter(goal -> goal.work().contains(only)).toList();
         if (goals.isEmpty())
@@ -116,7 +124,7 @@ public final class Bench implements Callable<Integer> {
                     "no goal has '"
                             + only
                             + "' in its work; there are "
-                            + all.stream().map(Goal::work).toList());
+                            + all.stream().map(Goal::work).collect(Collectors.joining("; ")));
         return goals;
     }
 

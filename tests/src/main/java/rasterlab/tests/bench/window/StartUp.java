@@ -6,11 +6,9 @@ import java.awt.Toolkit;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 import rasterlab.app.Main;
 import rasterlab.tests.bench.JavaCommand;
 
@@ -49,8 +47,12 @@ final class StartUp {
      * @throws IOException if the process cannot be started or ends without a window
      */
     static long milliseconds() throws IOException, InterruptedException {
-        Path folder = Files.createTempDirectory("rasterlab-start");
-        Path settings = folder.resolve("window.properties");
+        try (var folder = new SettingsFolder()) {
+            return milliseconds(folder.settings());
+        }
+    }
+
+    private static long milliseconds(Path settings) throws IOException, InterruptedException {
         Process process =
                 new ProcessBuilder(
                                 JavaCommand.of(
@@ -70,20 +72,11 @@ final class StartUp {
             return Long.parseLong(said.lines().reduce((one, other) -> other).orElseThrow());
         } finally {
             process.destroyForcibly().waitFor();
-            remove(folder);
         }
     }
 
     /** What {@code ./lab} starts the window with. */
     private static Path options() {
         return Path.of(System.getProperty("rasterlab.home", ""), "app", "java-options");
-    }
-
-    /** Removes a folder of files. */
-    static void remove(Path folder) throws IOException {
-        try (Stream<Path> files = Files.list(folder)) {
-            for (Path file : files.toList()) Files.delete(file);
-        }
-        Files.delete(folder);
     }
 }

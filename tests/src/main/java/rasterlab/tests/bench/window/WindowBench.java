@@ -10,7 +10,6 @@ import java.awt.Toolkit;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.lang.reflect.InvocationTargetException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -118,12 +117,8 @@ public final class WindowBench {
         out.println("work | figure | goal | met");
         out.println("--- | --- | --- | ---");
         start();
-        Path folder = Files.createTempDirectory("rasterlab-window");
-        Path settings = folder.resolve("window.properties");
-        try {
-            open(settings);
-        } finally {
-            StartUp.remove(folder);
+        try (var folder = new SettingsFolder()) {
+            open(folder.settings());
         }
     }
 

@@ -1,0 +1,77 @@
+package rasterlab.tests.frontdoor;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.tests.ChildProcess;
+import rasterlab.tests.bench.Bench;
+
+/** Java warns of the Vector API on the error stream, so only what measures may ask for it. */
+@DisabledOnOs(value = OS.WINDOWS, disabledReason = "a POSIX shell runs the script under test")
+class BenchCallTest {
+    @TempDir Path folder;
+
+    @ParameterizedTest(name = "{0} is measured without the Vector API")
+    @MethodSource("groups")
+    void everyGroupIsMeasuredWithTheVectorApi(String group) throws IOException {
+        assertTrue(asksForVectors("--quick", group), group);
+    }
+
+    static Stream<String> groups() {
+        return Bench.groups().stream();
+    }
+
+    @ParameterizedTest(name = "{0} has Java warn of the Vector API")
+    @ValueSource(strings = {"--help", "-h pipeline", "pipeline --help", "--version", "nosuch", ""})
+    void whatMeasuresNothingDoesWithout(String arguments) throws IOException {
+        assertEquals(false, asksForVectors(arguments.split(" ")), arguments);
+    }
+
+    private boolean asksForVectors(String... arguments) throws IOException {
+        FreshCopy.copySources(folder);
+        var stamp = Files.createDirectories(folder.resolve("target/lab")).resolve("built-bench");
+        Files.writeString(stamp, "");
+        var command = new ArrayList<>(List.of(folder.resolve("lab").toString(), "bench"));
+        command.addAll(List.of(arguments));
+        var home = Map.of("JAVA_HOME", sayingJava().toString());
+        var run = ChildProcess.run(folder, home, Duration.ofMinutes(1), command);
+        assertEquals(0, run.exit(), run.err());
+        assertTrue(run.out().contains(Bench.class.getName()), run.out());
+        return run.out().contains("/engine/vector-options");
+    }
+
+    /** A Java that says what it is called with. */
+    private Path sayingJava() throws IOException {
+        var home = Files.createDirectories(folder.resolve("java/bin")).getParent();
+        for (var program : List.of("java", "javac")) {
+            var file = home.resolve("bin").resolve(program);
+            Files.writeString(
+                    file,
+                    """
+                    #!/bin/sh
+                    case $1 in
+                        -XshowSettings*) printf '    java.%%s = %%s\\n' specification.version 17 home '%s' ;;
+                        *) echo "$@" ;;
+                    esac
+                    """
+                            .formatted(home));
+            Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
+        }
+        return home;
+    }
+}
