@@ -110,7 +110,9 @@ class ExerciseRoomsTest {
                     theme.install();
                     double usual = UIManager.getFont("defaultFont").getSize2D();
                     theme.install((int) Math.round(100 * type / usual));
-                    made.set(new ExercisePanel(model, NOWHERE, language, FAILURES::add));
+                    made.set(
+                            new ExercisePanel(
+                                    model, new WindowEditor(), NOWHERE, language, FAILURES::add));
                     made.get().parts().forEach(Runnable::run);
                 });
         ExercisePanel panel = made.get();
