@@ -104,6 +104,17 @@ class ExerciseRoomsTest {
     void everyCaseIsReadWholeAndItsPictureSeen(
             Language language, LabTheme theme, double type, int width, int height)
             throws Exception {
+        ExercisePanel panel = made(language, theme, type);
+        OffscreenPainter.paint(panel, width, height);
+        OffscreenPainter.paint(panel, width, height);
+        var faults = new ArrayList<String>();
+        EventQueue.invokeAndWait(() -> look(panel, faults));
+        EventQueue.invokeAndWait(panel::close);
+        assertEquals(List.of(), faults);
+    }
+
+    private static ExercisePanel made(Language language, LabTheme theme, double type)
+            throws Exception {
         var made = new AtomicReference<ExercisePanel>();
         EventQueue.invokeAndWait(
                 () -> {
@@ -115,13 +126,23 @@ class ExerciseRoomsTest {
                                     model, new WindowEditor(), NOWHERE, language, FAILURES::add));
                     made.get().parts().forEach(Runnable::run);
                 });
-        ExercisePanel panel = made.get();
-        OffscreenPainter.paint(panel, width, height);
-        OffscreenPainter.paint(panel, width, height);
-        var faults = new ArrayList<String>();
-        EventQueue.invokeAndWait(() -> look(panel, faults));
+        return made.get();
+    }
+
+    @ParameterizedTest(name = "buttons wrap, or the last row in sight is cut: {0}, {1} high")
+    @CsvSource({"ENGLISH, 760", "RUSSIAN, 760", "ENGLISH, 728", "RUSSIAN, 728", "RUSSIAN, 650"})
+    void usualWindowHasOneRowOfButtonsAndWholeRowsOfCases(Language language, int height)
+            throws Exception {
+        ExercisePanel panel = made(language, LabTheme.LIGHT, 14);
+        OffscreenPainter.paint(panel, 1280, height);
+        OffscreenPainter.paint(panel, 1280, height);
+        assertEquals(named(panel, "check").getY(), named(panel, "larger").getParent().getY());
+        assertEquals(0, named(panel, "larger").getY());
+        var table = (JTable) named(panel, "cases");
+        int seen = ((JScrollPane) named(panel, "cases.scroll")).getViewport().getHeight();
+        int all = table.getRowCount() * table.getRowHeight();
+        assertTrue(seen >= all || seen % table.getRowHeight() == 0, seen + " of " + all);
         EventQueue.invokeAndWait(panel::close);
-        assertEquals(List.of(), faults);
     }
 
     private static void look(ExercisePanel panel, List<String> faults) {
