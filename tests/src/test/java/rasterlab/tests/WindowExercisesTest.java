@@ -8,13 +8,17 @@ import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import javax.swing.text.JTextComponent;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabTheme;
 import rasterlab.engine.line.Segment;
 import rasterlab.tests.grading.GraderClient;
 import rasterlab.tests.grading.ServerProcess;
@@ -115,12 +119,79 @@ class WindowExercisesTest extends WindowHarness {
     }
 
     @Test
-    void editorThatIsReplacedDoesNotGoOnBlinking() {
+    void editorOutOfSightDoesNotGoOnBlinking() {
         focus("source");
-        var editor = window.textBox("source").targetCastedTo(JTextComponent.class);
+        JTextComponent editor = editor();
+        show("line");
         GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
         robot.waitForIdle();
         assertEquals(0, GuiActionRunner.execute(() -> editor.getCaret().getBlinkRate()));
+        show("exercises");
+        assertTrue(GuiActionRunner.execute(() -> editor().getCaret().getBlinkRate()) > 0);
+    }
+
+    private JTextComponent editor() {
+        return window.textBox("source").targetCastedTo(JTextComponent.class);
+    }
+
+    /** Caret, selection and scroll of the editor. */
+    private List<Integer> place() {
+        robot.waitForIdle();
+        return GuiActionRunner.execute(
+                () ->
+                        List.of(
+                                editor().getCaret().getMark(),
+                                editor().getCaretPosition(),
+                                editor().getVisibleRect().y));
+    }
+
+    private List<Integer> typeAndSelectFarBelow(String text) {
+        type(text);
+        focus("source");
+        press(KeyEvent.VK_X);
+        GuiActionRunner.execute(
+                () -> {
+                    int end = editor().getDocument().getLength() * 3 / 4;
+                    editor().select(end - 7, end - 2);
+                });
+        assertTrue(place().get(2) > 0, "all is in sight");
+        return place();
+    }
+
+    @ParameterizedTest(name = "undo, caret, selection or scroll is lost by another {0}")
+    @ValueSource(strings = {"spoken language", "chosen language", "theme"})
+    void editorGoesOnAsItWas(String look) {
+        String text = source() + "// far below\n".repeat(80);
+        List<Integer> place = typeAndSelectFarBelow(text);
+        switch (look) {
+            case "spoken language" -> GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+            case "chosen language" -> {
+                window.comboBox("language").selectItem(Language.RUSSIAN.ordinal());
+                await("Russian", () -> frame.language() == Language.RUSSIAN);
+            }
+            default -> GuiActionRunner.execute(() -> frame.wear(frame.look().with(LabTheme.DARK)));
+        }
+        assertEquals(place, place());
+        window.button("undo").click();
+        robot.waitForIdle();
+        assertEquals(text, source());
+        assertTrue(window.button("redo").isEnabled(), "nothing can be done again");
+    }
+
+    @Test
+    void editorGoesOnAsItWasBesideACheckThatRuns() {
+        String text = Solutions.source(Solutions.ENDLESS) + "// far below\n".repeat(80);
+        List<Integer> place = typeAndSelectFarBelow(text);
+        window.button("check").click();
+        await("it runs", () -> window.button("cancel").isEnabled());
+        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        assertEquals(place, place());
+        assertTrue(window.button("cancel").isEnabled(), "the check is given up");
+        window.button("undo").click();
+        robot.waitForIdle();
+        assertEquals(text, source());
+        window.button("cancel").click();
+        await("it is given up", () -> window.button("check").isEnabled());
     }
 
     @Test

@@ -115,6 +115,16 @@ class WindowFigureTest extends WindowHarness {
     }
 
     @Test
+    void timelineIsThereOnlyWhereThereAreSteps() {
+        choose(LineMode.CIRCLE);
+        assertTrue(isSeen("player.play"), "no timeline");
+        choose(LineMode.BRIGHTNESS);
+        assertFalse(isSeen("player.play"), "a timeline without steps");
+        choose(LineMode.PEN);
+        assertTrue(isSeen("player.play"), "the timeline does not come back");
+    }
+
+    @Test
     void angleIsReadOffTheChart() {
         choose(LineMode.BRIGHTNESS);
         focus("grip.angle");

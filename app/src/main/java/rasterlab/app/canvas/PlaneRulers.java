@@ -6,6 +6,7 @@ import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.util.Locale;
+import java.util.stream.DoubleStream;
 
 /** Grid lines at round numbers of a plane, its axes, and the numbers along two margins. */
 final class PlaneRulers {
@@ -17,6 +18,9 @@ final class PlaneRulers {
 
     /** Share of the usual size below which a number is written with a power of ten instead. */
     private static final double SMALLEST = 0.75;
+
+    /** Whole numbers below this fit the left margin in the usual type. */
+    private static final int SHORT = 10_000;
 
     private final PlaneMap map;
     private final Dimension view;
@@ -38,13 +42,14 @@ final class PlaneRulers {
     void paintGrid(Graphics2D g) {
         g.setColor(colours.ground());
         g.fillRect(0, 0, view.width, view.height);
-        RoundTicks columns = RoundTicks.atLeast(map.worldWidth(APART));
+        Numbers numbers = numbers(g);
+        RoundTicks columns = equal() ? numbers.columns : RoundTicks.atLeast(map.worldWidth(APART));
         each(
                 columns,
                 leftWorld(),
                 rightWorld(),
                 x -> vertical(g, columns.value(x), colours.grid()));
-        RoundTicks rows = RoundTicks.atLeast(map.worldHeight(APART));
+        RoundTicks rows = numbers.rows;
         each(rows, lowWorld(), highWorld(), y -> horizontal(g, rows.value(y), colours.grid()));
         vertical(g, 0, colours.axis());
         horizontal(g, 0, colours.axis());
@@ -59,73 +64,120 @@ final class PlaneRulers {
         g.drawLine(Rulers.left(), Rulers.top(), Rulers.left(), view.height);
         g.setFont(font);
         g.setColor(colours.ink());
-        paintColumns(g);
-        paintRows(g);
+        Numbers numbers = numbers(g);
+        paintColumns(g, numbers);
+        paintRows(g, numbers);
         g.setColor(colours.margin());
         g.fillRect(0, 0, Rulers.left(), Rulers.top());
         g.setColor(colours.ink());
-        String corner = "y\\x";
-        FontMetrics metrics = g.getFontMetrics();
-        g.drawString(corner, Rulers.left() - 6 - metrics.stringWidth(corner), baseline(metrics));
+        String corner = numbers.factored ? numbers.rows.factor() : "y\\x";
+        paintInMargin(g, corner, baseline(g.getFontMetrics()));
     }
 
-    private void paintColumns(Graphics2D g) {
+    /**
+     * What stands along the axes: the same steps in the same form where units are as long in x as
+     * in y.
+     *
+     * @param factored whether without the power of ten, which then stands in the corner
+     */
+    private record Numbers(RoundTicks columns, RoundTicks rows, boolean factored) {}
+
+    private Numbers numbers(Graphics2D g) {
+        FontMetrics metrics = g.getFontMetrics(font);
+        RoundTicks close = RoundTicks.atLeast(map.worldHeight(APART));
+        if (!equal()) return new Numbers(columnsWithRoom(metrics, false), close, false);
+        if (fitInFull(close, g) && !close.isLong()) {
+            RoundTicks both = columnsWithRoom(metrics, false);
+            return new Numbers(both, both, false);
+        }
+        RoundTicks both = columnsWithRoom(metrics, true);
+        return shortWithoutPower(both)
+                ? new Numbers(both, both, true)
+                : new Numbers(columnsWithRoom(metrics, false), close, false);
+    }
+
+    private boolean equal() {
+        return map.scaleX() == Math.abs(map.scaleY());
+    }
+
+    private boolean shortWithoutPower(RoundTicks ticks) {
+        double farthest =
+                DoubleStream.of(leftWorld(), rightWorld(), lowWorld(), highWorld())
+                        .map(Math::abs)
+                        .max()
+                        .orElseThrow();
+        return ticks.exponent() != 0 && farthest / ticks.step() * ticks.digit() < SHORT;
+    }
+
+    private String number(RoundTicks ticks, long tick, boolean factored) {
+        return factored ? ticks.factored(tick) : ticks.shown(tick, locale);
+    }
+
+    private void paintColumns(Graphics2D g, Numbers numbers) {
         FontMetrics metrics = g.getFontMetrics();
-        RoundTicks ticks = columnsWithRoom(metrics);
         each(
-                ticks,
+                numbers.columns,
                 leftWorld(),
                 rightWorld(),
                 tick -> {
-                    String number = ticks.shown(tick, locale);
+                    String number = number(numbers.columns, tick, numbers.factored);
                     int wide = metrics.stringWidth(number);
-                    int at = (int) Math.round(map.viewX(ticks.value(tick)) - wide / 2.0);
+                    double middle = map.viewX(numbers.columns.value(tick));
+                    int at = (int) Math.round(middle - wide / 2.0);
                     if (at > Rulers.left() && at + wide < view.width)
                         g.drawString(number, at, baseline(metrics));
                 });
     }
 
     /** The closest ticks whose numbers do not touch. */
-    private RoundTicks columnsWithRoom(FontMetrics metrics) {
+    private RoundTicks columnsWithRoom(FontMetrics metrics, boolean factored) {
         double apart = APART;
         while (true) {
             RoundTicks ticks = RoundTicks.atLeast(map.worldWidth(apart));
             int widest =
-                    Math.max(wide(metrics, ticks, leftWorld()), wide(metrics, ticks, rightWorld()));
+                    Math.max(
+                            wide(metrics, ticks, leftWorld(), factored),
+                            wide(metrics, ticks, rightWorld(), factored));
             if (ticks.step() * map.scaleX() >= widest + 12 || apart > view.width) return ticks;
             apart *= 1.5;
         }
     }
 
-    private int wide(FontMetrics metrics, RoundTicks ticks, double world) {
-        return metrics.stringWidth(ticks.shown(ticks.before(world), locale));
+    private int wide(FontMetrics metrics, RoundTicks ticks, double world, boolean factored) {
+        return metrics.stringWidth(number(ticks, ticks.before(world), factored));
     }
 
-    private void paintRows(Graphics2D g) {
+    private void paintRows(Graphics2D g, Numbers numbers) {
         FontMetrics metrics = g.getFontMetrics();
-        RoundTicks ticks = RoundTicks.atLeast(map.worldHeight(APART));
-        FontMetrics smallest =
-                g.getFontMetrics(font.deriveFont((float) (SMALLEST * font.getSize2D())));
-        boolean full =
-                fits(ticks.shown(ticks.before(lowWorld()) + 1, locale), smallest)
-                        && fits(ticks.shown(ticks.before(highWorld()), locale), smallest);
+        RoundTicks ticks = numbers.rows;
+        boolean full = numbers.factored || fitInFull(ticks, g);
         each(
                 ticks,
                 lowWorld(),
                 highWorld(),
                 tick -> {
                     String number =
-                            full ? ticks.shown(tick, locale) : ticks.shown(tick, locale, true);
+                            full
+                                    ? number(ticks, tick, numbers.factored)
+                                    : ticks.shown(tick, locale, true);
                     double middle = map.viewY(ticks.value(tick));
-                    int at = (int) Math.round(middle + metrics.getAscent() / 2.0 - 1);
-                    if (at - metrics.getAscent() >= Rulers.top() && at < view.height)
-                        paintRow(g, number, at);
+                    int base = (int) Math.round(middle + metrics.getAscent() / 2.0 - 1);
+                    if (base - metrics.getAscent() >= Rulers.top() && base < view.height)
+                        paintInMargin(g, number, base);
                 });
     }
 
-    private void paintRow(Graphics2D g, String number, int base) {
-        g.setFont(fitting(number, g));
-        g.drawString(number, Rulers.left() - 6 - g.getFontMetrics().stringWidth(number), base);
+    /** Whether rows are numbered without a power of ten in a type that is large enough. */
+    private boolean fitInFull(RoundTicks ticks, Graphics2D g) {
+        FontMetrics smallest =
+                g.getFontMetrics(font.deriveFont((float) (SMALLEST * font.getSize2D())));
+        return fits(ticks.shown(ticks.before(lowWorld()) + 1, locale), smallest)
+                && fits(ticks.shown(ticks.before(highWorld()), locale), smallest);
+    }
+
+    private void paintInMargin(Graphics2D g, String words, int base) {
+        g.setFont(fitting(words, g));
+        g.drawString(words, Rulers.left() - 6 - g.getFontMetrics().stringWidth(words), base);
         g.setFont(font);
     }
 

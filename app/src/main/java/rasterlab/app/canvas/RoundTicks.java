@@ -50,7 +50,22 @@ record RoundTicks(int digit, int exponent) {
 
     /** A tick as its axis writes it: with as many decimals as neighbours need. */
     String shown(long tick, Locale locale) {
-        return shown(tick, locale, exponent < -LONG + 2 || exponent >= LONG - 1);
+        return shown(tick, locale, isLong());
+    }
+
+    /** Whether ticks are written with a power of ten. */
+    boolean isLong() {
+        return exponent < -LONG + 2 || exponent >= LONG - 1;
+    }
+
+    /** A tick over {@link #factor}. */
+    String factored(long tick) {
+        return String.valueOf(tick * digit).replace('-', '−');
+    }
+
+    /** The power of ten that all ticks have, such as ·10⁴. */
+    String factor() {
+        return Shown.withPower(("E" + exponent).replace('-', '−'));
     }
 
     /**

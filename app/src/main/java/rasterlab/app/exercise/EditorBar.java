@@ -1,5 +1,6 @@
 package rasterlab.app.exercise;
 
+import com.formdev.flatlaf.FlatClientProperties;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.time.format.FormatStyle;
@@ -15,6 +16,9 @@ import rasterlab.app.language.Texts;
 /** The buttons above the editor: try, hand in, begin anew, undo. */
 final class EditorBar extends JPanel {
     private static final long serialVersionUID = 1L;
+
+    /** Small, like the buttons' margins, so that all stand in one row of a usual window. */
+    private static final int GAP = 4;
 
     private final transient ExerciseLabModel model;
     private final transient SourceEditor editor;
@@ -36,26 +40,26 @@ final class EditorBar extends JPanel {
             SourceEditor editor,
             Texts texts,
             Consumer<Throwable> onFailure) {
-        super(new FlowRows(6));
+        super(new FlowRows(GAP));
         this.model = model;
         this.editor = editor;
         this.texts = texts;
-        check = Controls.button("check", texts, model::check);
-        submit = Controls.button("submit", texts, this::submit);
-        server = Controls.button("server", texts, this::askServer);
-        cancel = Controls.button("cancel", texts, model::cancel);
-        undo = Controls.button("undo", texts, editor::undo);
-        redo = Controls.button("redo", texts, editor::redo);
-        draft = Controls.button("draft", texts, this::takeDraft);
+        check = button("check", texts, model::check);
+        submit = button("submit", texts, this::submit);
+        server = button("server", texts, this::askServer);
+        cancel = button("cancel", texts, model::cancel);
+        undo = button("undo", texts, editor::undo);
+        redo = button("redo", texts, editor::redo);
+        draft = button("draft", texts, this::takeDraft);
         add(check);
         add(submit);
         add(server);
         add(cancel);
-        add(Controls.button("starter", texts, model::restoreStarter));
+        add(button("starter", texts, model::restoreStarter));
         add(undo);
         add(redo);
         copy =
-                Controls.button(
+                button(
                         "copyCommand",
                         texts,
                         () -> model.command().ifPresent(line -> Copying.text(line, onFailure)));
@@ -66,11 +70,17 @@ final class EditorBar extends JPanel {
         grow(0);
     }
 
+    private static JButton button(String key, Texts texts, Runnable action) {
+        JButton button = Controls.button(key, texts, action);
+        button.putClientProperty(FlatClientProperties.STYLE, "margin: 2,5,2,5");
+        return button;
+    }
+
     /** Both buttons for the type's size, in one row whatever the width. */
     private JPanel typeSize() {
-        var size = new JPanel(new FlowRows(6));
-        size.add(Controls.button("smaller", texts, () -> grow(-1)));
-        size.add(Controls.button("larger", texts, () -> grow(1)));
+        var size = new JPanel(new FlowRows(GAP));
+        size.add(button("smaller", texts, () -> grow(-1)));
+        size.add(button("larger", texts, () -> grow(1)));
         return size;
     }
 

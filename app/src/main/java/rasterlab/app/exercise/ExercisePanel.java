@@ -23,12 +23,14 @@ public final class ExercisePanel extends LabPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient ExerciseLabModel model;
+    private final transient WindowEditor kept;
     private final transient OpenInLab lab;
     private final transient Consumer<Throwable> onFailure;
     private final transient Texts texts;
     private final NameChooser exercise;
     private final StatementPane statement;
     private SourceEditor editor;
+    private WindowEditor.Place place;
     private EditorBar bar;
     private final JTextArea notice = Controls.words("notice");
     private final JTextArea unsaved = Controls.words("unsaved");
@@ -39,15 +41,18 @@ public final class ExercisePanel extends LabPanel {
     private transient Runnable end = () -> {};
 
     /**
+     * @param kept outlives the panel
      * @param lab shows a case in its topic's tab
      * @param onFailure told what a control could not do, on any thread
      */
     public ExercisePanel(
             ExerciseLabModel model,
+            WindowEditor kept,
             OpenInLab lab,
             Language language,
             Consumer<Throwable> onFailure) {
         this.model = model;
+        this.kept = kept;
         this.lab = lab;
         this.onFailure = onFailure;
         setName("exercises");
@@ -64,10 +69,16 @@ public final class ExercisePanel extends LabPanel {
     @Override
     public List<Runnable> parts() {
         return List.of(
-                () -> editor = new SourceEditor(texts, model::type),
+                this::placeEditor,
                 this::addBar,
                 () -> result = new ResultPane(texts, lab, this::goTo, onFailure),
                 this::putTogether);
+    }
+
+    private void placeEditor() {
+        editor = kept.of(model);
+        place = new WindowEditor.Place(editor, texts);
+        end = place::close;
     }
 
     private void addBar() {
@@ -87,7 +98,7 @@ public final class ExercisePanel extends LabPanel {
         end =
                 () -> {
                     noState.run();
-                    editor.close();
+                    place.close();
                     result.close();
                 };
         if (model.state().outcome().isPresent()) rooms.show(Rooms.Room.RESULT);
@@ -149,7 +160,7 @@ public final class ExercisePanel extends LabPanel {
                                 "[grow,fill]",
                                 "[][grow,fill][][]"));
         work.add(bar, "wmin 0");
-        work.add(editor, "wmin 0, hmin 0");
+        work.add(place, "wmin 0, hmin 0");
         work.add(notice, "wmin 0");
         work.add(unsaved, "wmin 0");
         return work;

@@ -12,15 +12,12 @@ import rasterlab.app.language.Language;
 
 /** Underlines what the last check had to say about lines of the source. */
 final class RemarkNotices extends AbstractParser {
-    private final Language language;
+    private Language language = Language.ENGLISH;
     private List<Outcome.Remark> remarks = List.of();
 
-    RemarkNotices(Language language) {
-        this.language = language;
-    }
-
-    void show(List<Outcome.Remark> next) {
+    void show(List<Outcome.Remark> next, Language in) {
         remarks = next;
+        language = in;
     }
 
     @Override

@@ -4,7 +4,9 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
+import java.awt.Insets;
 import java.awt.LayoutManager;
+import javax.swing.JScrollPane;
 import javax.swing.UIManager;
 
 /**
@@ -24,7 +26,7 @@ final class ResultLayout implements LayoutManager {
     private static final int ROWS = 4;
 
     private final CaseTable table;
-    private final Component cases;
+    private final JScrollPane cases;
     private final Container words;
     private final Component picture;
     private final Component guide;
@@ -35,7 +37,11 @@ final class ResultLayout implements LayoutManager {
      * @param guide stands in place of words and picture while it is visible
      */
     ResultLayout(
-            CaseTable table, Component cases, Container words, Component picture, Component guide) {
+            CaseTable table,
+            JScrollPane cases,
+            Container words,
+            Component picture,
+            Component guide) {
         this.table = table;
         this.cases = cases;
         this.words = words;
@@ -56,7 +62,7 @@ final class ResultLayout implements LayoutManager {
             int left = (width - gap) * 2 / 5;
             int top = Math.min((height - gap) / 2, height - gap - heightOfWords(left));
             top = Math.max(top, ROWS * table.getRowHeight());
-            cases.setBounds(0, 0, width, top);
+            cases.setBounds(0, 0, width, wholeRows(top));
             guide.setBounds(0, top + gap, width, height - top - gap);
             words.setBounds(0, top + gap, left, height - top - gap);
             picture.setBounds(left + gap, top + gap, width - left - gap, height - top - gap);
@@ -64,11 +70,21 @@ final class ResultLayout implements LayoutManager {
         }
         int left = Math.max(width / 2, Math.min(needed, most));
         int right = width - left - gap;
-        cases.setBounds(0, 0, left, height);
+        cases.setBounds(0, 0, left, wholeRows(height));
         guide.setBounds(left + gap, 0, right, height);
         int lines = Math.min(height, heightOfWords(right));
         words.setBounds(left + gap, 0, right, lines);
         picture.setBounds(left + gap, lines + gap / 2, right, height - lines - gap / 2);
+    }
+
+    /** At most so high, and so that the lower edge cuts no row. */
+    private int wholeRows(int height) {
+        Insets border = cases.getInsets();
+        int head = table.getTableHeader().getPreferredSize().height;
+        int around = border.top + border.bottom + head;
+        int rows = (height - around) / table.getRowHeight();
+        boolean all = rows >= table.getRowCount();
+        return all || rows < 1 ? height : around + rows * table.getRowHeight();
     }
 
     /** Wrapped to that width. */

@@ -91,7 +91,7 @@ final class Rooms extends JPanel {
         var right = new JSplitPane(JSplitPane.VERTICAL_SPLIT, program, result);
         divide(right, 0.5, "split.result");
         var both = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, statement, right);
-        divide(both, 0.38, "split.statement");
+        divide(both, 0.37, "split.statement");
         return both;
     }
 

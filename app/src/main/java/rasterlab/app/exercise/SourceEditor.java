@@ -15,6 +15,7 @@ import java.util.function.Consumer;
 import javax.swing.Icon;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
@@ -29,15 +30,15 @@ import org.fife.ui.rtextarea.RTextScrollPane;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.language.Texts;
 
-/** The editor of a Java source, with messages at its lines. */
+/** The editor of a Java source, with messages at its lines; panels wear it in turn. */
 final class SourceEditor extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    private final transient Texts texts;
-    private final transient RemarkNotices notices;
+    private final transient RemarkNotices notices = new RemarkNotices();
     private final RSyntaxTextArea area = new Area();
     private final RTextScrollPane scroll = new RTextScrollPane(area);
-    private final transient Icon mark = UIManager.getIcon("OptionPane.errorIcon");
+    private final int blinkRate = area.getCaret().getBlinkRate();
+    private transient Texts texts;
     private transient List<Outcome.Remark> shown = List.of();
     private String exercise = "";
     private boolean refreshing;
@@ -45,12 +46,9 @@ final class SourceEditor extends JPanel {
     /**
      * @param typed told the text whenever the user has changed it
      */
-    SourceEditor(Texts texts, Consumer<String> typed) {
+    SourceEditor(Consumer<String> typed) {
         super(new BorderLayout());
-        this.texts = texts;
-        notices = new RemarkNotices(texts.language());
         area.setName("source");
-        area.getAccessibleContext().setAccessibleName(texts.text("source"));
         area.setSyntaxEditingStyle(SyntaxConstants.SYNTAX_STYLE_JAVA);
         area.setTabSize(4);
         area.setTabsEmulated(true);
@@ -63,7 +61,6 @@ final class SourceEditor extends JPanel {
                 KeyboardFocusManager.BACKWARD_TRAVERSAL_KEYS,
                 Set.of(KeyStroke.getKeyStroke("shift F6")));
         area.addParser(notices);
-        theme().apply(area);
         scroll.setIconRowHeaderEnabled(true);
         scroll.setName("source.scroll");
         area.getDocument()
@@ -89,6 +86,20 @@ final class SourceEditor extends JPanel {
                             }
                         });
         add(scroll);
+    }
+
+    /** Speaks that language, in the theme that is installed; text, caret and history stay. */
+    void wear(Texts next) {
+        texts = next;
+        area.getAccessibleContext().setAccessibleName(texts.text("source"));
+        Font type = area.getFont();
+        SwingUtilities.updateComponentTreeUI(this);
+        theme().apply(area);
+        setType(type);
+        area.getCaret().setBlinkRate(blinkRate);
+        List<Outcome.Remark> remarks = shown;
+        shown = List.of();
+        remark(remarks);
     }
 
     /** Loads what editors are made of, without making one; on any thread. */
@@ -152,7 +163,7 @@ final class SourceEditor extends JPanel {
     void remark(List<Outcome.Remark> remarks) {
         if (remarks.equals(shown)) return;
         shown = remarks;
-        notices.show(remarks);
+        notices.show(remarks, texts.language());
         area.forceReparsing(notices);
         scroll.getGutter().removeAllTrackingIcons();
         for (int line : RemarkNotices.lines(remarks)) mark(line, remarks);
@@ -166,8 +177,9 @@ final class SourceEditor extends JPanel {
                         .map(one -> one.said().in(texts.language()))
                         .findFirst()
                         .orElse("");
+        Icon mark = new SmallIcon(UIManager.getIcon("OptionPane.errorIcon"));
         try {
-            scroll.getGutter().addLineTrackingIcon(line - 1, new SmallIcon(mark), said);
+            scroll.getGutter().addLineTrackingIcon(line - 1, mark, said);
         } catch (BadLocationException e) {
             throw new AssertionError("line " + line + " of " + area.getLineCount(), e);
         }
@@ -226,9 +238,11 @@ final class SourceEditor extends JPanel {
      * @param points of the text
      */
     void setPoints(int points) {
-        Font font = new Font(Font.MONOSPACED, Font.PLAIN, points);
-        if (font.equals(area.getFont())) return;
-        area.setFont(font);
-        scroll.getGutter().setLineNumberFont(font);
+        setType(new Font(Font.MONOSPACED, Font.PLAIN, points));
+    }
+
+    private void setType(Font type) {
+        area.setFont(type);
+        scroll.getGutter().setLineNumberFont(type);
     }
 }

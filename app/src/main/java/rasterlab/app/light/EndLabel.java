@@ -1,16 +1,20 @@
 package rasterlab.app.light;
 
+import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.geom.Point2D;
 import java.util.List;
 
-/** Where the letter of the line's end stands: under no lamp. */
+/** Where the letter of the line's end and a picture's name stand: over no lamp. */
 final class EndLabel {
     /** View units from a lamp's middle to the ends of its rays. */
     static final int LAMP = 16;
 
     /** View units from the end's middle to its letter. */
     private static final int AWAY = 10;
+
+    /** View units from a picture's edges to its name. */
+    private static final int INSET = 7;
 
     private EndLabel() {}
 
@@ -33,6 +37,27 @@ final class EndLabel {
                         new Rectangle(x + AWAY, y - height / 2, width, height));
         return places.stream()
                 .filter(place -> !place.intersects(plate))
+                .filter(place -> lamps.stream().noneMatch(lamp -> touches(lamp, place)))
+                .findFirst()
+                .orElse(places.get(0));
+    }
+
+    /**
+     * The upper left corner of a picture, the upper right or a lower one: the first of them in
+     * which no lamp lies; the upper left where there is one in each.
+     *
+     * @param lamps their middles
+     */
+    static Rectangle corner(Dimension picture, int width, int height, List<Point2D> lamps) {
+        int right = picture.width - INSET - width;
+        int low = picture.height - INSET - height;
+        List<Rectangle> places =
+                List.of(
+                        new Rectangle(INSET, INSET, width, height),
+                        new Rectangle(right, INSET, width, height),
+                        new Rectangle(INSET, low, width, height),
+                        new Rectangle(right, low, width, height));
+        return places.stream()
                 .filter(place -> lamps.stream().noneMatch(lamp -> touches(lamp, place)))
                 .findFirst()
                 .orElse(places.get(0));

@@ -66,7 +66,12 @@ final class LightPainter {
         String name = texts.text("shading." + picture.shading().code());
         over.setFont(over.getFont().deriveFont(Font.BOLD));
         FontMetrics bold = over.getFontMetrics();
-        var plate = new Rectangle(8, 7, bold.stringWidth(name) + 8, bold.getHeight() + 1);
+        var plate =
+                EndLabel.corner(
+                        box.getSize(),
+                        bold.stringWidth(name) + 8,
+                        bold.getHeight() + 1,
+                        lamps(box));
         over.setFont(over.getFont().deriveFont(Font.PLAIN));
         line(over, box, plate);
         for (int i = 0; i < choice.lamps().size(); i++) lamp(over, i, box);
@@ -76,8 +81,8 @@ final class LightPainter {
         Plates.plate(
                 over,
                 name,
-                12,
-                over.getFontMetrics().getAscent() + 8,
+                plate.x + 4,
+                plate.y + 1 + over.getFontMetrics().getAscent(),
                 colour,
                 MethodColours.inkOn(colour));
         over.dispose();
@@ -108,12 +113,15 @@ final class LightPainter {
         over.setStroke(THIN);
         over.setColor(Color.WHITE);
         over.draw(line);
-        List<Point2D> lamps =
-                IntStream.range(0, choice.lamps().size())
-                        .mapToObj(lamp -> at(LightGrip.Kind.LAMP, lamp, box))
-                        .toList();
+        List<Point2D> lamps = lamps(box);
         end(over, from, "A", lamps, plate);
         end(over, to, "B", lamps, plate);
+    }
+
+    private List<Point2D> lamps(Rectangle box) {
+        return IntStream.range(0, choice.lamps().size())
+                .mapToObj(lamp -> at(LightGrip.Kind.LAMP, lamp, box))
+                .toList();
     }
 
     private static void end(

@@ -84,6 +84,7 @@ final class FigurePanel extends LabPanel {
         stage.refresh();
         inspector.refresh();
         player.refresh();
+        player.setVisible(model.state().scene().mode() != LineMode.BRIGHTNESS);
         actions.refreshUndo();
         actions.enable("copyCommand", command().isPresent());
     }

@@ -34,7 +34,6 @@ public final class LabFrame extends JFrame {
 
     private final JPanel place = new JPanel(new BorderLayout());
     private final transient LabModels models;
-    private final transient Consumer<Throwable> onFailure;
     private final transient StateKeeper keeper;
     private transient LabSettings settings;
     private transient LabTabs tabs;
@@ -56,7 +55,7 @@ public final class LabFrame extends JFrame {
             SettingsFile file,
             LabsFile labsFile,
             Consumer<Throwable> onFailure) {
-        this(models, tabs(models, settings, file, onFailure), settings, file, labsFile, onFailure);
+        this(models, tabs(models, settings, file, onFailure), settings, file, labsFile);
     }
 
     private static LabTabs tabs(
@@ -78,11 +77,9 @@ public final class LabFrame extends JFrame {
             LabTabs tabs,
             LabSettings settings,
             SettingsFile file,
-            LabsFile labsFile,
-            Consumer<Throwable> onFailure) {
+            LabsFile labsFile) {
         this.models = models;
         this.settings = settings;
-        this.onFailure = onFailure;
         LabLayout.showInspectors(settings.controls());
         setName("lab");
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
@@ -131,8 +128,7 @@ public final class LabFrame extends JFrame {
      */
     public void wear(LabLook look) {
         forgetComing();
-        if (!look.equals(settings.look()))
-            wear(look, () -> LabTabs.create(models, look.language(), onFailure));
+        if (!look.equals(settings.look())) wear(look, () -> tabs.again(look.language()));
     }
 
     /** Tabs in the language that was chosen, until the one that is seen is made. */
@@ -147,7 +143,7 @@ public final class LabFrame extends JFrame {
         boolean otherLanguage = look.language() != language();
         if (otherLanguage && look.equals(settings.look().with(look.language()))) {
             forgetComing();
-            var next = new Coming(look, LabTabs.create(models, look.language(), onFailure));
+            var next = new Coming(look, tabs.again(look.language()));
             coming = Optional.of(next);
             next.tabs().namedOrFirst(content.seen()).makeInEvents(() -> wear(next));
         } else if (otherLanguage || look.equals(settings.look())) wear(look);

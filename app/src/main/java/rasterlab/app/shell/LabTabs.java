@@ -10,6 +10,7 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.clip.ClipPanel;
 import rasterlab.app.coordinates.CoordinatesPanel;
 import rasterlab.app.exercise.ExercisePanel;
+import rasterlab.app.exercise.WindowEditor;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.light.LightPanel;
@@ -23,16 +24,22 @@ import rasterlab.engine.naming.Named;
 
 /** The labs' panels in one language; made again for another, while the models live on. */
 public final class LabTabs implements AutoCloseable {
+    private final LabModels models;
+    private final WindowEditor editor;
     private final Language language;
     private final List<LabTab> tabs;
     private final LabOpening opening;
     private final Consumer<Throwable> onFailure;
 
     private LabTabs(
+            LabModels models,
+            WindowEditor editor,
             Language language,
             List<LabTab> tabs,
             LabOpening opening,
             Consumer<Throwable> onFailure) {
+        this.models = models;
+        this.editor = editor;
         this.language = language;
         this.tabs = List.copyOf(tabs);
         this.opening = opening;
@@ -46,6 +53,19 @@ public final class LabTabs implements AutoCloseable {
      */
     public static LabTabs create(
             LabModels models, Language language, Consumer<Throwable> onFailure) {
+        return create(models, new WindowEditor(), language, onFailure);
+    }
+
+    /** The same tabs once more, in another language or theme, with the same editor. */
+    LabTabs again(Language language) {
+        return create(models, editor, language, onFailure);
+    }
+
+    private static LabTabs create(
+            LabModels models,
+            WindowEditor editor,
+            Language language,
+            Consumer<Throwable> onFailure) {
         Texts texts = Texts.of("shell", language);
         var tabs = new ArrayList<LabTab>();
         BiConsumer<String, Supplier<LabPanel>> add =
@@ -78,8 +98,10 @@ public final class LabTabs implements AutoCloseable {
                             models.make("exercises");
                             ExercisePanel.prepare(models.exercises());
                         },
-                        () -> new ExercisePanel(models.exercises(), opening, language, onFailure)));
-        return new LabTabs(language, tabs, opening, onFailure);
+                        () ->
+                                new ExercisePanel(
+                                        models.exercises(), editor, opening, language, onFailure)));
+        return new LabTabs(models, editor, language, tabs, opening, onFailure);
     }
 
     private static void tryHazard(Runnable work) {

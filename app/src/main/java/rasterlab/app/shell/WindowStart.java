@@ -70,7 +70,7 @@ public final class WindowStart {
     }
 
     private void openFrame(LabModels models, LabsFile labsFile) {
-        frame = new LabFrame(models, tabs, settings, file, labsFile, reports);
+        frame = new LabFrame(models, tabs, settings, file, labsFile);
         frame.addWindowListener(
                 new WindowAdapter() {
                     @Override

@@ -10,7 +10,7 @@ enum VerdictSign {
     EXACT("✓", MethodColours.GREEN),
     DEGRADED("≈", MethodColours.ORANGE),
     WRONG("✗", MethodColours.VERMILLION),
-    REFUSED("–", MethodColours.GREY),
+    REFUSED("⊘", MethodColours.GREY),
     ENDLESS("∞", MethodColours.PURPLE),
     CRASHED("†", MethodColours.PURPLE);
 

@@ -104,22 +104,54 @@ class ExerciseRoomsTest {
     void everyCaseIsReadWholeAndItsPictureSeen(
             Language language, LabTheme theme, double type, int width, int height)
             throws Exception {
-        var made = new AtomicReference<ExercisePanel>();
-        EventQueue.invokeAndWait(
-                () -> {
-                    theme.install();
-                    double usual = UIManager.getFont("defaultFont").getSize2D();
-                    theme.install((int) Math.round(100 * type / usual));
-                    made.set(new ExercisePanel(model, NOWHERE, language, FAILURES::add));
-                    made.get().parts().forEach(Runnable::run);
-                });
-        ExercisePanel panel = made.get();
+        ExercisePanel panel = made(language, theme, type);
         OffscreenPainter.paint(panel, width, height);
         OffscreenPainter.paint(panel, width, height);
         var faults = new ArrayList<String>();
         EventQueue.invokeAndWait(() -> look(panel, faults));
         EventQueue.invokeAndWait(panel::close);
         assertEquals(List.of(), faults);
+    }
+
+    private static ExercisePanel made(Language language, LabTheme theme, double type)
+            throws Exception {
+        var made = new AtomicReference<ExercisePanel>();
+        EventQueue.invokeAndWait(
+                () -> {
+                    theme.install();
+                    double usual = UIManager.getFont("defaultFont").getSize2D();
+                    theme.install((int) Math.round(100 * type / usual));
+                    made.set(
+                            new ExercisePanel(
+                                    model, new WindowEditor(), NOWHERE, language, FAILURES::add));
+                    made.get().parts().forEach(Runnable::run);
+                });
+        return made.get();
+    }
+
+    @ParameterizedTest(name = "buttons wrap, or the last row in sight is cut: {0}, {1} high")
+    @CsvSource({
+        "ENGLISH, 760",
+        "RUSSIAN, 760",
+        "ENGLISH, 728",
+        "RUSSIAN, 728",
+        "ENGLISH, 650",
+        "ENGLISH, 660"
+    })
+    void usualWindowHasOneRowOfButtonsAndWholeRowsOfCases(Language language, int height)
+            throws Exception {
+        ExercisePanel panel = made(language, LabTheme.LIGHT, 14);
+        EventQueue.invokeAndWait(panel::refresh);
+        OffscreenPainter.paint(panel, 1280, height);
+        OffscreenPainter.paint(panel, 1280, height);
+        assertEquals(named(panel, "check").getY(), named(panel, "larger").getParent().getY());
+        assertEquals(0, named(panel, "larger").getY());
+        var table = (JTable) named(panel, "cases");
+        int seen = ((JScrollPane) named(panel, "cases.scroll")).getViewport().getHeight();
+        int all = table.getRowCount() * table.getRowHeight();
+        assertTrue(all > 0, "no cases");
+        assertTrue(seen >= all || seen % table.getRowHeight() == 0, seen + " of " + all);
+        EventQueue.invokeAndWait(panel::close);
     }
 
     private static void look(ExercisePanel panel, List<String> faults) {

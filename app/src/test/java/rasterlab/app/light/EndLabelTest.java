@@ -2,7 +2,9 @@ package rasterlab.app.light;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Dimension;
 import java.awt.Rectangle;
 import java.awt.geom.Point2D;
 import java.util.ArrayList;
@@ -19,6 +21,16 @@ class EndLabelTest {
     @Test
     void standsBelowTheEnd() {
         assertEquals(new Rectangle(152, 140, 16, 18), place(List.of()));
+    }
+
+    @Test
+    void nameOfAPictureLeavesTheLampInItsCorner() {
+        var picture = new Dimension(300, 380);
+        var corner = new Rectangle(7, 7, 80, 18);
+        assertEquals(corner, EndLabel.corner(picture, 80, 18, List.of(END)));
+        Rectangle other = EndLabel.corner(picture, 80, 18, List.of(new Point2D.Double(40, 12)));
+        assertFalse(other.intersects(28, 0, 24, 24), other + " lies over the lamp");
+        assertTrue(new Rectangle(picture).contains(other), other + " is cut");
     }
 
     @Test

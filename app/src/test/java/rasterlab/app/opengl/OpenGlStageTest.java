@@ -40,7 +40,7 @@ class OpenGlStageTest {
         String svg = stage.svg();
         int pictures = model.state().pictures().openGl().isPresent() ? 3 : 1;
         assertEquals(pictures, svg.split("<image ", -1).length - 1, "pictures");
-        for (String text : new String[] {"glLightfv(", "Software"})
+        for (String text : new String[] {"glBegin(", "Software"})
             assertTrue(svg.contains(text), text + " in " + svg.replaceAll("base64,[^\"]*", ""));
     }
 }

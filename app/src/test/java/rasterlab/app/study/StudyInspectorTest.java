@@ -2,6 +2,7 @@ package rasterlab.app.study;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
@@ -11,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.text.JTextComponent;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.OpenInLab;
@@ -60,6 +62,11 @@ class StudyInspectorTest {
             assertFalse(shown(inspector).contains("✗"), "signs beside the chart");
         }
         assertEquals(List.of(), failures);
+    }
+
+    @Test
+    void signOfAVerdictIsNotThatOfNoValue() {
+        for (VerdictSign sign : VerdictSign.values()) assertNotEquals("–", sign.sign());
     }
 
     private static void assertExplained(String shown) {

@@ -26,8 +26,8 @@ import rasterlab.app.language.Texts;
 final class DriftChart extends SelfDrawn {
     private static final long serialVersionUID = 1L;
 
-    /** The decades of the error: what is below is drawn at the lower edge. */
-    private static final int LOWEST = -17;
+    /** The decades of the error: no error, or less, is drawn at the lower edge. */
+    private static final int LOWEST = -18;
 
     private static final int HIGHEST = 1;
     private static final int DECADES_OF_ERROR = HIGHEST - LOWEST;
@@ -184,14 +184,10 @@ final class DriftChart extends SelfDrawn {
         int every = 2;
         while (plot.y(0) - plot.y(every) < metrics.getAscent() && every < DECADES_OF_ERROR)
             every += 2;
-        for (int decade = HIGHEST - 1; decade > LOWEST; decade -= every) {
-            g.setColor(colours.grid());
-            g.draw(new Line2D.Double(plot.x(0), plot.y(decade), plot.x(DECADES), plot.y(decade)));
-            g.setColor(colours.ink());
-            String said = power(decade);
-            float left = (float) (plot.x(0) - BESIDE - metrics.stringWidth(said));
-            g.drawString(said, left, (float) plot.y(decade) + 4);
-        }
+        for (int decade = HIGHEST - 1; decade > LOWEST; decade -= every)
+            if (plot.y(LOWEST) - plot.y(decade) >= metrics.getAscent())
+                paintLevel(g, plot, decade, power(decade), colours);
+        paintLevel(g, plot, LOWEST, "0", colours);
         every = 1;
         while (plot.x(every) - plot.x(0) < metrics.stringWidth(power(DECADES)) + 6
                 && every < DECADES) every++;
@@ -221,6 +217,15 @@ final class DriftChart extends SelfDrawn {
             base += metrics.getHeight();
         }
         g.setFont(g.getFont().deriveFont(Font.PLAIN));
+    }
+
+    private static void paintLevel(
+            Graphics2D g, Plot plot, int decade, String said, StageColours colours) {
+        g.setColor(colours.grid());
+        g.draw(new Line2D.Double(plot.x(0), plot.y(decade), plot.x(DECADES), plot.y(decade)));
+        g.setColor(colours.ink());
+        float left = (float) (plot.x(0) - BESIDE - g.getFontMetrics().stringWidth(said));
+        g.drawString(said, left, (float) plot.y(decade) + 4);
     }
 
     private static void centred(Graphics2D g, String said, double x, double y) {

@@ -11,11 +11,13 @@ import javax.swing.UIManager;
 import javax.swing.plaf.FontUIResource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -48,7 +50,21 @@ class DriftChartTest {
         assertTrue(right - left >= 380 / 3, left + " to " + right);
     }
 
+    @Test
+    void pointWithoutErrorHasItsLevel() {
+        DriftChart chart = chart(Language.ENGLISH, 440, 600);
+        String svg = SvgPicture.of(440, 600, chart::draw);
+        assertTrue(svg.contains(">0</text"), svg);
+    }
+
     private static BufferedImage painted(Language language, int width, int height) {
+        DriftChart chart = chart(language, width, height);
+        var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        chart.draw(image.createGraphics());
+        return image;
+    }
+
+    private static DriftChart chart(Language language, int width, int height) {
         var failures = new CopyOnWriteArrayList<Throwable>();
         var thread = new ModelThread();
         var chart = new DriftChart(Texts.of("coordinates.turn", language));
@@ -59,8 +75,6 @@ class DriftChartTest {
         }
         assertEquals(List.of(), failures);
         chart.setSize(width, height);
-        var image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        chart.draw(image.createGraphics());
-        return image;
+        return chart;
     }
 }

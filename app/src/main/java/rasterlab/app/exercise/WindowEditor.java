@@ -1,0 +1,52 @@
+package rasterlab.app.exercise;
+
+import java.awt.BorderLayout;
+import java.util.Optional;
+import javax.swing.JPanel;
+import rasterlab.app.language.Texts;
+
+/**
+ * The one editor of a window. The panels of its languages and themes wear it in turn, so that
+ * caret, selection, scroll and what can be undone outlive each of them. On the event thread.
+ */
+public final class WindowEditor {
+    private Optional<SourceEditor> made = Optional.empty();
+
+    SourceEditor of(ExerciseLabModel model) {
+        if (made.isEmpty()) made = Optional.of(new SourceEditor(model::type));
+        return made.get();
+    }
+
+    /** Where a panel has the editor, which is elsewhere until the panel before is closed. */
+    static final class Place extends JPanel {
+        private static final long serialVersionUID = 1L;
+
+        private final SourceEditor editor;
+        private final transient Texts texts;
+
+        Place(SourceEditor editor, Texts texts) {
+            super(new BorderLayout());
+            this.editor = editor;
+            this.texts = texts;
+            if (editor.getParent() == null) take();
+        }
+
+        /** A panel that is made while the one before is still seen takes the editor at last. */
+        @Override
+        public void addNotify() {
+            if (editor.getParent() != this) take();
+            super.addNotify();
+        }
+
+        private void take() {
+            editor.wear(texts);
+            add(editor);
+        }
+
+        void close() {
+            if (editor.getParent() != this) return;
+            editor.close();
+            remove(editor);
+        }
+    }
+}
