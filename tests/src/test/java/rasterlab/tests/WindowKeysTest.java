@@ -12,6 +12,7 @@ import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import org.assertj.swing.edt.GuiActionRunner;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -196,6 +197,15 @@ class WindowKeysTest extends WindowHarness {
         assertEquals(110, frame.look().textPercent());
         pressWithControl(KeyEvent.VK_0);
         assertEquals(usual, typeSize());
+    }
+
+    @Test
+    @DisplayName("type grows only by the equals sign's key without shift, which is no plus")
+    void plusOnAnAmericanKeyboardMakesTypeLarger() {
+        robot.pressKey(KeyEvent.VK_SHIFT);
+        pressWithControl(KeyEvent.VK_EQUALS);
+        robot.releaseKey(KeyEvent.VK_SHIFT);
+        assertEquals(110, frame.look().textPercent());
     }
 
     @Test

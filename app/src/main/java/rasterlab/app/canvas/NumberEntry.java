@@ -1,11 +1,15 @@
 package rasterlab.app.canvas;
 
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Insets;
 import java.text.DecimalFormat;
 import java.text.DecimalFormatSymbols;
 import java.text.FieldPosition;
 import java.text.ParsePosition;
 import java.util.Locale;
 import javax.swing.JSpinner;
+import javax.swing.JTextField;
 import javax.swing.text.NumberFormatter;
 
 /**
@@ -14,6 +18,15 @@ import javax.swing.text.NumberFormatter;
  */
 public final class NumberEntry extends JSpinner.NumberEditor {
     private static final long serialVersionUID = 1L;
+
+    private static final int SMALLEST_TYPE = 6;
+
+    private Font usual;
+
+    /** The smaller type that a long number has; null as long as the usual one fits. */
+    private Font fitted;
+
+    private Dimension room;
 
     /**
      * @param pattern of a {@link DecimalFormat}
@@ -24,6 +37,39 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         symbols.setMinusSign('−');
         ((NumberFormatter) getTextField().getFormatter()).setFormat(new Format(pattern, symbols));
         getTextField().setValue(spinner.getValue());
+        getTextField().addPropertyChangeListener("value", e -> fit());
+    }
+
+    @Override
+    public void doLayout() {
+        super.doLayout();
+        fit();
+    }
+
+    /** As with the usual type, or a smaller one would make the field smaller in turn. */
+    @Override
+    public Dimension getPreferredSize() {
+        JTextField field = getTextField();
+        if (room == null || !field.getFont().equals(fitted)) room = super.getPreferredSize();
+        return new Dimension(room);
+    }
+
+    /** Makes the type so small that the whole number is seen: a part reads as another number. */
+    private void fit() {
+        JTextField field = getTextField();
+        if (field.getWidth() == 0) return;
+        getPreferredSize();
+        if (!field.getFont().equals(fitted)) usual = field.getFont();
+        Insets insets = field.getInsets();
+        int caret = 1;
+        int free = field.getWidth() - insets.left - insets.right - caret;
+        Font next = usual;
+        while (next.getSize() > SMALLEST_TYPE
+                && field.getFontMetrics(next).stringWidth(field.getText()) > free)
+            next = next.deriveFont(next.getSize() - 1f);
+        if (next.equals(field.getFont())) return;
+        fitted = next.equals(usual) ? null : next;
+        field.setFont(next);
     }
 
     private static final class Format extends DecimalFormat {

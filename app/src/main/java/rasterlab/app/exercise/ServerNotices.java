@@ -1,11 +1,16 @@
 package rasterlab.app.exercise;
 
+import java.io.EOFException;
 import java.io.IOException;
 import java.net.ConnectException;
+import java.net.SocketException;
 import java.net.URI;
 import java.net.UnknownHostException;
 import java.net.http.HttpConnectTimeoutException;
 import java.net.http.HttpTimeoutException;
+import java.nio.channels.ClosedChannelException;
+import java.util.Objects;
+import java.util.stream.Stream;
 
 /** What a failed talk with a server means to the user. */
 final class ServerNotices {
@@ -35,8 +40,21 @@ final class ServerNotices {
                 || failure instanceof UnknownHostException)
             return Notice.of("server.down", address);
         if (failure instanceof HttpTimeoutException) return Notice.of(talk + ".slow", address);
+        if (isLost(failure)) return Notice.of(talk + ".lost", address);
         String reason = failure.getMessage();
         return Notice.of(talk + ".failed", address, reason == null ? failure.toString() : reason);
+    }
+
+    /**
+     * Whether the connection ended before the answer did; the client's words are about its parser.
+     */
+    private static boolean isLost(Throwable failure) {
+        return Stream.iterate(failure, Objects::nonNull, Throwable::getCause)
+                .anyMatch(
+                        each ->
+                                each instanceof EOFException
+                                        || each instanceof SocketException
+                                        || each instanceof ClosedChannelException);
     }
 
     private static Notice refused(String address, ServerRefusal refusal) {

@@ -34,6 +34,7 @@ final class OpenGlInspector {
     private final SettingRows rows;
     private JButton open;
     private JLabel file;
+    private JTextArea problem;
     private JTextArea call;
     private JLabel off;
     private JLabel rounded;
@@ -70,6 +71,7 @@ final class OpenGlInspector {
     private void addFile() {
         file = column.value("file");
         open = openButton();
+        problem = area("problem", false);
     }
 
     private void addReadings() {
@@ -139,6 +141,8 @@ final class OpenGlInspector {
         boolean images = shown == Group.TEXTURE;
         column.showRow(file, images);
         open.setVisible(images);
+        problem.setVisible(images && state.problem().isPresent());
+        write(problem, state.problem().map(this::said).orElse(""));
         file.setText(state.choice().file().map(image -> shortened(image.name())).orElse("–"));
         write(call, calls(state));
         compare(state);
@@ -188,11 +192,11 @@ final class OpenGlInspector {
         write(why, reasons(state));
     }
 
+    private String said(ImageProblem refusal) {
+        return texts.text("problem." + refusal.key(), refusal.said(texts.language()));
+    }
+
     private String reasons(OpenGlLabState state) {
-        if (state.problem().isPresent()) {
-            ImageProblem problem = state.problem().get();
-            return texts.text("problem." + problem.key(), problem.said(texts.language()));
-        }
         if (state.missing().isPresent()) return texts.text("missing", state.missing().get());
         List<Deviations> named = Deviations.of(state.choice());
         if (named.isEmpty()) return texts.text("why.none");

@@ -233,10 +233,10 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         return GlChoice.class;
     }
 
-    /** How the lab opens where a file is the texture, which may be gone by the next run. */
+    /** The choice without an image file, which may be gone by the next run. */
     @Override
     public GlChoice kept() {
-        return state.choice().file().isEmpty() ? state.choice() : GlChoice.first();
+        return state.choice().withoutFile();
     }
 
     @Override
@@ -288,7 +288,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
             change(state.choice().withFile(loading.image().get()), Setting.IMAGE);
             return;
         }
-        state = with(state.choice(), loading.problem(), state.touched());
+        state = with(state.choice(), loading.problem(), Setting.IMAGE);
         tell();
     }
 

@@ -75,6 +75,8 @@ final class SettingRows {
                     boolean shown = setting.group() == group;
                     if (chooser.isVisible() != shown) column.showRow(chooser, shown);
                     chooser.show(model.state().choice().get(setting));
+                    if (setting == Setting.SIZE)
+                        chooser.setEnabled(!model.state().choice().is(Setting.IMAGE, "file"));
                 });
     }
 }

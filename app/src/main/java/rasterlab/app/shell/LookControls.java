@@ -37,7 +37,8 @@ final class LookControls extends JPanel {
         setOpaque(false);
         add(language());
         add(button());
-        bindSize(List.of("ctrl EQUALS", "ctrl PLUS", "ctrl ADD"), look::larger);
+        bindSize(
+                List.of("ctrl EQUALS", "ctrl shift EQUALS", "ctrl PLUS", "ctrl ADD"), look::larger);
         bindSize(List.of("ctrl MINUS", "ctrl SUBTRACT"), look::smaller);
         bindSize(List.of("ctrl 0", "ctrl NUMPAD0"), look::usualSize);
     }

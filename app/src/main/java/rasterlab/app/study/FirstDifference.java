@@ -10,6 +10,10 @@ import rasterlab.app.language.Texts;
 final class FirstDifference {
     private static final Pattern PLACE = Pattern.compile("\\((-?\\d+), (-?\\d+)\\)");
 
+    /** Of a method that does not end: how many of what it gave, and how many are right. */
+    private static final Pattern ENDLESS =
+            Pattern.compile("still going after (\\d+) (.+) where (\\d+) are right");
+
     /** A sentence of the engine, and the key of ours with the places as $1 and $2. */
     private record Sentence(String english, String key) {}
 
@@ -29,7 +33,13 @@ final class FirstDifference {
                     Pattern.compile(each.english().replace("{}", "(" + PLACE + ")"))
                             .matcher(said)
                             .replaceAll(found -> inWords(texts, each, found));
-        return said;
+        return ENDLESS.matcher(said)
+                .replaceAll(
+                        found ->
+                                texts.text("difference.endless")
+                                        .replace("$1", found.group(1))
+                                        .replace("$2", found.group(2))
+                                        .replace("$3", found.group(3)));
     }
 
     /** Of each place three groups are found: itself and its two numbers. */

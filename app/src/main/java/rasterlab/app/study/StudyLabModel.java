@@ -235,7 +235,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         if (!state.work().running()) return;
         background.cancel();
         publish(
-                state.with(StudyWork.NONE)
+                state.with(StudyWork.GIVEN_UP)
                         .withCells(verdicts.getOrDefault(state.topic().name(), List.of())));
     }
 

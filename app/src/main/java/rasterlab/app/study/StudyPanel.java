@@ -195,6 +195,7 @@ public final class StudyPanel extends LabPanel {
         boolean drawn = state.study().isPresent() || state.view() == StudyView.HAZARDS;
         save.setEnabled(state.study().isPresent() && state.view() == StudyView.CHART);
         actions.enable("savePicture", drawn);
+        actions.enable("copyPicture", drawn);
         actions.enable("copySvg", drawn);
         cards.show(stage, state.view().code());
         chart.refresh();
@@ -222,6 +223,7 @@ public final class StudyPanel extends LabPanel {
     }
 
     private String resting(StudyLabState state) {
+        if (state.work().equals(StudyWork.GIVEN_UP)) return texts.text("progress.givenUp");
         boolean there =
                 state.view() == StudyView.CHART
                         ? state.study().isPresent()

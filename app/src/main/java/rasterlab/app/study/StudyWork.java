@@ -3,7 +3,7 @@ package rasterlab.app.study;
 /**
  * What is being measured.
  *
- * @param kind which of the lab's two measurements
+ * @param kind which of the lab's two measurements, or what there is instead
  * @param done finished pieces of work
  * @param of pieces in all
  * @param method that was finished last; "" before the first
@@ -12,17 +12,19 @@ package rasterlab.app.study;
 record StudyWork(Kind kind, int done, int of, String method, String on) {
     enum Kind {
         NONE,
+        GIVEN_UP,
         STUDY,
         HAZARDS
     }
 
     static final StudyWork NONE = begun(Kind.NONE, 0);
+    static final StudyWork GIVEN_UP = begun(Kind.GIVEN_UP, 0);
 
     static StudyWork begun(Kind kind, int of) {
         return new StudyWork(kind, 0, of, "", "");
     }
 
     boolean running() {
-        return kind != Kind.NONE;
+        return kind == Kind.STUDY || kind == Kind.HAZARDS;
     }
 }

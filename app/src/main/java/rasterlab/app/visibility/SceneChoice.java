@@ -38,6 +38,13 @@ record SceneChoice(
         return name;
     }
 
+    /** The lab's scene that a picture is laid on; empty where the scene is not the lab's. */
+    Optional<SceneChoice> withoutFiles() {
+        return file.isEmpty() && Scenes.names().contains(name)
+                ? Optional.of(named(name))
+                : Optional.empty();
+    }
+
     static SceneChoice opened(Path file, Scene scene) {
         return new SceneChoice(
                 file.getFileName().toString(), Optional.of(file), Optional.empty(), scene, false);

@@ -106,6 +106,21 @@ public record VisibilityChoice(
         return draft.choice();
     }
 
+    /**
+     * The same with a scene of the lab, seen from the same side, as far away for its size and as
+     * large.
+     */
+    VisibilityChoice withoutFiles() {
+        if (shown.known()) return this;
+        SceneChoice other = shown.withoutFiles().orElse(first().shown);
+        double first = shown.scene().defaultCamera().rho();
+        double larger = other.scene().defaultCamera().rho() / first;
+        var eye =
+                new SphericalView(
+                        camera.thetaRadians(), camera.phiRadians(), camera.rho() * larger);
+        return with(other, eye).withZoom(zoom).zoomed(usualZoom(other) / usualZoom(shown));
+    }
+
     /** The vase's own scale leaves room for every view; others fill the picture. */
     private static double usualZoom(SceneChoice scene) {
         return scene.name().equals("vase") ? FIRST_ZOOM : 1;

@@ -273,10 +273,10 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         return VisibilityChoice.class;
     }
 
-    /** How the lab opens where a scene is shown that no name brings back. */
+    /** The choice, with a scene of the lab where one is shown that no name brings back. */
     @Override
     public VisibilityChoice kept() {
-        return state.choice().shown().known() ? state.choice() : VisibilityChoice.first();
+        return state.choice().withoutFiles();
     }
 
     @Override

@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
@@ -167,6 +168,22 @@ class OpenGlLabModelTest {
         model.set(Setting.IMAGE, "checker");
         model.set(Setting.IMAGE, "file");
         assertEquals("flag.png", model.state().choice().file().orElseThrow().name());
+    }
+
+    @Test
+    @DisplayName("an image from a file makes the lab forget its states and the view")
+    void keepsWhatDoesNotDependOnTheFile(@TempDir Path folder)
+            throws IOException, InterruptedException {
+        model.set(Setting.SCENE, "globe");
+        model.set(Setting.BLEND, Setting.BLEND.options().get(1));
+        model.move(choice -> choice.turned(40, 12));
+        GlChoice before = model.state().choice();
+        Path file = folder.resolve("flag.png");
+        ImageIO.write(new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
+        model.open(file);
+        model.settle();
+        assertTrue(model.state().choice().is(Setting.IMAGE, "file"));
+        assertEquals(before, model.kept());
     }
 
     private ImageProblem problemWith(Path file) throws InterruptedException {

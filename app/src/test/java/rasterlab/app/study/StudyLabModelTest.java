@@ -13,6 +13,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.app.language.Language;
@@ -73,6 +74,18 @@ class StudyLabModelTest {
         model.tryHazards();
         assertFalse(awaitEnd().cells().isEmpty());
         assertEquals(study, model.state().study());
+    }
+
+    @Test
+    @DisplayName("a measurement that was given up counts as measured, or as still running")
+    void tellsThatAMeasurementWasGivenUp() throws Exception {
+        model.takeTime(true);
+        model.measure();
+        model.cancel();
+        assertEquals(StudyWork.GIVEN_UP, model.state().work());
+        assertFalse(model.state().work().running());
+        model.choose(model.topics().get(1).name());
+        assertEquals(StudyWork.NONE, model.state().work(), "another topic");
     }
 
     @Test

@@ -112,6 +112,13 @@ public record GlChoice(
         return new GlChoice(next, turn, tilt, distance, Optional.of(image));
     }
 
+    /** The same with the lab's first image where a file is the texture. */
+    public GlChoice withoutFile() {
+        var next = new EnumMap<>(options);
+        if (is(Setting.IMAGE, "file")) next.put(Setting.IMAGE, Setting.IMAGE.options().get(0));
+        return new GlChoice(next, turn, tilt, distance, Optional.empty());
+    }
+
     /** Turned by degrees; the tilt stops at straight up and down. */
     public GlChoice turned(double right, double down) {
         double around = turn + right - 360 * Math.floor((turn + right) / 360);
