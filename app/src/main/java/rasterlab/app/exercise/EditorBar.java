@@ -6,10 +6,12 @@ import java.time.format.FormatStyle;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JButton;
+import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.FlowRows;
+import rasterlab.app.canvas.RunButtons;
 import rasterlab.app.language.Texts;
 
 /** The buttons above the editor: try, hand in, begin anew, undo. */
@@ -19,10 +21,7 @@ final class EditorBar extends JPanel {
     private final transient ExerciseLabModel model;
     private final transient SourceEditor editor;
     private final transient Texts texts;
-    private final JButton check;
-    private final JButton submit;
-    private final JButton server;
-    private final JButton cancel;
+    private final transient RunButtons running;
     private final JButton undo;
     private final JButton redo;
     private final JButton draft;
@@ -40,10 +39,11 @@ final class EditorBar extends JPanel {
         this.model = model;
         this.editor = editor;
         this.texts = texts;
-        check = Controls.button("check", texts, model::check);
-        submit = Controls.button("submit", texts, this::submit);
-        server = Controls.button("server", texts, this::askServer);
-        cancel = Controls.button("cancel", texts, model::cancel);
+        var check = Controls.button("check", texts, model::check);
+        var submit = Controls.button("submit", texts, this::submit);
+        var server = Controls.button("server", texts, this::askServer);
+        var cancel = Controls.button("cancel", texts, model::cancel);
+        running = new RunButtons(List.of(check, submit, server), cancel, editor::focus);
         undo = Controls.button("undo", texts, editor::undo);
         redo = Controls.button("redo", texts, editor::redo);
         draft = Controls.button("draft", texts, this::takeDraft);
@@ -51,7 +51,7 @@ final class EditorBar extends JPanel {
         add(submit);
         add(server);
         add(cancel);
-        add(Controls.button("starter", texts, model::restoreStarter));
+        add(Controls.button("starter", texts, this::restoreStarter));
         add(undo);
         add(redo);
         copy =
@@ -82,11 +82,7 @@ final class EditorBar extends JPanel {
 
     void refresh() {
         ExerciseState state = model.state();
-        boolean running = state.work().running();
-        check.setEnabled(!running);
-        submit.setEnabled(!running);
-        server.setEnabled(!running);
-        cancel.setEnabled(running);
+        running.refresh(state.work().running());
         copy.setEnabled(model.command().isPresent());
         undo.setEnabled(editor.canUndo());
         redo.setEnabled(editor.canRedo());
@@ -105,6 +101,28 @@ final class EditorBar extends JPanel {
     private void takeDraft() {
         List<DraftFile.Other> others = model.state().otherDrafts();
         if (!others.isEmpty()) model.takeDraft(others.get(0));
+    }
+
+    /** Asks before it replaces a text that the user has written. */
+    private void restoreStarter() {
+        ExerciseState state = model.state();
+        if (!state.source().equals(state.exercise().starter()) && !mayReplace()) return;
+        model.restoreStarter();
+        editor.focus();
+    }
+
+    private boolean mayReplace() {
+        String[] answers = {texts.text("starter.replace"), texts.text("starter.keep")};
+        return JOptionPane.showOptionDialog(
+                        this,
+                        texts.text("starter.question"),
+                        texts.text("starter.title"),
+                        JOptionPane.OK_CANCEL_OPTION,
+                        JOptionPane.QUESTION_MESSAGE,
+                        null,
+                        answers,
+                        answers[1])
+                == JOptionPane.OK_OPTION;
     }
 
     private void submit() {
