@@ -12,7 +12,6 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JLabel;
-import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
@@ -20,7 +19,6 @@ import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;
@@ -79,32 +77,6 @@ class ResultGuideTest {
                     show(pane, Work.of(Work.Phase.JOINING), Optional.empty());
                     assertEquals(heading, ((JLabel) named(pane, "result.verdict")).getText());
                     pane.close();
-                });
-    }
-
-    @ParameterizedTest(name = "the words of the grading are cut off: {0}")
-    @EnumSource(Language.class)
-    void wordsOfTheGradingFitTheirBar(Language language) throws Exception {
-        var made = new AtomicReference<ResultPane>();
-        EventQueue.invokeAndWait(
-                () -> {
-                    LabTheme.LIGHT.install();
-                    made.set(pane(language));
-                    show(made.get(), Work.of(Work.Phase.SENDING), Optional.empty());
-                });
-        OffscreenPainter.paint(made.get(), 780, 340);
-        EventQueue.invokeAndWait(
-                () -> {
-                    var grading = new Work(Work.Phase.GRADING, 25, 0, List.of());
-                    show(made.get(), grading, Optional.empty());
-                });
-        OffscreenPainter.paint(made.get(), 780, 340);
-        EventQueue.invokeAndWait(
-                () -> {
-                    var bar = (JProgressBar) named(made.get(), "progress");
-                    int words = bar.getFontMetrics(bar.getFont()).stringWidth(bar.getString());
-                    assertTrue(bar.getWidth() >= words, bar.getString() + " in " + bar.getWidth());
-                    made.get().close();
                 });
     }
 
