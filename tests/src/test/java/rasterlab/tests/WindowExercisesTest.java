@@ -199,8 +199,9 @@ class WindowExercisesTest extends WindowHarness {
         String starter = source();
         focus("source");
         press(KeyEvent.VK_X);
-        window.button("starter").click();
-        robot.waitForIdle();
+        restoreStarter("Keep my text");
+        assertEquals("x" + starter, source());
+        restoreStarter("Replace");
         assertEquals(starter, source());
         window.button("undo").click();
         robot.waitForIdle();
@@ -209,6 +210,38 @@ class WindowExercisesTest extends WindowHarness {
         window.button("redo").click();
         robot.waitForIdle();
         assertEquals(starter, source());
+    }
+
+    private void restoreStarter(String answer) {
+        var button = window.button("starter").target();
+        EventQueue.invokeLater(button::doClick);
+        choose(answer);
+        robot.waitForIdle();
+    }
+
+    @Test
+    void keyboardIsBackOnCheckWhenItHasRun() {
+        type(Solutions.source(Solutions.WRONG));
+        window.button("check").click();
+        awaitVerdict("wrong");
+        assertTrue(hasKeyboard("check"));
+    }
+
+    @Test
+    void keyboardIsOnTheButtonThatGivesUpWhileWorkRuns() {
+        String endless = Solutions.source(Solutions.ENDLESS);
+        type(endless);
+        window.button("check").click();
+        await("it can be given up", () -> hasKeyboard("cancel"));
+        press(KeyEvent.VK_SPACE);
+        await("it is given up", () -> hasKeyboard("check"));
+        assertEquals(endless, source());
+    }
+
+    /** Or will have it when the window has: not every display gives it back after a dialog. */
+    private boolean hasKeyboard(String button) {
+        var target = window.button(button).target();
+        return GuiActionRunner.execute(() -> frame.getMostRecentFocusOwner() == target);
     }
 
     @Test
@@ -293,6 +326,7 @@ class WindowExercisesTest extends WindowHarness {
         type("class A {}");
         join("http://127.0.0.1:1", "CODE");
         await("it is told", () -> noticed("no answer"));
+        await("the keyboard is back where it was asked for", () -> hasKeyboard("server"));
         assertEquals("class A {}", source());
     }
 

@@ -27,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabTheme;
 
 /** The lighting lab's window under a real display, by mouse and keyboard. */
 class WindowLightTest extends WindowHarness {
@@ -140,6 +141,8 @@ class WindowLightTest extends WindowHarness {
         var button = window.button("copyCommand").target();
         GuiActionRunner.execute(() -> EventQueue.invokeLater(button::doClick));
         JFileChooserFixture dialog = window.fileChooser("save.dialog");
+        String title = GuiActionRunner.execute(() -> dialog.target().getDialogTitle());
+        assertTrue(title.contains("command"), title);
         dialog.fileNameTextBox().setText(file.toString());
         dialog.fileNameTextBox().pressAndReleaseKeys(KeyEvent.VK_ENTER);
         await("the command is copied", () -> copied().contains("./lab render " + file));
@@ -154,6 +157,25 @@ class WindowLightTest extends WindowHarness {
         } catch (UnsupportedFlavorException | IOException e) {
             return "";
         }
+    }
+
+    @Test
+    void lampGoesOnInAnotherThemeAndAnotherLanguage() {
+        GuiActionRunner.execute(() -> window.slider("player.speed").target().setValue(6));
+        window.button("player.play").click();
+        awaitTheLampMoving();
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(LabTheme.DARK)));
+        awaitTheLampMoving();
+        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        awaitTheLampMoving();
+        assertEquals(6, number("player.speed"));
+        window.button("player.play").click();
+    }
+
+    private void awaitTheLampMoving() {
+        robot.waitForIdle();
+        String before = text("player.count");
+        await("the lamp moves", () -> !text("player.count").equals(before));
     }
 
     @Test

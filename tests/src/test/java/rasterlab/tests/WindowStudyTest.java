@@ -152,6 +152,13 @@ class WindowStudyTest extends WindowHarness {
     }
 
     @Test
+    void keyboardIsBackOnTheButtonThatBeganTheRun() {
+        measureLines();
+        var button = window.button("measure").target();
+        await("the keyboard is on the button", () -> GuiActionRunner.execute(button::isFocusOwner));
+    }
+
+    @Test
     void savesWhatWasMeasured() {
         measureLines();
         var file = folder.resolve("lines.csv");

@@ -44,6 +44,16 @@ public final class History<T> {
         dragStart = Optional.empty();
     }
 
+    /** Counts all changes of that as one. */
+    public void asOne(Runnable changes) {
+        beginDrag();
+        try {
+            changes.run();
+        } finally {
+            endDrag();
+        }
+    }
+
     public boolean undoable() {
         return !earlier.isEmpty() || dragStart.isPresent();
     }

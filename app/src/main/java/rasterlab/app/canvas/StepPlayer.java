@@ -1,6 +1,9 @@
 package rasterlab.app.canvas;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.event.ActionEvent;
+import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -99,6 +102,34 @@ public final class StepPlayer extends JPanel {
     public void stop() {
         timer.stop();
         showPlaying();
+    }
+
+    /** How it plays, for the player that comes after it. */
+    public record Playing(boolean on, int speed) {}
+
+    public Playing playing() {
+        return new Playing(timer.isRunning(), speed.getValue());
+    }
+
+    /** Plays, or does not, as the player did that was there before, from where the steps stand. */
+    public void goOn(Playing before) {
+        speed.setValue(before.speed());
+        if (before.on()) timer.start();
+        else timer.stop();
+        showPlaying();
+    }
+
+    /** The player that is seen in that window or part of it; empty where there is none. */
+    public static Optional<StepPlayer> seenIn(Container place) {
+        for (Component child : place.getComponents()) {
+            if (!child.isVisible()) continue;
+            if (child instanceof StepPlayer player) return Optional.of(player);
+            if (child instanceof Container inner) {
+                Optional<StepPlayer> found = seenIn(inner);
+                if (found.isPresent()) return found;
+            }
+        }
+        return Optional.empty();
     }
 
     private void advance(ActionEvent tick) {

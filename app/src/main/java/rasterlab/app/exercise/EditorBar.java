@@ -7,10 +7,12 @@ import java.time.format.FormatStyle;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JButton;
+import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.FlowRows;
+import rasterlab.app.canvas.RunButtons;
 import rasterlab.app.language.Texts;
 
 /** The buttons above the editor: try, hand in, begin anew, undo. */
@@ -23,10 +25,7 @@ final class EditorBar extends JPanel {
     private final transient ExerciseLabModel model;
     private final transient SourceEditor editor;
     private final transient Texts texts;
-    private final JButton check;
-    private final JButton submit;
-    private final JButton server;
-    private final JButton cancel;
+    private final transient RunButtons running;
     private final JButton undo;
     private final JButton redo;
     private final JButton draft;
@@ -44,10 +43,11 @@ final class EditorBar extends JPanel {
         this.model = model;
         this.editor = editor;
         this.texts = texts;
-        check = button("check", texts, model::check);
-        submit = button("submit", texts, this::submit);
-        server = button("server", texts, this::askServer);
-        cancel = button("cancel", texts, model::cancel);
+        var check = button("check", texts, model::check);
+        var submit = button("submit", texts, this::submit);
+        var server = button("server", texts, this::askServer);
+        var cancel = button("cancel", texts, model::cancel);
+        running = new RunButtons(List.of(check, submit, server), cancel, editor::focus);
         undo = button("undo", texts, editor::undo);
         redo = button("redo", texts, editor::redo);
         draft = button("draft", texts, this::takeDraft);
@@ -55,7 +55,7 @@ final class EditorBar extends JPanel {
         add(submit);
         add(server);
         add(cancel);
-        add(button("starter", texts, model::restoreStarter));
+        add(button("starter", texts, this::restoreStarter));
         add(undo);
         add(redo);
         copy =
@@ -92,11 +92,7 @@ final class EditorBar extends JPanel {
 
     void refresh() {
         ExerciseState state = model.state();
-        boolean running = state.work().running();
-        check.setEnabled(!running);
-        submit.setEnabled(!running);
-        server.setEnabled(!running);
-        cancel.setEnabled(running);
+        running.refresh(state.work().running());
         copy.setEnabled(model.command().isPresent());
         undo.setEnabled(editor.canUndo());
         redo.setEnabled(editor.canRedo());
@@ -115,6 +111,28 @@ final class EditorBar extends JPanel {
     private void takeDraft() {
         List<DraftFile.Other> others = model.state().otherDrafts();
         if (!others.isEmpty()) model.takeDraft(others.get(0));
+    }
+
+    /** Asks before it replaces a text that the user has written. */
+    private void restoreStarter() {
+        ExerciseState state = model.state();
+        if (!state.source().equals(state.exercise().starter()) && !mayReplace()) return;
+        model.restoreStarter();
+        editor.focus();
+    }
+
+    private boolean mayReplace() {
+        String[] answers = {texts.text("starter.replace"), texts.text("starter.keep")};
+        return JOptionPane.showOptionDialog(
+                        this,
+                        texts.text("starter.question"),
+                        texts.text("starter.title"),
+                        JOptionPane.OK_CANCEL_OPTION,
+                        JOptionPane.QUESTION_MESSAGE,
+                        null,
+                        answers,
+                        answers[1])
+                == JOptionPane.OK_OPTION;
     }
 
     private void submit() {

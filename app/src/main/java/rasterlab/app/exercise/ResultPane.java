@@ -165,8 +165,10 @@ final class ResultPane extends JPanel {
         progress.setMaximum(Math.max(1, work.of()));
         progress.setValue(work.done());
         String phase = work.phase().name().toLowerCase(Locale.ROOT);
-        if (work.running())
-            progress.setString(texts.text("phase." + phase, work.done(), work.of()));
+        if (!work.running()) return;
+        progress.setString(texts.text("phase." + phase, work.done(), work.of()));
+        // It asks for the room that its words need, but not for a new layout.
+        progress.revalidate();
     }
 
     private void sayHead(ExerciseState state, Optional<Outcome> outcome) {
@@ -246,8 +248,10 @@ final class ResultPane extends JPanel {
 
     private String hint(Optional<TriedCase> chosen) {
         if (chosen.isEmpty()) return texts.text("hint.choose");
-        if (chosen.get().verdict().isEmpty()) return texts.text("hint.untried");
+        if (chosen.get().verdict().isEmpty())
+            return texts.text(progress.isVisible() ? "hint.notYet" : "hint.untried");
         if (chosen.get().right()) return texts.text("hint.right");
+        if (progress.isVisible()) return texts.text("hint.coming");
         return texts.text("hint.noPicture");
     }
 

@@ -48,7 +48,9 @@ final class LitSceneSaving {
      * and saves the scene there.
      */
     void tellCommands(Consumer<String> told) {
-        commands().ifPresentOrElse(told, () -> ask(file -> told.accept(commands(file))));
+        commands()
+                .ifPresentOrElse(
+                        told, () -> ask("copy.title", file -> told.accept(commands(file))));
     }
 
     /** For what the file holds, even if the lamps have gone on since. */
@@ -58,12 +60,15 @@ final class LitSceneSaving {
     }
 
     void ask() {
-        ask(file -> {});
+        ask("scene.save.title", file -> {});
     }
 
-    private void ask(Consumer<LitSceneFile> then) {
+    /**
+     * @param title key of what the dialog says above all
+     */
+    private void ask(String title, Consumer<LitSceneFile> then) {
         var chooser = new SaveChooser(texts.language(), SceneText::named);
-        chooser.setDialogTitle(texts.text("scene.save.title"));
+        chooser.setDialogTitle(texts.text(title));
         LightChoice choice = model.state().choice();
         chooser.toSave(
                         parent,

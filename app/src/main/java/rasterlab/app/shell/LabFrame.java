@@ -20,6 +20,7 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.WindowConstants;
 import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.exercise.Closing;
 import rasterlab.app.exercise.ClosingDialog;
 import rasterlab.app.language.Language;
@@ -123,8 +124,8 @@ public final class LabFrame extends JFrame {
     }
 
     /**
-     * Speaks and looks otherwise from now on: makes the tabs again; tab and focus stay. A focus
-     * that was still on its way goes to the picture.
+     * Speaks and looks otherwise from now on: makes the tabs again; tab, focus and what plays stay.
+     * A focus that was still on its way goes to the picture.
      */
     public void wear(LabLook look) {
         forgetComing();
@@ -171,6 +172,7 @@ public final class LabFrame extends JFrame {
         String focus = focused();
         String seen = content.seen();
         String chosen = content.shown();
+        Optional<StepPlayer.Playing> playing = StepPlayer.seenIn(content).map(StepPlayer::playing);
         // What is thrown away need not learn the new look first.
         place.removeAll();
         tabs.close();
@@ -179,6 +181,7 @@ public final class LabFrame extends JFrame {
             FlatLaf.updateUI();
         }
         fill(next.get(), seen);
+        playing.ifPresent(was -> StepPlayer.seenIn(content).ifPresent(it -> it.goOn(was)));
         content.show(chosen);
         giveFocus(focus);
         EventQueue.invokeLater(() -> giveFocus(focus));

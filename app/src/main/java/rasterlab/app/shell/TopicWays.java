@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import rasterlab.app.canvas.History;
 import rasterlab.app.clip.ClipLabModel;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.coordinates.CoordinatesLabModel;
@@ -74,6 +75,7 @@ final class TopicWays {
         put(
                 "line",
                 "line",
+                lab.history(),
                 input -> {
                     lab.chooseMode(LineMode.SEGMENT);
                     lab.show((Segment) input);
@@ -82,6 +84,7 @@ final class TopicWays {
         put(
                 "circle",
                 "line",
+                lab.figures().history(),
                 input -> {
                     lab.chooseMode(LineMode.CIRCLE);
                     lab.figures().show((Circle) input);
@@ -90,6 +93,7 @@ final class TopicWays {
         put(
                 "ellipse",
                 "line",
+                lab.figures().history(),
                 input -> {
                     lab.chooseMode(LineMode.ELLIPSE);
                     lab.figures().show((Ellipse) input);
@@ -99,18 +103,29 @@ final class TopicWays {
 
     private void polygons(PolygonLabModel lab) {
         for (PolygonMode mode : PolygonMode.values())
-            put(mode.topic(), "polygon", input -> lab.showInput(mode, input), lab::chooseMethod);
+            put(
+                    mode.topic(),
+                    "polygon",
+                    lab.history(),
+                    input -> lab.showInput(mode, input),
+                    lab::chooseMethod);
     }
 
     private void clipping(ClipLabModel lab) {
         for (ClipMode mode : ClipMode.values())
-            put(mode.topic(), "clip", input -> lab.showInput(mode, input), lab::chooseMethod);
+            put(
+                    mode.topic(),
+                    "clip",
+                    lab.history(),
+                    input -> lab.showInput(mode, input),
+                    lab::chooseMethod);
     }
 
     private void splines(SplineLabModel lab) {
         put(
                 "curve",
                 "spline",
+                lab.curve().history(),
                 input -> {
                     lab.show(SplineMode.CURVE);
                     lab.curve().show((CurveTask) input);
@@ -119,6 +134,7 @@ final class TopicWays {
         put(
                 "spline-function",
                 "spline",
+                lab.function().history(),
                 input -> {
                     lab.show(SplineMode.FUNCTION);
                     lab.function().show((SplineProblem) input);
@@ -130,6 +146,7 @@ final class TopicWays {
         put(
                 "rotate",
                 "coordinates",
+                lab.rotation().history(),
                 input -> {
                     lab.show(CoordinatesMode.ROTATION);
                     lab.rotation().show((Turns) input);
@@ -138,6 +155,7 @@ final class TopicWays {
         put(
                 "matrix",
                 "coordinates",
+                lab.transformations().history(),
                 input -> {
                     lab.show(CoordinatesMode.TRANSFORMATIONS);
                     lab.transformations().show((MatrixCall) input);
@@ -146,6 +164,7 @@ final class TopicWays {
         put(
                 "line-plane",
                 "coordinates",
+                lab.meeting().history(),
                 input -> {
                     lab.show(CoordinatesMode.MEETING);
                     lab.meeting().show((PlaneAndLines) input);
@@ -229,15 +248,24 @@ final class TopicWays {
                                             lab::tell))));
     }
 
+    /**
+     * @param history of what is shown, for which input and method are one change
+     */
     private void put(
-            String topic, String tab, Consumer<Object> show, Consumer<String> chooseMethod) {
+            String topic,
+            String tab,
+            History<?> history,
+            Consumer<Object> show,
+            Consumer<String> chooseMethod) {
         ways.put(
                 topic,
                 TopicWay.whole(
                         tab,
-                        (input, method) -> {
-                            show.accept(input.input());
-                            if (!method.isEmpty()) chooseMethod.accept(method);
-                        }));
+                        (input, method) ->
+                                history.asOne(
+                                        () -> {
+                                            show.accept(input.input());
+                                            if (!method.isEmpty()) chooseMethod.accept(method);
+                                        })));
     }
 }

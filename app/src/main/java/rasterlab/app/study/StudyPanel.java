@@ -5,6 +5,7 @@ import java.awt.Insets;
 import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -21,6 +22,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.canvas.RunButtons;
 import rasterlab.app.canvas.SaveChooser;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.language.Language;
@@ -48,6 +50,7 @@ public final class StudyPanel extends LabPanel {
     private final JButton measure;
     private final JButton hazards;
     private final JButton cancel;
+    private final transient RunButtons runButtons;
     private final JButton save;
     private final JProgressBar progress = new JProgressBar();
     private final transient Runnable unsubscribe;
@@ -71,6 +74,7 @@ public final class StudyPanel extends LabPanel {
         measure = button("measure", this::measure);
         hazards = button("tryHazards", this::tryHazards);
         cancel = button("cancel", model::cancel);
+        runButtons = new RunButtons(List.of(measure, hazards), cancel, this::focusPicture);
         save = button("save", this::saveStudy);
         actions = new Actions(Texts.of("canvas", language));
         actions.addPicture(
@@ -188,10 +192,7 @@ public final class StudyPanel extends LabPanel {
     @Override
     public void refresh() {
         StudyLabState state = model.state();
-        boolean running = state.work().running();
-        measure.setEnabled(!running);
-        hazards.setEnabled(!running);
-        cancel.setEnabled(running);
+        runButtons.refresh(state.work().running());
         boolean drawn = state.study().isPresent() || state.view() == StudyView.HAZARDS;
         save.setEnabled(state.study().isPresent() && state.view() == StudyView.CHART);
         actions.enable("savePicture", drawn);

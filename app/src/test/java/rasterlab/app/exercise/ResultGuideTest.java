@@ -13,6 +13,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JLabel;
 import javax.swing.JScrollPane;
+import javax.swing.JTable;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
@@ -75,6 +76,38 @@ class ResultGuideTest {
                     ResultPane pane = pane(language);
                     show(pane, Work.of(Work.Phase.JOINING), Optional.empty());
                     assertEquals(heading, ((JLabel) named(pane, "result.verdict")).getText());
+                    pane.close();
+                });
+    }
+
+    @ParameterizedTest(name = "a case that is not judged yet is said to be judged: {0}")
+    @CsvSource({
+        "ENGLISH, '', not judged yet",
+        "RUSSIAN, '', ещё не проверен",
+        "ENGLISH, wrong, when all cases are judged",
+        "RUSSIAN, wrong, когда будут проверены все"
+    })
+    void saysWhatIsStillToComeOfACase(Language language, String verdict, String words)
+            throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(language);
+                    TriedCase first = TriedCase.untried(Catalogue.builtIn().all().get(0)).get(0);
+                    var tried =
+                            new TriedCase(
+                                    first.name(),
+                                    verdict,
+                                    0,
+                                    first.of(),
+                                    Said.NOTHING,
+                                    Optional.empty(),
+                                    "");
+                    var grading = new Work(Work.Phase.GRADING, 1, 0, List.of(tried));
+                    show(pane, grading, Optional.empty());
+                    ((JTable) named(pane, "cases")).setRowSelectionInterval(0, 0);
+                    String said = ((JTextArea) named(pane, "reason")).getText();
+                    assertTrue(said.contains(words), said);
                     pane.close();
                 });
     }

@@ -1,0 +1,64 @@
+package rasterlab.app.canvas;
+
+import java.awt.Component;
+import java.awt.Window;
+import java.util.List;
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.SwingUtilities;
+
+/**
+ * Buttons that begin work, and the one that gives it up. While work runs only the latter can be
+ * pressed; it has the keyboard where one of the others had it, which has it again afterwards. Else
+ * Swing would hand the keyboard on to whatever button comes next.
+ */
+public final class RunButtons {
+    private final List<JButton> begin;
+    private final JButton cancel;
+    private final Runnable elsewhere;
+    private Optional<JButton> pressed = Optional.empty();
+
+    /**
+     * @param elsewhere gives the keyboard to the picture or the text, when the button to give work
+     *     up had it and no other button began the work
+     */
+    public RunButtons(List<JButton> begin, JButton cancel, Runnable elsewhere) {
+        this.begin = List.copyOf(begin);
+        this.cancel = cancel;
+        this.elsewhere = elsewhere;
+        cancel.setEnabled(false);
+    }
+
+    /** Lets only those be pressed that do something now. On the event thread. */
+    public void refresh(boolean running) {
+        if (running == cancel.isEnabled()) return;
+        if (running) begin(owner());
+        else end(owner());
+    }
+
+    /** Also while a dialog is just being closed, from which the keyboard comes back. */
+    private Optional<Component> owner() {
+        return Optional.ofNullable(SwingUtilities.getWindowAncestor(cancel))
+                .map(Window::getMostRecentFocusOwner);
+    }
+
+    private void begin(Optional<Component> owner) {
+        pressed =
+                begin.stream()
+                        .filter(button -> owner.filter(button::equals).isPresent())
+                        .findFirst();
+        cancel.setEnabled(true);
+        begin.forEach(button -> button.setEnabled(false));
+        // After they are disabled, each of which asks for the keyboard's next place.
+        if (pressed.isPresent()) cancel.requestFocusInWindow();
+    }
+
+    private void end(Optional<Component> owner) {
+        begin.forEach(button -> button.setEnabled(true));
+        cancel.setEnabled(false);
+        boolean stayed =
+                owner.filter(one -> one == cancel || Optional.of(one).equals(pressed)).isPresent();
+        if (stayed) pressed.ifPresentOrElse(JButton::requestFocusInWindow, elsewhere);
+        pressed = Optional.empty();
+    }
+}
