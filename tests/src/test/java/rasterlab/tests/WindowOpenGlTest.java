@@ -18,6 +18,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
+import javax.swing.JTextArea;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JComboBoxFixture;
@@ -228,7 +229,12 @@ class WindowOpenGlTest extends WindowHarness {
         assertTrue(window.label("file.value").text().contains("own.png"));
         Path broken = Files.writeString(folder.resolve("broken.png"), "no image");
         GuiActionRunner.execute(() -> models.opengl().open(broken));
-        await("the reason", () -> window.textBox("why").text().contains("broken.png"));
+        await(
+                "the reason",
+                () ->
+                        named("problem") instanceof JTextArea reason
+                                && reason.isShowing()
+                                && reason.getText().contains("broken.png"));
     }
 
     @Test
