@@ -2,6 +2,7 @@ package rasterlab.app.opengl;
 
 import java.awt.EventQueue;
 import java.awt.Graphics;
+import java.awt.event.ComponentEvent;
 import java.util.Optional;
 import org.lwjgl.opengl.GL;
 import org.lwjgl.opengl.GLCapabilities;
@@ -148,6 +149,14 @@ class GlCanvas extends AWTGLCanvas {
     /** Whether there is a context now. */
     boolean hasContext() {
         return context != 0;
+    }
+
+    /**
+     * Sizes told late, when the window is gone, would fail where the scale of its screen is asked.
+     */
+    @Override
+    protected void processComponentEvent(ComponentEvent event) {
+        if (getGraphicsConfiguration() != null) super.processComponentEvent(event);
     }
 
     /** Gives textures, lists and the context back while the window is still there. */

@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
+import java.awt.event.ComponentEvent;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -89,6 +90,16 @@ class GlCanvasTest {
         assertFalse(canvas.hasContext());
         assertEquals(0, kept.count());
         assertEquals(1, destroyed.size(), "contexts");
+    }
+
+    @Test
+    void sizeThatIsToldWhenTheWindowIsGoneHarmsNothing() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    frame.remove(canvas);
+                    canvas.dispatchEvent(
+                            new ComponentEvent(canvas, ComponentEvent.COMPONENT_RESIZED));
+                });
     }
 
     @Test
