@@ -3,9 +3,13 @@ package rasterlab.app.exercise;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static rasterlab.app.exercise.ShownResult.EXERCISE;
+import static rasterlab.app.exercise.ShownResult.judged;
+import static rasterlab.app.exercise.ShownResult.named;
+import static rasterlab.app.exercise.ShownResult.outcome;
+import static rasterlab.app.exercise.ShownResult.pane;
+import static rasterlab.app.exercise.ShownResult.show;
 
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.EventQueue;
 import java.util.List;
 import java.util.Optional;
@@ -15,7 +19,6 @@ import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
-import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -23,9 +26,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
-import rasterlab.exercises.Exercise;
-import rasterlab.exercises.catalogue.Catalogue;
-import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.GradingVerdict;
 
 /** The place of the result before there is one. */
 class ResultGuideTest {
@@ -50,17 +51,15 @@ class ResultGuideTest {
         var made = new AtomicReference<ResultPane>();
         EventQueue.invokeAndWait(
                 () -> {
-                    LabTheme.LIGHT.install();
-                    double usual = UIManager.getFont("defaultFont").getSize2D();
-                    LabTheme.LIGHT.install((int) Math.round(100 * type / usual));
-                    made.set(pane(language));
+                    ShownResult.install(LabTheme.LIGHT, type);
+                    made.set(pane(language, FAILURES::add));
                     show(made.get(), Work.NONE, Optional.empty());
                 });
         OffscreenPainter.paint(made.get(), width, height);
         EventQueue.invokeAndWait(() -> assertWhole(made.get(), language));
         EventQueue.invokeAndWait(
                 () -> {
-                    show(made.get(), Work.NONE, Optional.of(outcome()));
+                    show(made.get(), Work.NONE, Optional.of(outcome(GradingVerdict.OK)));
                     assertFalse(named(made.get(), "guide.scroll").isVisible(), "still there");
                     assertTrue(named(made.get(), "case.picture").isVisible());
                     made.get().close();
@@ -73,7 +72,7 @@ class ResultGuideTest {
         EventQueue.invokeAndWait(
                 () -> {
                     LabTheme.LIGHT.install();
-                    ResultPane pane = pane(language);
+                    ResultPane pane = pane(language, FAILURES::add);
                     show(pane, Work.of(Work.Phase.JOINING), Optional.empty());
                     assertEquals(heading, ((JLabel) named(pane, "result.verdict")).getText());
                     pane.close();
@@ -92,17 +91,8 @@ class ResultGuideTest {
         EventQueue.invokeAndWait(
                 () -> {
                     LabTheme.LIGHT.install();
-                    ResultPane pane = pane(language);
-                    TriedCase first = TriedCase.untried(Catalogue.builtIn().all().get(0)).get(0);
-                    var tried =
-                            new TriedCase(
-                                    first.name(),
-                                    verdict,
-                                    0,
-                                    first.of(),
-                                    Said.NOTHING,
-                                    Optional.empty(),
-                                    "");
+                    ResultPane pane = pane(language, FAILURES::add);
+                    TriedCase tried = judged(TriedCase.untried(EXERCISE).get(0), verdict);
                     var grading = new Work(Work.Phase.GRADING, 1, 0, List.of(tried));
                     show(pane, grading, Optional.empty());
                     ((JTable) named(pane, "cases")).setRowSelectionInterval(0, 0);
@@ -110,14 +100,6 @@ class ResultGuideTest {
                     assertTrue(said.contains(words), said);
                     pane.close();
                 });
-    }
-
-    private static ResultPane pane(Language language) {
-        return new ResultPane(
-                Texts.of("exercise", language),
-                ExerciseRoomsTest.NOWHERE,
-                remark -> {},
-                FAILURES::add);
     }
 
     private static void assertWhole(ResultPane pane, Language language) {
@@ -131,41 +113,5 @@ class ResultGuideTest {
                 guide.getPreferredSize().height <= scroll.getViewport().getHeight(),
                 guide.getPreferredSize().height + " in " + scroll.getViewport().getHeight());
         assertFalse(named(pane, "case.picture").isVisible());
-    }
-
-    private static void show(ResultPane pane, Work work, Optional<Outcome> outcome) {
-        Exercise exercise = Catalogue.builtIn().all().get(0);
-        pane.show(
-                new ExerciseState(
-                        exercise,
-                        exercise.starter(),
-                        List.of(),
-                        outcome,
-                        work,
-                        Notice.NONE,
-                        Notice.NONE,
-                        Optional.empty()),
-                TriedCase.untried(exercise));
-    }
-
-    private static Outcome outcome() {
-        return new Outcome(
-                "",
-                0,
-                "ok",
-                new Points(0, 0, 0, 100),
-                TriedCase.untried(Catalogue.builtIn().all().get(0)),
-                List.of(),
-                Said.NOTHING,
-                0);
-    }
-
-    private static Component named(Container within, String name) {
-        for (Component each : within.getComponents()) {
-            if (name.equals(each.getName())) return each;
-            Component found = each instanceof Container inner ? named(inner, name) : null;
-            if (found != null) return found;
-        }
-        return null;
     }
 }

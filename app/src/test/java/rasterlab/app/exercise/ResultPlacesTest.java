@@ -2,9 +2,11 @@ package rasterlab.app.exercise;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static rasterlab.app.exercise.ShownResult.named;
+import static rasterlab.app.exercise.ShownResult.outcome;
+import static rasterlab.app.exercise.ShownResult.pane;
+import static rasterlab.app.exercise.ShownResult.show;
 
-import java.awt.Component;
-import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.Rectangle;
 import java.util.List;
@@ -12,23 +14,17 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JTable;
-import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
-import rasterlab.exercises.Exercise;
-import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.Points;
 
 /** Where table, reason and pictures stand before a check and after it. */
 class ResultPlacesTest {
     private static final List<Throwable> FAILURES = new CopyOnWriteArrayList<>();
-    private static final Exercise EXERCISE = Catalogue.builtIn().all().get(0);
 
     @AfterEach
     void usualTheme() throws Exception {
@@ -50,23 +46,16 @@ class ResultPlacesTest {
         var made = new AtomicReference<ResultPane>();
         EventQueue.invokeAndWait(
                 () -> {
-                    LabTheme.LIGHT.install();
-                    double usual = UIManager.getFont("defaultFont").getSize2D();
-                    LabTheme.LIGHT.install((int) Math.round(100 * 14 / usual));
-                    made.set(
-                            new ResultPane(
-                                    Texts.of("exercise", language),
-                                    ExerciseRoomsTest.NOWHERE,
-                                    remark -> {},
-                                    FAILURES::add));
-                    show(made.get(), Optional.empty());
+                    ShownResult.install(LabTheme.LIGHT, 14);
+                    made.set(pane(language, FAILURES::add));
+                    show(made.get(), Work.NONE, Optional.empty());
                 });
         ResultPane pane = made.get();
         OffscreenPainter.paint(pane, width, height);
         Rectangle before = named(pane, "cases.scroll").getBounds();
         Rectangle guide = named(pane, "guide.scroll").getBounds();
         for (GradingVerdict verdict : GradingVerdict.values()) {
-            EventQueue.invokeAndWait(() -> show(pane, Optional.of(outcome(verdict))));
+            EventQueue.invokeAndWait(() -> show(pane, Work.NONE, Optional.of(outcome(verdict))));
             OffscreenPainter.paint(pane, width, height);
             Rectangle after = named(pane, "cases.scroll").getBounds();
             // The line above may wrap, by which the table is lower.
@@ -85,46 +74,5 @@ class ResultPlacesTest {
         var table = (JTable) named(pane, "cases");
         int rows = table.getParent().getHeight() / table.getRowHeight();
         assertTrue(rows >= 9, rows + " rows are seen");
-    }
-
-    private static void show(ResultPane pane, Optional<Outcome> outcome) {
-        pane.show(
-                new ExerciseState(
-                        EXERCISE,
-                        EXERCISE.starter(),
-                        List.of(),
-                        outcome,
-                        Work.NONE,
-                        Notice.NONE,
-                        Notice.NONE,
-                        Optional.empty()),
-                TriedCase.untried(EXERCISE));
-    }
-
-    private static Outcome outcome(GradingVerdict verdict) {
-        List<TriedCase> cases =
-                TriedCase.untried(EXERCISE).stream()
-                        .map(
-                                one ->
-                                        new TriedCase(
-                                                one.name(),
-                                                verdict.code(),
-                                                0,
-                                                one.of(),
-                                                Said.NOTHING,
-                                                Optional.empty(),
-                                                ""))
-                        .toList();
-        return new Outcome(
-                "", 0, verdict.code(), new Points(0, 0, 0, 100), cases, List.of(), Said.NOTHING, 0);
-    }
-
-    private static Component named(Container within, String name) {
-        for (Component each : within.getComponents()) {
-            if (name.equals(each.getName())) return each;
-            Component found = each instanceof Container inner ? named(inner, name) : null;
-            if (found != null) return found;
-        }
-        return null;
     }
 }

@@ -1,0 +1,105 @@
+package rasterlab.app.exercise;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.UIManager;
+import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.canvas.Unshown;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.engine.raster.Plotted;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Points;
+
+/** The place of the first exercise's result without a window. On the event thread. */
+final class ShownResult {
+    /** Opens nothing. */
+    static final OpenInLab NOWHERE =
+            new OpenInLab() {
+                @Override
+                public Optional<Unshown> obstacleTo(String topic, String hazard) {
+                    return Optional.empty();
+                }
+
+                @Override
+                public Optional<Unshown> obstacleToInputs(String topic) {
+                    return Optional.empty();
+                }
+
+                @Override
+                public void showHazard(String topic, String hazard, String method) {}
+
+                @Override
+                public void showInput(
+                        String topic, String json, String method, Optional<Plotted> drawn) {}
+            };
+
+    static final Exercise EXERCISE = Catalogue.builtIn().all().get(0);
+
+    private ShownResult() {}
+
+    /**
+     * @param type in pixels; a machine without a display has smaller type than a desktop
+     */
+    static void install(LabTheme theme, double type) {
+        theme.install();
+        double usual = UIManager.getFont("defaultFont").getSize2D();
+        theme.install((int) Math.round(100 * type / usual));
+    }
+
+    static ResultPane pane(Language language, Consumer<Throwable> onFailure) {
+        return new ResultPane(Texts.of("exercise", language), NOWHERE, remark -> {}, onFailure);
+    }
+
+    static void show(ResultPane pane, Work work, Optional<Outcome> outcome) {
+        pane.show(
+                new ExerciseState(
+                        EXERCISE,
+                        EXERCISE.starter(),
+                        List.of(),
+                        outcome,
+                        work,
+                        Notice.NONE,
+                        Notice.NONE,
+                        Optional.empty()),
+                TriedCase.untried(EXERCISE));
+    }
+
+    /** No points, every case judged alike. */
+    static Outcome outcome(GradingVerdict verdict) {
+        return new Outcome(
+                "",
+                0,
+                verdict.code(),
+                new Points(0, 0, 0, 100),
+                TriedCase.untried(EXERCISE).stream()
+                        .map(one -> judged(one, verdict.code()))
+                        .toList(),
+                List.of(),
+                Said.NOTHING,
+                0);
+    }
+
+    /**
+     * @param verdict its code, "" before there is one
+     */
+    static TriedCase judged(TriedCase one, String verdict) {
+        return new TriedCase(one.name(), verdict, 0, one.of(), Said.NOTHING, Optional.empty(), "");
+    }
+
+    /** Also where another part of the tab is in sight; null where there is none. */
+    static Component named(Container within, String name) {
+        for (Component each : within.getComponents()) {
+            if (name.equals(each.getName())) return each;
+            Component found = each instanceof Container inner ? named(inner, name) : null;
+            if (found != null) return found;
+        }
+        return null;
+    }
+}
