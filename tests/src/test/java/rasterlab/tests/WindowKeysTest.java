@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabTabs;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.engine.line.Segment;
 
@@ -27,19 +28,7 @@ class WindowKeysTest extends WindowHarness {
     /** Colour around what has the keyboard, in the light theme. */
     private static final int FOCUS = StageColours.LIGHT.focus().getRGB();
 
-    /** In the order of the window. */
-    private static final List<String> TABS =
-            List.of(
-                    "coordinates",
-                    "line",
-                    "polygon",
-                    "clip",
-                    "visibility",
-                    "light",
-                    "spline",
-                    "opengl",
-                    "study",
-                    "exercises");
+    private static final List<String> TABS = LabTabs.NAMES;
 
     /** Radians that an arrow key turns the vase about its axis, as in the coursework. */
     private static final double STEP = 0.03 * Math.PI;

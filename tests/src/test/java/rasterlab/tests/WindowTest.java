@@ -29,6 +29,7 @@ import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabSettings;
+import rasterlab.app.shell.LabTabs;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.SettingsFile;
 import rasterlab.engine.line.Segment;
@@ -179,18 +180,7 @@ class WindowTest extends WindowHarness {
 
     @Test
     void everyControlCanBeNamedByAssistiveTechnology() {
-        for (String tab :
-                List.of(
-                        "coordinates",
-                        "line",
-                        "polygon",
-                        "clip",
-                        "visibility",
-                        "light",
-                        "spline",
-                        "opengl",
-                        "study",
-                        "exercises")) {
+        for (String tab : LabTabs.NAMES) {
             show(tab);
             List<String> nameless = GuiActionRunner.execute(() -> nameless(frame.getContentPane()));
             assertEquals(List.of(), nameless, tab);

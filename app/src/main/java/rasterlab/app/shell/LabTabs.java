@@ -3,9 +3,7 @@ package rasterlab.app.shell;
 import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.BiConsumer;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.clip.ClipPanel;
 import rasterlab.app.coordinates.CoordinatesPanel;
@@ -24,6 +22,20 @@ import rasterlab.engine.naming.Named;
 
 /** The labs' panels in one language; made again for another, while the models live on. */
 public final class LabTabs implements AutoCloseable {
+    /** In the order of the window. */
+    public static final List<String> NAMES =
+            List.of(
+                    "coordinates",
+                    "line",
+                    "polygon",
+                    "clip",
+                    "visibility",
+                    "light",
+                    "spline",
+                    "opengl",
+                    "study",
+                    "exercises");
+
     private final LabModels models;
     private final WindowEditor editor;
     private final Language language;
@@ -67,41 +79,45 @@ public final class LabTabs implements AutoCloseable {
             Language language,
             Consumer<Throwable> onFailure) {
         Texts texts = Texts.of("shell", language);
-        var tabs = new ArrayList<LabTab>();
-        BiConsumer<String, Supplier<LabPanel>> add =
-                (name, begun) ->
-                        tabs.add(
-                                new LabTab(
-                                        name,
-                                        texts.text("tab." + name),
-                                        () -> models.make(name),
-                                        begun));
         var opening =
                 new LabOpening(models, LabTabs::tryHazard, EventQueue::invokeLater, onFailure);
-        add.accept(
-                "coordinates",
-                () -> new CoordinatesPanel(models.coordinates(), language, onFailure));
-        add.accept("line", () -> new LinePanel(models.line(), language, onFailure));
-        add.accept("polygon", () -> new PolygonPanel(models.polygon(), language, onFailure));
-        add.accept("clip", () -> new ClipPanel(models.clip(), language, onFailure));
-        add.accept(
-                "visibility", () -> new VisibilityPanel(models.visibility(), language, onFailure));
-        add.accept("light", () -> new LightPanel(models.light(), language, onFailure));
-        add.accept("spline", () -> new SplinePanel(models.spline(), language, onFailure));
-        add.accept("opengl", () -> new OpenGlPanel(models.opengl(), language, onFailure));
-        add.accept("study", () -> new StudyPanel(models.study(), opening, language, onFailure));
-        tabs.add(
-                new LabTab(
-                        "exercises",
-                        texts.text("tab.exercises"),
-                        () -> {
-                            models.make("exercises");
-                            ExercisePanel.prepare(models.exercises());
-                        },
-                        () ->
-                                new ExercisePanel(
-                                        models.exercises(), editor, opening, language, onFailure)));
+        var tabs = new ArrayList<LabTab>();
+        for (String name : NAMES)
+            tabs.add(
+                    new LabTab(
+                            name,
+                            texts.text("tab." + name),
+                            () -> prepare(name, models),
+                            () -> begun(name, models, editor, opening, language, onFailure)));
         return new LabTabs(models, editor, language, tabs, opening, onFailure);
+    }
+
+    private static void prepare(String tab, LabModels models) {
+        models.make(tab);
+        if (tab.equals("exercises")) ExercisePanel.prepare(models.exercises());
+    }
+
+    private static LabPanel begun(
+            String tab,
+            LabModels models,
+            WindowEditor editor,
+            LabOpening opening,
+            Language language,
+            Consumer<Throwable> onFailure) {
+        return switch (tab) {
+            case "coordinates" -> new CoordinatesPanel(models.coordinates(), language, onFailure);
+            case "line" -> new LinePanel(models.line(), language, onFailure);
+            case "polygon" -> new PolygonPanel(models.polygon(), language, onFailure);
+            case "clip" -> new ClipPanel(models.clip(), language, onFailure);
+            case "visibility" -> new VisibilityPanel(models.visibility(), language, onFailure);
+            case "light" -> new LightPanel(models.light(), language, onFailure);
+            case "spline" -> new SplinePanel(models.spline(), language, onFailure);
+            case "opengl" -> new OpenGlPanel(models.opengl(), language, onFailure);
+            case "study" -> new StudyPanel(models.study(), opening, language, onFailure);
+            case "exercises" ->
+                    new ExercisePanel(models.exercises(), editor, opening, language, onFailure);
+            default -> throw new IllegalArgumentException("no tab called '" + tab + "'");
+        };
     }
 
     private static void tryHazard(Runnable work) {

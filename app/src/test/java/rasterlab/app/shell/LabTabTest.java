@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.FieldSource;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.language.Language;
 
@@ -151,19 +151,7 @@ class LabTabTest {
     }
 
     @ParameterizedTest(name = "{0} is closed while it is half made")
-    @ValueSource(
-            strings = {
-                "coordinates",
-                "line",
-                "polygon",
-                "clip",
-                "visibility",
-                "light",
-                "spline",
-                "opengl",
-                "study",
-                "exercises"
-            })
+    @FieldSource("rasterlab.app.shell.LabTabs#NAMES")
     void everyLabCanBeClosedAfterEachOfItsParts(String name) throws Exception {
         var failures = new ArrayList<Throwable>();
         EventQueue.invokeAndWait(
