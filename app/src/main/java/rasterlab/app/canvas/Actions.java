@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import java.awt.Insets;
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -28,12 +29,17 @@ public final class Actions extends JPanel {
     private final transient MigLayout grid;
     private final Map<String, JButton> buttons = new HashMap<>();
 
+    /** What came of the button pressed last, where that is not seen elsewhere. */
+    private final WrappedText status = new WrappedText("status");
+
     private transient Optional<History<?>> history = Optional.empty();
 
     public Actions(Texts texts) {
         grid = new MigLayout("insets 0 2 0 10, gap 6, wrap 2", "[grow,fill,50%][grow,fill,50%]");
         setLayout(grid);
         this.texts = texts;
+        status.setVisible(false);
+        add(status, "south, hidemode 3, wmin 0, gap 4 10 6 0");
     }
 
     /**
@@ -47,16 +53,20 @@ public final class Actions extends JPanel {
         button.setDisplayedMnemonicIndex(texts.mnemonicIndex("action." + key));
         button.setMargin(MARGIN);
         button.setToolTipText(texts.text("action." + key + ".hint"));
-        button.addActionListener(e -> action.run());
+        button.addActionListener(
+                e -> {
+                    status.setVisible(false);
+                    action.run();
+                });
         buttons.put(key, button);
         place(button);
     }
 
     /** The last button takes both columns where it would stand alone. */
     private void place(JButton button) {
-        int before = getComponentCount();
-        boolean alone = before % 2 == 0;
-        if (!alone) grid.setComponentConstraints(getComponent(before - 1), HALF);
+        int last = getComponentCount() - 1;
+        boolean alone = last % 2 == 0;
+        if (!alone) grid.setComponentConstraints(getComponent(last), HALF);
         add(button, alone ? "span 2, " + HALF : HALF);
     }
 
@@ -66,13 +76,30 @@ public final class Actions extends JPanel {
      * @param onFailure told what could not be copied or saved
      */
     public void addPicture(ShownPicture picture, Consumer<Throwable> onFailure) {
-        var saving = new PictureSaving(picture, this, texts.language(), onFailure);
+        var saving = new PictureSaving(picture, this, texts.language(), this::saved, onFailure);
+        var drawing = new SvgCopying(picture, onFailure);
         add("savePicture", saving::ask);
-        Consumer<Runnable> drawn = picture.whenDrawn();
         add(
                 "copyPicture",
-                () -> drawn.accept(() -> Copying.picture(picture.dots().get(), onFailure)));
-        add("copySvg", () -> drawn.accept(() -> Copying.svg(picture.svg().get(), onFailure)));
+                () -> {
+                    drawing.cancel();
+                    picture.whenDrawn()
+                            .accept(() -> Copying.picture(picture.dots().get(), onFailure));
+                });
+        add("copySvg", drawing::copy);
+    }
+
+    private void saved(Path file) {
+        tell(texts.text("picture.saved", file.toAbsolutePath().toString()));
+    }
+
+    /** Says below the buttons what came of one, until another is pressed. */
+    public void tell(String sentence) {
+        status.show(sentence);
+        // As high as the sentence is in the width that it has.
+        status.setSize(Math.max(1, getWidth() - 14), Short.MAX_VALUE);
+        status.setVisible(true);
+        revalidate();
     }
 
     /** Adds buttons for undo and redo; {@link #refreshUndo} enables them. */

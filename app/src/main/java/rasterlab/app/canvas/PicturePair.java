@@ -33,7 +33,7 @@ public final class PicturePair extends JPanel implements AutoCloseable {
     }
 
     /** What is in sight, as an SVG document. */
-    public String svg() {
+    public SvgDrawing svg() {
         return SvgPicture.of(this, chosen, other);
     }
 

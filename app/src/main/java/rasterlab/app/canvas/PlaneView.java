@@ -145,13 +145,14 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     }
 
     /** What is in sight, without the rings around the points, as an SVG document. */
-    public String svg() {
-        return SvgPicture.of(getWidth(), getHeight(), this::draw);
+    public SvgDrawing svg() {
+        return SvgPicture.later(getWidth(), getHeight(), drawing());
     }
 
-    /** Draws what {@link #svg} has. */
-    public void draw(Graphics2D g) {
-        frame(map()).paint(g, () -> false);
+    /** Draws, on any thread, what {@link #svg} has. */
+    public Consumer<Graphics2D> drawing() {
+        PlaneFrame frame = frame(map());
+        return g -> frame.paint(g, () -> false);
     }
 
     private void showHandles() {

@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import javax.swing.JOptionPane;
-import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
@@ -29,6 +28,7 @@ public class SaveChooser extends LastFolderChooser {
      * @param named the file that is written for a chosen one, such as with its ending
      */
     public SaveChooser(Language language, UnaryOperator<Path> named) {
+        super(language);
         texts = Texts.of("canvas", language);
         this.named = named;
         mayReplace = this::asked;
@@ -39,6 +39,7 @@ public class SaveChooser extends LastFolderChooser {
      */
     protected SaveChooser(
             Language language, UnaryOperator<Path> named, Predicate<Path> mayReplace) {
+        super(language);
         texts = Texts.of("canvas", language);
         this.named = named;
         this.mayReplace = mayReplace;
@@ -56,7 +57,7 @@ public class SaveChooser extends LastFolderChooser {
     }
 
     private Path saved() {
-        return named(getSelectedFile().toPath());
+        return named(chosen());
     }
 
     /**
@@ -83,15 +84,6 @@ public class SaveChooser extends LastFolderChooser {
             refuse(complaint.getMessage());
             return false;
         }
-    }
-
-    /** Tells why a file cannot be written. */
-    protected void refuse(String complaint) {
-        JOptionPane.showMessageDialog(
-                this,
-                Complaints.said(texts.language(), complaint),
-                texts.text("replace.title"),
-                JOptionPane.WARNING_MESSAGE);
     }
 
     /** The answer that keeps the file is the one that Enter, Escape and closing give. */

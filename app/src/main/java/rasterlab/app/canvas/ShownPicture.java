@@ -16,10 +16,10 @@ import javax.swing.JComponent;
 public record ShownPicture(
         String name,
         Supplier<BufferedImage> dots,
-        Supplier<String> svg,
+        Supplier<SvgDrawing> svg,
         Consumer<Runnable> whenDrawn) {
     /** What a component shows, which is never waited for. */
-    public ShownPicture(String name, JComponent shown, Supplier<String> svg) {
+    public ShownPicture(String name, JComponent shown, Supplier<SvgDrawing> svg) {
         this(name, () -> dotsOf(shown), svg, Runnable::run);
     }
 

@@ -13,6 +13,7 @@ import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
@@ -92,7 +93,7 @@ final class ClipStage extends JPanel implements AutoCloseable {
         chosen.focusPoint();
     }
 
-    String svg() {
+    SvgDrawing svg() {
         return SvgPicture.of(this, chosen, other);
     }
 

@@ -49,12 +49,12 @@ public final class ClosingDialog implements Closing.User {
 
     @Override
     public Optional<Path> place(UnsavedDraft draft) {
-        var chooser = new LastFolderChooser();
+        var chooser = new LastFolderChooser(texts.language());
         chooser.setName("closing.place");
         chooser.setDialogTitle(texts.text("closing.place", draft.exercise()));
         chooser.setSelectedFile(new File(draft.exercise() + ".java"));
         return chooser.showSaveDialog(window) == JFileChooser.APPROVE_OPTION
-                ? Optional.of(chooser.getSelectedFile().toPath())
+                ? Optional.of(chooser.chosen())
                 : Optional.empty();
     }
 

@@ -16,6 +16,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
@@ -65,7 +66,7 @@ final class CubeStage extends SelfDrawn {
     }
 
     /** What is shown, as an SVG document. */
-    String svg() {
+    SvgDrawing svg() {
         return SvgPicture.of(this, this::paintAll);
     }
 

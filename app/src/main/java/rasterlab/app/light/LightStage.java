@@ -20,6 +20,7 @@ import rasterlab.app.canvas.Plates;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
@@ -113,7 +114,7 @@ final class LightStage extends SelfDrawn implements Settling {
     }
 
     /** What is shown, as an SVG document with the pictures in it. */
-    String svg() {
+    SvgDrawing svg() {
         return SvgPicture.of(this, this::paintAll);
     }
 

@@ -4,7 +4,6 @@ import java.awt.Component;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import rasterlab.app.canvas.FileWriting;
 import rasterlab.app.canvas.LastFolderChooser;
@@ -80,12 +79,11 @@ final class LitSceneSaving {
 
     /** Asks for a file and opens it. */
     void open() {
-        var chooser = new LastFolderChooser();
+        var chooser = new LastFolderChooser(texts.language());
         chooser.setName("open.dialog");
         chooser.setDialogTitle(texts.text("scene.open.title"));
         chooser.setFileFilter(new FileNameExtensionFilter(texts.text("scene.files"), "json"));
-        if (chooser.showOpenDialog(parent) == JFileChooser.APPROVE_OPTION)
-            model.open(chooser.getSelectedFile().toPath());
+        chooser.toOpen(parent).ifPresent(model::open);
     }
 
     private void write(LightChoice choice, Path file, Consumer<LitSceneFile> then) {

@@ -15,6 +15,7 @@ import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelSet;
@@ -73,7 +74,7 @@ final class FigureStage extends JPanel implements AutoCloseable {
         shown().focusPoint();
     }
 
-    String svg() {
+    SvgDrawing svg() {
         return shown() == chart ? chart.svg() : pixels.svg();
     }
 

@@ -29,6 +29,7 @@ import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.canvas.Zooming;
@@ -200,8 +201,9 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     }
 
     /** What is shown, without the rings around the ends, as an SVG document. */
-    String svg() {
-        return SvgPicture.of(getWidth(), getHeight(), g -> frame(grid()).paint(g, () -> false));
+    SvgDrawing svg() {
+        LineFrame frame = frame(grid());
+        return SvgPicture.later(getWidth(), getHeight(), g -> frame.paint(g, () -> false));
     }
 
     private void show(BufferedImage image) {

@@ -3,7 +3,6 @@ package rasterlab.app.opengl;
 import java.awt.Component;
 import java.nio.file.Path;
 import java.util.Optional;
-import javax.swing.JFileChooser;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import rasterlab.app.canvas.LastFolderChooser;
 import rasterlab.app.language.Texts;
@@ -18,14 +17,12 @@ final class ImageChooser {
      * @param above the dialog comes up above it
      */
     static Optional<Path> ask(Component above, Texts texts) {
-        var chooser = new LastFolderChooser();
+        var chooser = new LastFolderChooser(texts.language());
         chooser.setName("image.chooser");
         chooser.setDialogTitle(texts.text("open.title"));
         chooser.setFileFilter(
                 new FileNameExtensionFilter(
                         texts.text("open.images"), "png", "jpg", "jpeg", "gif", "bmp"));
-        return chooser.showOpenDialog(above) == JFileChooser.APPROVE_OPTION
-                ? Optional.of(chooser.getSelectedFile().toPath())
-                : Optional.empty();
+        return chooser.toOpen(above);
     }
 }

@@ -20,6 +20,7 @@ import javax.swing.KeyStroke;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.Settling;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
@@ -159,7 +160,7 @@ final class OpenGlStage extends JPanel implements Settling {
     }
 
     /** The fields as an SVG document: the pictures as pictures, the calls as text. */
-    String svg() {
+    SvgDrawing svg() {
         return SvgPicture.of(this, this::print);
     }
 

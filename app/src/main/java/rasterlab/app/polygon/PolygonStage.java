@@ -14,6 +14,7 @@ import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.language.Texts;
 
 /** The picture of the chosen method, and beside it that of a second one. */
@@ -69,7 +70,7 @@ final class PolygonStage extends JPanel implements AutoCloseable {
         shown().chosen().focusPoint();
     }
 
-    String svg() {
+    SvgDrawing svg() {
         return shown().svg();
     }
 

@@ -12,6 +12,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 
@@ -52,7 +53,7 @@ final class RowStage extends SelfDrawn implements Settling {
     }
 
     /** What is shown, as an SVG document. */
-    String svg() {
+    SvgDrawing svg() {
         return SvgPicture.of(this, this::paintAll);
     }
 

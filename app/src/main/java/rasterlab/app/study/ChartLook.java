@@ -59,6 +59,7 @@ public record ChartLook(Color ground, Color ink) {
     /** The chart as an SVG document. */
     public byte[] svg(Consumer<Graphics2D> chart) {
         return SvgPicture.of(WIDTH, HEIGHT, graphics -> draw(chart, graphics))
+                .document()
                 .getBytes(StandardCharsets.UTF_8);
     }
 

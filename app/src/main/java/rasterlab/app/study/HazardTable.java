@@ -23,6 +23,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 import javax.swing.table.TableCellRenderer;
 import rasterlab.app.canvas.DevicePixels;
 import rasterlab.app.canvas.KeyBinding;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
@@ -90,7 +91,7 @@ final class HazardTable extends JTable {
     }
 
     /** The whole table with its names, as an SVG document. */
-    String svg() {
+    SvgDrawing svg() {
         Dimension whole = whole();
         return SvgPicture.of(whole.width, whole.height, this::printWhole);
     }

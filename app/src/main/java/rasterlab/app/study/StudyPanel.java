@@ -25,6 +25,7 @@ import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.RunButtons;
 import rasterlab.app.canvas.SaveChooser;
 import rasterlab.app.canvas.ShownPicture;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Study;
@@ -159,10 +160,10 @@ public final class StudyPanel extends LabPanel {
                 : ShownPicture.dotsOf(chart);
     }
 
-    private String svg() {
+    private SvgDrawing svg() {
         if (model.state().view() == StudyView.HAZARDS) return table.svg();
         Study study = model.state().study().orElseThrow();
-        return new String(StudyChart.svg(study, texts.language()), StandardCharsets.UTF_8);
+        return () -> new String(StudyChart.svg(study, texts.language()), StandardCharsets.UTF_8);
     }
 
     private String command() {

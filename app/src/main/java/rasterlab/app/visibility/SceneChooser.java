@@ -31,14 +31,12 @@ final class SceneChooser extends SaveChooser {
         this.texts = texts;
     }
 
-    /** The file to open; empty if none was chosen. */
-    Optional<Path> toOpen(Component parent) {
+    @Override
+    public Optional<Path> toOpen(Component parent) {
         setName("open.dialog");
         setFileFilter(opened(texts));
         addChoosableFileFilter(scenes(texts));
-        return showOpenDialog(parent) == APPROVE_OPTION
-                ? Optional.of(getSelectedFile().toPath())
-                : Optional.empty();
+        return super.toOpen(parent);
     }
 
     @Override

@@ -26,6 +26,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Complaints;
@@ -177,13 +178,17 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     }
 
     /** The chart, or the pictures with what lies over them, as an SVG document. */
-    String svg() {
+    SvgDrawing svg() {
         boolean charted = model.state().choice().view().isChart();
         return model.charts()
                 .chart()
                 .filter(chart -> charted)
-                .map(chart -> new String(chart.svg().get(), StandardCharsets.UTF_8))
+                .map(VisibilityStage::svg)
                 .orElseGet(() -> SvgPicture.of(this, this::paintAll));
+    }
+
+    private static SvgDrawing svg(ChartStudies.Chart chart) {
+        return () -> new String(chart.svg().get(), StandardCharsets.UTF_8);
     }
 
     /** As large as it fits, in the middle. */

@@ -76,6 +76,13 @@ class PictureChooserTest {
     }
 
     @Test
+    void nameThatTheSystemRefusesIsToldWithoutItsControlCharacter() {
+        chooser.setSelectedFile(new File(folder.toFile(), "ho\0use.png"));
+        chooser.approveSelection();
+        isRefused(folder.resolve("ho\uFFFDuse.png"), "the system allows no such file name");
+    }
+
+    @Test
     void folderUnderThatNameIsRefused() throws Exception {
         Path file = Files.createDirectory(folder.resolve("house.png"));
         choose("house");
@@ -110,6 +117,7 @@ class PictureChooserTest {
     @Test
     void nextDialogOpensInTheFolderOfTheLast() {
         choose("house");
-        assertEquals(folder.toFile(), new LastFolderChooser().getCurrentDirectory());
+        assertEquals(
+                folder.toFile(), new LastFolderChooser(Language.ENGLISH).getCurrentDirectory());
     }
 }

@@ -24,13 +24,13 @@ class PicturePairTest {
             pair.setSize(900, 400);
             pair.arrange(ALL, true);
             pair.doLayout();
-            String two = pair.svg();
+            String two = pair.svg().document();
             assertTrue(two.contains("first method"), two);
             assertTrue(two.contains("second method"), two);
             assertTrue(two.contains("width=\"900\""), two);
             pair.arrange(ALL, false);
             pair.doLayout();
-            String one = pair.svg();
+            String one = pair.svg().document();
             assertTrue(one.contains("first method"), one);
             assertFalse(one.contains("second method"), one);
         }

@@ -67,15 +67,16 @@ class PlaneRulersTest {
                         new Rectangle(44, 22, 400, 400),
                         axes);
         return SvgPicture.of(
-                444,
-                422,
-                g ->
-                        new PlaneRulers(
-                                        map,
-                                        new Dimension(444, 422),
-                                        StageColours.LIGHT,
-                                        FONT,
-                                        Locale.ENGLISH)
-                                .paintMargins(g));
+                        444,
+                        422,
+                        g ->
+                                new PlaneRulers(
+                                                map,
+                                                new Dimension(444, 422),
+                                                StageColours.LIGHT,
+                                                FONT,
+                                                Locale.ENGLISH)
+                                        .paintMargins(g))
+                .document();
     }
 }

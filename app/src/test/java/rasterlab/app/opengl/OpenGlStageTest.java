@@ -37,7 +37,7 @@ class OpenGlStageTest {
     void drawingHasEachPictureAndTheCallsAsText() throws InterruptedException {
         model.listen(state -> stage.refresh());
         OffscreenPainter.paint(stage, 640, 480);
-        String svg = stage.svg();
+        String svg = stage.svg().document();
         int pictures = model.state().pictures().openGl().isPresent() ? 3 : 1;
         assertEquals(pictures, svg.split("<image ", -1).length - 1, "pictures");
         for (String text : new String[] {"glBegin(", "Software"})

@@ -58,7 +58,7 @@ class HazardTableTest {
             var table = new HazardTable(model, Texts.of("study", Language.ENGLISH), () -> {});
             table.scroll();
             table.refresh();
-            String svg = table.svg();
+            String svg = table.svg().document();
             BufferedImage dots = table.dots();
             assertTrue(svg.contains("width=\"" + dots.getWidth() + "\""), dots.toString());
             assertTrue(svg.contains("height=\"" + dots.getHeight() + "\""), dots.toString());

@@ -41,7 +41,7 @@ class VisibilityStageTest {
     void drawingHasTheExactPictureAndWhatLiesOverIt() throws Exception {
         model.choose(choice -> choice.withComparison("z16"));
         OffscreenPainter.paint(stage, 240, 160);
-        String svg = stage.svg();
+        String svg = stage.svg().document();
         var images = IMAGE.matcher(svg);
         assertTrue(images.find(), svg);
         Raster picture = model.state().picture().orElseThrow().raster();
@@ -60,7 +60,7 @@ class VisibilityStageTest {
         model.choose(choice -> choice.withView(StageView.PRECISION));
         stage.refresh();
         OffscreenPainter.paint(stage, 240, 160);
-        String svg = stage.svg();
+        String svg = stage.svg().document();
         assertTrue(svg.contains(Texts.of("precision", Language.RUSSIAN).text("mark")), "a note");
         assertTrue(!svg.contains("<image"), "an image");
     }

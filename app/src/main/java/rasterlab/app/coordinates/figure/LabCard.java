@@ -16,6 +16,7 @@ import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.canvas.Steps;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Hazard;
@@ -48,7 +49,7 @@ public abstract class LabCard extends LabPanel {
      */
     protected final void addCopies(
             Supplier<? extends JComponent> picture,
-            Supplier<String> svg,
+            Supplier<SvgDrawing> svg,
             Supplier<Optional<String>> command,
             Consumer<Throwable> onFailure) {
         actions.addPicture(

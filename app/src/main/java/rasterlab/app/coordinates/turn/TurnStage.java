@@ -15,6 +15,7 @@ import rasterlab.app.canvas.PlaneEdits;
 import rasterlab.app.canvas.PlanePoint;
 import rasterlab.app.canvas.PlaneView;
 import rasterlab.app.canvas.Shown;
+import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.coordinates.figure.Box;
 import rasterlab.app.coordinates.figure.Figure;
@@ -106,12 +107,12 @@ final class TurnStage extends JPanel implements AutoCloseable {
     }
 
     /** The way and the chart, without the ring around the point, as an SVG document. */
-    String svg() {
+    SvgDrawing svg() {
         return SvgPicture.of(
                 getWidth(),
                 getHeight(),
                 g -> {
-                    if (way.isVisible()) SvgPicture.within(way.getBounds(), g, way::draw);
+                    if (way.isVisible()) SvgPicture.within(way.getBounds(), g, way.drawing());
                     if (chart.isVisible()) SvgPicture.within(chart.getBounds(), g, chart::draw);
                 });
     }

@@ -53,7 +53,7 @@ class DriftChartTest {
     @Test
     void pointWithoutErrorHasItsLevel() {
         DriftChart chart = chart(Language.ENGLISH, 440, 600);
-        String svg = SvgPicture.of(440, 600, chart::draw);
+        String svg = SvgPicture.of(440, 600, chart::draw).document();
         assertTrue(svg.contains(">0</text"), svg);
     }
 
