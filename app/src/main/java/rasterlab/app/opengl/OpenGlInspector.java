@@ -16,6 +16,7 @@ import javax.swing.text.DefaultCaret;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 import rasterlab.app.opengl.call.GlCall;
 import rasterlab.app.opengl.context.GlReport;
@@ -142,7 +143,9 @@ final class OpenGlInspector {
         column.showRow(file, images);
         open.setVisible(images);
         problem.setVisible(images && state.problem().isPresent());
-        write(problem, state.problem().map(this::said).orElse(""));
+        write(
+                problem,
+                state.problem().map(said -> Complaints.said(texts.language(), said)).orElse(""));
         file.setText(state.choice().file().map(image -> shortened(image.name())).orElse("–"));
         write(call, calls(state));
         compare(state);
@@ -190,10 +193,6 @@ final class OpenGlInspector {
         rounded.setText(found.map(c -> texts.text("pixels", c.rounded())).orElse("–"));
         largest.setText(found.map(c -> texts.text("levels", c.largest())).orElse("–"));
         write(why, reasons(state));
-    }
-
-    private String said(ImageProblem refusal) {
-        return texts.text("problem." + refusal.key(), refusal.said(texts.language()));
     }
 
     private String reasons(OpenGlLabState state) {

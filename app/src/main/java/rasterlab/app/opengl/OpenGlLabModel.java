@@ -292,7 +292,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         tell();
     }
 
-    private OpenGlLabState with(GlChoice choice, Optional<ImageProblem> problem, Setting touched) {
+    private OpenGlLabState with(GlChoice choice, Optional<String> problem, Setting touched) {
         List<GlCall> calls = List.of();
         if (width > 0) calls = FrameCalls.of(new GlFrame(choice, width, height, images.of(choice)));
         return new OpenGlLabState(

@@ -15,7 +15,7 @@ import rasterlab.engine.raster.Raster;
  * @param pictures the newest that are finished, maybe of an earlier choice
  * @param report what OpenGL says of itself, once a context was made
  * @param missing why there is no OpenGL, if there is none
- * @param problem with an image that the user gave
+ * @param problem with an image that the user gave, in English, with the path
  * @param touched the setting that was changed last
  */
 public record OpenGlLabState(
@@ -24,7 +24,7 @@ public record OpenGlLabState(
         Pictures pictures,
         Optional<GlReport> report,
         Optional<String> missing,
-        Optional<ImageProblem> problem,
+        Optional<String> problem,
         Setting touched) {
     /**
      * Pictures of one frame.

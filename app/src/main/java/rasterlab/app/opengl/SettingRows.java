@@ -9,6 +9,7 @@ import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.language.Texts;
 import rasterlab.app.opengl.state.Group;
 import rasterlab.app.opengl.state.Setting;
+import rasterlab.engine.texture.Texture;
 
 /** A drop-down list for each setting, of which those of one group are seen. */
 final class SettingRows {
@@ -63,9 +64,20 @@ final class SettingRows {
 
     /** OpenGL's names and numbers as they are, other words in the window's language. */
     private String said(Setting setting, String option) {
+        if (setting == Setting.SIZE && ofFile()) return ownSize();
         String key = "option." + setting.code() + "." + option.replace(':', '-');
         if (texts.has(key)) return texts.text(key);
         return texts.textOr("option." + option, option.replace(":", ", "));
+    }
+
+    /** Whether the texture is an image of the user's, whatever size the lab's own would have. */
+    private boolean ofFile() {
+        return model.state().choice().is(Setting.IMAGE, "file");
+    }
+
+    private String ownSize() {
+        Texture image = model.state().choice().file().orElseThrow().texture();
+        return image.width() + " × " + image.height();
     }
 
     /** Shows the present options, of one group only. */
@@ -75,8 +87,10 @@ final class SettingRows {
                     boolean shown = setting.group() == group;
                     if (chooser.isVisible() != shown) column.showRow(chooser, shown);
                     chooser.show(model.state().choice().get(setting));
-                    if (setting == Setting.SIZE)
-                        chooser.setEnabled(!model.state().choice().is(Setting.IMAGE, "file"));
+                    if (setting == Setting.SIZE) {
+                        chooser.setEnabled(!ofFile());
+                        chooser.repaint();
+                    }
                 });
     }
 }

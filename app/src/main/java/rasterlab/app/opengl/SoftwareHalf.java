@@ -11,6 +11,7 @@ import rasterlab.app.opengl.state.GlChoice.ImageTexture;
 import rasterlab.app.opengl.state.GlFrame;
 import rasterlab.app.opengl.state.Images;
 import rasterlab.app.opengl.state.Setting;
+import rasterlab.app.outcome.Complaint;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.texture.Texture;
 
@@ -34,27 +35,10 @@ public final class SoftwareHalf {
     /**
      * The image of a file as a texture.
      *
-     * @throws IllegalArgumentException naming the file and what is wrong with it
+     * @throws Complaint naming the file and what is wrong with it
      */
     public static ImageTexture image(Path file) {
-        ImageLoading loading = ImageLoading.of(file, Texture.LARGEST);
-        return loading.image()
-                .orElseThrow(
-                        () ->
-                                new IllegalArgumentException(
-                                        file + ": " + refusal(loading.problem().get())));
-    }
-
-    private static String refusal(ImageProblem problem) {
-        List<Object> arguments = problem.arguments();
-        return switch (problem.key()) {
-            case "unreadable" -> (String) arguments.get(1);
-            case "unknown" -> "is no PNG, JPEG, GIF or BMP image";
-            case "large" ->
-                    "has %s × %s pixels; a texture here has at most %s on a side"
-                            .formatted(arguments.get(1), arguments.get(2), arguments.get(3));
-            default -> "is a broken image: " + arguments.get(1);
-        };
+        return ImageLoading.image(file, Texture.LARGEST);
     }
 
     /** The shell command that draws it, in whatever folder it is run. */

@@ -5,14 +5,23 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Iterator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import rasterlab.engine.texture.Texture;
 
-/** Pictures that textures are made of: PNG and JPEG. */
+/** Pictures that textures are made of: PNG, JPEG, GIF and BMP, told by what is in the file. */
 public final class PictureFile {
+    private static final Set<String> FORMATS = Set.of("png", "jpeg", "gif", "bmp");
+
+    private static final String ALLOWED = "; allowed are whole pictures as PNG, JPEG, GIF or BMP";
+
     /** What the JPEG reader only warns of, and fills with grey. */
     private static final Pattern DAMAGED = Pattern.compile("Premature end|Corrupt");
 
@@ -22,42 +31,73 @@ public final class PictureFile {
      * Reads a picture; one that is too large is refused before its pixels are read.
      *
      * @return with the components of {@link PixelLevels#components}
-     * @throws Complaint if there is no such file, or it is no picture, broken or too large
+     * @throws Complaint naming the file, if there is no such file, or it is no picture, broken or
+     *     too large
      */
     public static Texture texture(Path file) {
-        BufferedImage image = read(file);
+        BufferedImage image = read(file, Texture.LARGEST);
+        return texture(image, PixelLevels.components(image));
+    }
+
+    /**
+     * The same in colour with alpha, whatever the file has.
+     *
+     * @param most pixels on a side
+     */
+    public static Texture rgba(Path file, int most) {
+        return texture(read(file, most), 4);
+    }
+
+    private static Texture texture(BufferedImage image, int components) {
         int width = image.getWidth();
         int height = image.getHeight();
         var texels = new int[width * height];
         for (int y = 0; y < height; y++)
             PixelLevels.row(image, y, texels, (height - 1 - y) * width);
-        return Texture.of(width, height, PixelLevels.components(image), texels);
+        return Texture.of(width, height, components, texels);
     }
 
-    private static BufferedImage read(Path file) {
+    private static BufferedImage read(Path file, int most) {
         FileToRead.require(file, FileKind.PICTURE);
+        if (file.toFile().length() == 0) throw refused(file, PictureFault.EMPTY);
         try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
-            Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
-            if (!readers.hasNext())
-                throw Complaint.badInput(file + ": is not a PNG or JPEG picture");
-            return read(file, readers.next(), in);
+            ImageReader reader =
+                    reader(in).orElseThrow(() -> refused(file, "is no picture that can be read"));
+            return read(file, reader, in, most);
         } catch (IOException | RuntimeException e) {
+            // Readers throw exceptions of all kinds at broken files.
             if (e instanceof Complaint complaint) throw complaint;
-            throw Complaint.badInput(file + ": is a broken picture: " + e.getMessage());
+            throw refused(file, PictureFault.of(file, e));
         }
     }
 
-    private static BufferedImage read(Path file, ImageReader reader, ImageInputStream in)
+    private static Complaint refused(Path file, String reason) {
+        return Complaint.badInput(file + ": " + reason + ALLOWED);
+    }
+
+    private static Optional<ImageReader> reader(ImageInputStream in) {
+        Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
+        while (readers.hasNext()) {
+            ImageReader reader = readers.next();
+            String[] names = reader.getOriginatingProvider().getFormatNames();
+            if (Stream.of(names).anyMatch(name -> FORMATS.contains(name.toLowerCase(Locale.ROOT))))
+                return Optional.of(reader);
+            reader.dispose();
+        }
+        return Optional.empty();
+    }
+
+    private static BufferedImage read(Path file, ImageReader reader, ImageInputStream in, int most)
             throws IOException {
         try {
             reader.setInput(in);
             int width = reader.getWidth(0);
             int height = reader.getHeight(0);
-            if (width > Texture.LARGEST || height > Texture.LARGEST)
+            if (width > most || height > most)
                 throw Complaint.badInput(
                         "%s: has %d×%d pixels; a texture has from 1×1 to %d×%d"
-                                .formatted(file, width, height, Texture.LARGEST, Texture.LARGEST));
-            var damage = new ArrayList<String>();
+                                .formatted(file, width, height, most, most));
+            List<String> damage = new ArrayList<>();
             reader.addIIOReadWarningListener(
                     (from, warning) -> {
                         if (DAMAGED.matcher(warning).find()) damage.add(warning);

@@ -38,22 +38,23 @@ public final class PngFile {
      */
     public static BufferedImage read(Path file, int width, int height) {
         FileToRead.require(file, FileKind.PICTURE);
-        if (file.toFile().length() == 0)
-            throw Complaint.badInput(file + ": the file is empty; expected a PNG picture");
+        if (file.toFile().length() == 0) throw refused(file, PictureFault.EMPTY);
         ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
         try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
             requireSignature(file, in);
             reader.setInput(in);
             requireSize(file, reader, width, height);
             return reader.read(0);
-        } catch (EOFException e) {
-            throw Complaint.badInput(file + ": is a broken PNG picture: it ends too early");
         } catch (IOException | RuntimeException e) {
             if (e instanceof Complaint complaint) throw complaint;
-            throw Complaint.badInput(file + ": is a broken PNG picture: " + e.getMessage());
+            throw refused(file, PictureFault.of(file, e));
         } finally {
             reader.dispose();
         }
+    }
+
+    private static Complaint refused(Path file, String reason) {
+        return Complaint.badInput(file + ": " + reason + "; expected a whole PNG picture");
     }
 
     /** Tells a cut-off signature from another file's start, which not every Java's reader does. */

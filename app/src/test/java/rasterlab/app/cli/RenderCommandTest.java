@@ -183,7 +183,7 @@ class RenderCommandTest {
                 mistake("outlines of wires", "--outline needs faces", WIRE, "--outline"),
                 mistake("up of a scene", "--up is for a model", "--up=y"),
                 mistake("texture is missing", "no such file", "--texture-image=no.png"),
-                mistake("texture is text", "not a PNG or JPEG", "--texture-image=pom.xml"),
+                mistake("texture is text", "is no picture", "--texture-image=pom.xml"),
                 mistake("other picture is missing", "no such file to read", "--diff=no.png"),
                 mistake("other picture is a folder", "is a folder", "--diff=."),
                 mistake("other picture is text", "is not a PNG picture", "--diff=pom.xml"));
@@ -223,10 +223,10 @@ class RenderCommandTest {
 
     static Stream<Arguments> broken() {
         return Stream.of(
-                argumentSet("empty file is broken", 0, "the file is empty; expected a PNG"),
-                argumentSet("sign is cut", 5, "is a broken PNG picture: it ends too early"),
-                argumentSet("header is cut", 20, "is a broken PNG picture: "),
-                argumentSet("pixels are cut", 1 << 20, "is a broken PNG picture: "));
+                argumentSet("empty file is broken", 0, "the file is empty; expected a whole PNG"),
+                argumentSet("sign is cut", 5, "the picture is cut off"),
+                argumentSet("header is cut", 20, "the picture is cut off"),
+                argumentSet("pixels are cut", 1 << 20, "the picture is cut off"));
     }
 
     @Test

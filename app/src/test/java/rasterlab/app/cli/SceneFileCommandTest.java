@@ -199,7 +199,7 @@ class SceneFileCommandTest {
                 "'look': {'textureImage': '../x.png'} | $.look.textureImage: '../x.png' leads out",
                 "'look': {'textureImage': '.'} | $.look.textureImage: FOLDER: is a folder, not a picture",
                 "'look': {'textureImage': 'one.scene.json'} | $.look.textureImage: FOLDER/one.scene"
-                        + ".json: is not a PNG",
+                        + ".json: is no picture",
             })
     void namesThePlace(String said, String complaint) throws Exception {
         String file =

@@ -13,7 +13,11 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javax.imageio.ImageIO;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JTextArea;
+import javax.swing.ListCellRenderer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.DisplayName;
@@ -57,6 +61,17 @@ class OpenGlInspectorTest {
                 .orElseThrow();
     }
 
+    private static String shown(JComboBox<?> list) {
+        return shownBy(list, list.getSelectedItem());
+    }
+
+    @SuppressWarnings("unchecked")
+    private static String shownBy(JComboBox<?> list, Object item) {
+        var renderer = (ListCellRenderer<Object>) list.getRenderer();
+        var label = renderer.getListCellRendererComponent(new JList<>(), item, -1, false, false);
+        return ((JLabel) label).getText();
+    }
+
     private int place(String name) {
         return inspector.column().getComponentZOrder(named(name));
     }
@@ -67,10 +82,13 @@ class OpenGlInspectorTest {
         byte[] begun = {
             (byte) 0x89, 'P', 'N', 'G', 13, 10, 26, 10, 0, 0, 0, 13, 'I', 'H', 'D', 'R'
         };
-        open(Files.write(folder.resolve("half.png"), begun));
+        Path file = Files.write(folder.resolve("half.png"), begun);
+        open(file);
         assertTrue(named("problem").isVisible(), "not in sight");
         assertEquals(
-                "The image half.png is broken or cut short.",
+                file
+                        + ": the picture is cut off: the file ends too early; allowed are whole"
+                        + " pictures as PNG, JPEG, GIF or BMP",
                 ((JTextArea) named("problem")).getText());
         assertEquals(place("open") + 1, place("problem"));
     }
@@ -82,6 +100,7 @@ class OpenGlInspectorTest {
         ImageIO.write(new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
         open(file);
         assertFalse(named("size").isEnabled());
+        assertEquals("4 × 2", shown((JComboBox<?>) named("size")));
         assertFalse(named("problem").isVisible(), "a word of a problem that there is not");
     }
 }

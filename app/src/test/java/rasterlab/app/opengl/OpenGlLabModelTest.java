@@ -18,8 +18,8 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
 import rasterlab.app.opengl.call.GlCall;
 import rasterlab.app.opengl.context.GlReport;
 import rasterlab.app.opengl.software.Deviations;
@@ -186,7 +186,7 @@ class OpenGlLabModelTest {
         assertEquals(before, model.kept());
     }
 
-    private ImageProblem problemWith(Path file) throws InterruptedException {
+    private String problemWith(Path file) throws InterruptedException {
         model.open(file);
         model.settle();
         assertEquals(GlChoice.first(), model.state().choice());
@@ -199,33 +199,32 @@ class OpenGlLabModelTest {
         var bytes = new java.io.ByteArrayOutputStream();
         ImageIO.write(new BufferedImage(40, 40, BufferedImage.TYPE_INT_RGB), "png", bytes);
         Files.write(file, java.util.Arrays.copyOf(bytes.toByteArray(), 45));
-        assertEquals("broken", problemWith(file).key());
-        assertEquals("half.png", model.state().problem().orElseThrow().arguments().get(0));
+        String problem = problemWith(file);
+        assertTrue(problem.startsWith(file + ": the picture is cut off"), problem);
     }
 
     @Test
     void fileThatIsNoImageIsNamed(@TempDir Path folder) throws IOException, InterruptedException {
         Path file = Files.writeString(folder.resolve("notes.txt"), "no picture at all");
-        assertEquals("unknown", problemWith(file).key());
+        String problem = problemWith(file);
+        assertTrue(problem.startsWith(file + ": is no picture that can be read"), problem);
     }
 
     @Test
     void folderAndMissingFileAreNamed(@TempDir Path folder) throws InterruptedException {
-        assertEquals("unreadable", problemWith(folder).key());
-        assertEquals("unreadable", problemWith(folder.resolve("none.png")).key());
+        assertEquals(folder + ": is a folder, not a picture", problemWith(folder));
+        Path none = folder.resolve("none.png");
+        assertEquals(none + ": no such file to read", problemWith(none));
     }
 
     @Test
     void pipeIsNotWaitedFor(@TempDir Path folder) throws Exception {
         Path pipe = Pipe.at(folder.resolve("pipe.png"));
-        ImageProblem problem = problemWith(pipe);
+        String problem = problemWith(pipe);
+        assertEquals(pipe + ": is a device, pipe or socket, not a picture", problem);
         assertEquals(
-                List.of("pipe.png", "is a device, pipe or socket, not a picture"),
-                problem.arguments());
-        assertEquals(
-                "Изображение pipe.png: это устройство, канал или сокет, а не рисунок.",
-                Texts.of("opengl", Language.RUSSIAN)
-                        .text("problem." + problem.key(), problem.said(Language.RUSSIAN)));
+                pipe + ": это устройство, канал или сокет, а не рисунок",
+                Complaints.said(Language.RUSSIAN, problem));
     }
 
     /** In every order of the two choices. */
@@ -251,7 +250,8 @@ class OpenGlLabModelTest {
         model.drawn(model.frame().orElseThrow(), new Raster(64, 48), REPORT);
         Path file = folder.resolve("wide.png");
         ImageIO.write(new BufferedImage(65, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
-        assertEquals(List.of("wide.png", 65, 2, 64), problemWith(file).arguments());
+        assertEquals(
+                file + ": has 65×2 pixels; a texture has from 1×1 to 64×64", problemWith(file));
     }
 
     @Test

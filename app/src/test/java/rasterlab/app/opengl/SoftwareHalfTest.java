@@ -168,9 +168,9 @@ class SoftwareHalfTest {
     @ParameterizedTest(name = "the complaint does not tell what is wrong: {0}")
     @CsvSource({
         "folder, 'is a folder, not a picture'",
-        "text, 'is no PNG, JPEG, GIF or BMP image'",
-        "cut, is a broken image",
-        "wide, has 9000 × 1 pixels"
+        "text, is no picture that can be read",
+        "cut, the picture is cut off",
+        "wide, has 9000×1 pixels"
     })
     void tellsWhatIsWrongWithAnImage(String kind, String part) throws IOException {
         Path file = folder.resolve(kind);

@@ -14,6 +14,7 @@ import java.awt.image.WritableRaster;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Random;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.DisplayName;
@@ -21,10 +22,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.texture.Texture;
 
 class PictureFileTest {
+    private static final String ALLOWED = "; allowed are whole pictures as PNG, JPEG, GIF or BMP";
+    private static final String CUT = ": the picture is cut off: the file ends too early" + ALLOWED;
+
     @TempDir Path folder;
 
     private Path written(String format, int type, int width, int height) throws Exception {
@@ -98,13 +103,10 @@ class PictureFileTest {
         Path part = folder.resolve("part.png");
         byte[] whole = Files.readAllBytes(written("png", BufferedImage.TYPE_INT_RGB, 9, 9));
         Files.write(part, Arrays.copyOf(whole, 40));
-        var refusal = assertThrows(Complaint.class, () -> PictureFile.texture(part));
-        assertTrue(
-                refusal.getMessage().startsWith(part + ": is a broken picture"),
-                refusal.getMessage());
+        assertMessage(part, part + CUT);
         assertMessage(folder, folder + ": is a folder, not a picture");
         Path empty = Files.createFile(folder.resolve("empty.png"));
-        assertMessage(empty, empty + ": is not a PNG or JPEG picture");
+        assertMessage(empty, empty + ": the file is empty" + ALLOWED);
     }
 
     @Test
@@ -113,10 +115,46 @@ class PictureFileTest {
         Path part = folder.resolve("part.jpg");
         byte[] whole = Files.readAllBytes(written("jpg", BufferedImage.TYPE_INT_RGB, 400, 300));
         Files.write(part, Arrays.copyOf(whole, whole.length - 300));
-        var refusal = assertThrows(Complaint.class, () -> PictureFile.texture(part));
-        assertTrue(
-                refusal.getMessage().startsWith(part + ": is a broken picture"),
-                refusal.getMessage());
+        assertMessage(part, part + CUT);
+    }
+
+    @ParameterizedTest(name = "a cut-off picture is told in Java''s words: {0}, {1} % of it")
+    @CsvSource({
+        "png, 30", "png, 70", "png, 98", "jpg, 5", "jpg, 30", "jpg, 70", "jpg, 98", "gif, 30",
+        "gif, 70", "gif, 98", "bmp, 5", "bmp, 30", "bmp, 70", "bmp, 98"
+    })
+    void refusesWhatIsCutOff(String format, int percent) throws Exception {
+        Path whole = noisy(format);
+        byte[] bytes = Files.readAllBytes(whole);
+        PictureFile.texture(whole);
+        Path part = folder.resolve("part");
+        Files.write(part, Arrays.copyOf(bytes, bytes.length * percent / 100));
+        assertMessage(part, part + CUT);
+    }
+
+    private Path noisy(String format) throws Exception {
+        var image = new BufferedImage(60, 50, BufferedImage.TYPE_INT_RGB);
+        var random = new Random(1);
+        for (int k = 0; k < 60 * 50; k++) image.setRGB(k % 60, k / 60, random.nextInt(1 << 24));
+        Path file = folder.resolve("noisy." + format);
+        assertTrue(ImageIO.write(image, format, file.toFile()), "no writer");
+        return file;
+    }
+
+    @Test
+    @DisplayName("a damaged picture is told in Java's words")
+    void refusesWhatIsDamaged() throws Exception {
+        byte[] bytes = Files.readAllBytes(noisy("png"));
+        for (int k = 200; k < 260; k++) bytes[k] ^= 0x55;
+        Path damaged = Files.write(folder.resolve("damaged.png"), bytes);
+        assertMessage(damaged, damaged + ": the picture is damaged" + ALLOWED);
+    }
+
+    @Test
+    @DisplayName("a file that begins as some rare kind of picture is read as one")
+    void refusesOtherKinds() throws Exception {
+        Path wbmp = Files.write(folder.resolve("two"), new byte[] {0, 0, 2, 2, 0, 0});
+        assertMessage(wbmp, wbmp + ": is no picture that can be read" + ALLOWED);
     }
 
     private static void assertMessage(Path file, String message) {
