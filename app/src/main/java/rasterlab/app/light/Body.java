@@ -3,6 +3,7 @@ package rasterlab.app.light;
 import com.fasterxml.jackson.annotation.JsonCreator;
 import com.fasterxml.jackson.annotation.JsonIgnore;
 import com.fasterxml.jackson.annotation.JsonProperty;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import rasterlab.contract.VertexNormals;
@@ -20,7 +21,12 @@ import rasterlab.engine.scene.catalogue.Scenes;
  * @param normals {@value #OWN}, or a method of topic {@code vertex-normals}
  * @param opened the scene of a file; kept as long as the program runs
  */
-record Body(String name, int detail, String normals, @JsonIgnore Optional<Scene> opened) {
+record Body(String name, int detail, String normals, @JsonIgnore Optional<OpenedScene> opened) {
+    /**
+     * @param file where it was read from, an absolute path
+     */
+    record OpenedScene(Path file, Scene scene) {}
+
     /** Normals as the scene has them: those of its surface. */
     static final String OWN = "own";
 
@@ -37,9 +43,9 @@ record Body(String name, int detail, String normals, @JsonIgnore Optional<Scene>
         this(name, detail, normals, Optional.empty());
     }
 
-    /** A scene of a file of that name. */
-    static Body opened(String file, Scene scene) {
-        return new Body(file, COARSEST, OWN, Optional.of(scene));
+    static Body opened(Path file, Scene scene) {
+        var opened = new OpenedScene(file.toAbsolutePath(), scene);
+        return new Body(String.valueOf(file.getFileName()), COARSEST, OWN, Optional.of(opened));
     }
 
     Body withNormals(String other) {
@@ -58,7 +64,7 @@ record Body(String name, int detail, String normals, @JsonIgnore Optional<Scene>
 
     /** Its faces with their normals; takes long for many faces. */
     Scene scene() {
-        if (opened.isPresent()) return smoothed(opened.get());
+        if (opened.isPresent()) return smoothed(opened.get().scene());
         if (TopicBodies.has(name)) return smoothed(TopicBodies.scene(name));
         Scene scene = hasDetail() ? Scenes.named(name, detail) : Scenes.named(name);
         return smoothed(scene);

@@ -11,6 +11,7 @@ import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.KeptFile;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.canvas.Unlike;
@@ -36,13 +37,17 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     /** What undo brings back. */
     record Chosen(LightChoice light, boolean colours, ColourChoice colour) {}
 
-    /** A file to open over what was shown. */
-    private record Asked(Path file, LightChoice before) {}
+    /**
+     * A file to open over what was shown.
+     *
+     * @param back whether only its body is, which an earlier run has shown
+     */
+    private record Asked(Path file, LightChoice before, boolean back) {}
 
     /**
      * @param opened empty where there is a problem
      */
-    private record Answer(Path file, Optional<OpenedLitScene> opened, String problem) {}
+    private record Answer(Asked asked, Optional<OpenedLitScene> opened, String problem) {}
 
     /** The body drawn last; only the worker's thread uses it. */
     private record Made(Body body, Scene scene) {}
@@ -52,6 +57,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private final PictureMaker maker;
     private final History<Chosen> history = new History<>(this::chosen, this::show);
     private final List<Consumer<LightLabState>> listeners = new ArrayList<>();
+    private final KeptFile<LitFile> keptFile;
     private final RowLabModel rows;
     private Optional<Made> made = Optional.empty();
     private Optional<LitSceneFile> saved = Optional.empty();
@@ -92,20 +98,34 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
                         (asked, cancelled) -> opened(asked),
                         (asked, answer) -> events.execute(() -> accept(answer)),
                         onFailure);
+        keptFile =
+                new KeptFile<>(
+                        LitFile.class,
+                        () -> LitFile.of(state().choice().body()),
+                        () -> state().choice().body(),
+                        this::read);
     }
 
     private static Answer opened(Asked asked) {
         try {
-            OpenedLitScene scene = OpenedLitScene.read(asked.file(), asked.before());
-            return new Answer(asked.file(), Optional.of(scene), "");
+            OpenedLitScene scene =
+                    asked.back()
+                            ? OpenedLitScene.again(asked.file(), asked.before())
+                            : OpenedLitScene.read(asked.file(), asked.before());
+            return new Answer(asked, Optional.of(scene), "");
         } catch (Complaint complaint) {
-            return new Answer(asked.file(), Optional.empty(), complaint.getMessage());
+            return new Answer(asked, Optional.empty(), complaint.getMessage());
         }
     }
 
     /** Opens a scene file; what goes wrong, or is not shown of it, is told in the state. */
-    void open(Path file) {
-        files.ask(new Asked(file, state.choice()));
+    public void open(Path file) {
+        files.ask(new Asked(file, state.choice(), false));
+    }
+
+    private boolean read(LitFile kept) {
+        kept.file().ifPresent(file -> files.ask(new Asked(file, state.choice(), true)));
+        return kept.file().isPresent();
     }
 
     private LightFrame.Drawn drawn(LightFrame frame, BooleanSupplier cancelled) {
@@ -288,8 +308,13 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         show(choice);
     }
 
+    /** Whose body is shown; brought back after the choice itself. */
+    public Kept<LitFile> keptFile() {
+        return keptFile;
+    }
+
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
-    void settle() throws InterruptedException {
+    public void settle() throws InterruptedException {
         files.settle();
         pictures.settle();
         rows.settle();
@@ -326,16 +351,32 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     private void accept(Answer answer) {
+        if (answer.asked().back()) {
+            keptFile.awaited().ifPresent(kept -> bringBack(kept, answer));
+            return;
+        }
         if (answer.opened().isEmpty()) {
             publish(state.choice(), state.drawn(), answer.problem());
             return;
         }
         OpenedLitScene scene = answer.opened().get();
-        if (scene.whole()) saved = Optional.of(new LitSceneFile(answer.file(), scene.choice()));
+        if (scene.whole())
+            saved = Optional.of(new LitSceneFile(answer.asked().file(), scene.choice()));
         history.remember();
         show(new Chosen(scene.choice(), false, state.colour()));
         String notes = String.join("; ", scene.notes());
-        if (!notes.isEmpty()) publish(state.choice(), state.drawn(), answer.file() + ": " + notes);
+        if (!notes.isEmpty())
+            publish(state.choice(), state.drawn(), answer.asked().file() + ": " + notes);
+    }
+
+    private void bringBack(LitFile kept, Answer answer) {
+        if (answer.opened().isPresent()) {
+            Body body = answer.opened().get().choice().body().withNormals(kept.normals());
+            show(new Chosen(state.choice().with(body), state.colours(), state.colour()));
+            return;
+        }
+        String instead = "; the scene " + state.choice().body().name() + " is shown instead";
+        publish(state.choice(), state.drawn(), answer.problem() + instead);
     }
 
     private void publish(LightChoice choice, Optional<LightFrame.Drawn> drawn, String problem) {

@@ -91,6 +91,16 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
         return new OpenedLitScene(next, List.copyOf(notes), inline && notes.isEmpty());
     }
 
+    /**
+     * The body of a file alone, in the light of the choice.
+     *
+     * @throws Complaint naming the file and the place in it
+     */
+    static OpenedLitScene again(Path file, LightChoice before) {
+        Body body = body(file, SceneText.view(file).source(), before.body().detail());
+        return new OpenedLitScene(before.with(body), List.of(), false);
+    }
+
     private static LightChoice zoomed(LightChoice choice, double zoom, List<String> notes) {
         double shown = Math.max(LightChoice.SMALLEST, Math.min(LightChoice.LARGEST, zoom));
         if (shown != zoom) notes.add("zoom is %s, not the file's %s".formatted(shown, zoom));
@@ -104,7 +114,7 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
             var body = new Body(named.name(), listed ? steps : detail, Body.OWN);
             if (listed && named.detail().isPresent() || !body.hasDetail()) return body;
         }
-        return Body.opened(file.getFileName().toString(), source.scene());
+        return Body.opened(file, source.scene());
     }
 
     private static LightChoice dressed(LightChoice choice, Scene scene, List<String> notes) {

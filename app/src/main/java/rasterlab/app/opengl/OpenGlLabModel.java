@@ -10,6 +10,7 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.KeptFile;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.opengl.OpenGlLabState.Pictures;
 import rasterlab.app.opengl.call.FrameCalls;
@@ -35,7 +36,8 @@ import rasterlab.engine.texture.Texture;
 public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     private final Executor events;
     private final LatestOnly<Question, Answer> pictures;
-    private final LatestOnly<Path, ImageLoading> files;
+    private final LatestOnly<Asked, ImageLoading> files;
+    private final KeptFile<KeptImage> keptImage;
     private final History<GlChoice> history =
             new History<>(() -> state().choice(), choice -> draw(choice, state().touched()));
     private final List<Consumer<OpenGlLabState>> listeners = new ArrayList<>();
@@ -46,6 +48,11 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     private int width;
     private int height;
     private OpenGlLabState state;
+
+    /**
+     * @param back whether an earlier run has shown it
+     */
+    private record Asked(Path file, boolean back) {}
 
     /**
      * @param openGl the picture that OpenGL's window has drawn already; empty where the model draws
@@ -73,9 +80,15 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         files =
                 new LatestOnly<>(
                         "image",
-                        (file, cancelled) -> ImageLoading.of(file, textureLimit()),
-                        (file, loading) -> events.execute(() -> accept(loading)),
+                        (asked, cancelled) -> ImageLoading.of(asked.file(), textureLimit()),
+                        (asked, loading) -> events.execute(() -> accept(asked, loading)),
                         onFailure);
+        keptImage =
+                new KeptFile<>(
+                        KeptImage.class,
+                        () -> KeptImage.of(state().choice()),
+                        () -> List.of(state().choice().get(Setting.IMAGE), state().choice().file()),
+                        this::read);
         state =
                 new OpenGlLabState(
                         GlChoice.first(),
@@ -165,7 +178,9 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         Raster.checkSize(newWidth, newHeight);
         width = newWidth;
         height = newHeight;
-        draw(state.choice(), state.touched());
+        state = with(state.choice(), state.problem(), state.touched());
+        tell();
+        ask();
     }
 
     /**
@@ -205,7 +220,12 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
 
     /** Makes an image file the texture; what is wrong with it is in the state then. */
     public void open(Path file) {
-        files.ask(file);
+        files.ask(new Asked(file, false));
+    }
+
+    private boolean read(KeptImage kept) {
+        kept.file().ifPresent(file -> files.ask(new Asked(file, true)));
+        return kept.file().isPresent();
     }
 
     public void beginDrag() {
@@ -242,6 +262,11 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     @Override
     public void bringBack(GlChoice choice) {
         draw(choice, Setting.SCENE);
+    }
+
+    /** The user's image; brought back after the choice itself. */
+    public Kept<KeptImage> keptImage() {
+        return keptImage;
     }
 
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
@@ -283,12 +308,28 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
                 missing);
     }
 
-    private void accept(ImageLoading loading) {
+    private void accept(Asked asked, ImageLoading loading) {
+        if (asked.back()) {
+            keptImage.awaited().ifPresent(kept -> bringBack(kept, loading));
+            return;
+        }
         if (loading.image().isPresent()) {
             change(state.choice().withFile(loading.image().get()), Setting.IMAGE);
             return;
         }
         state = with(state.choice(), loading.problem(), Setting.IMAGE);
+        tell();
+    }
+
+    private void bringBack(KeptImage kept, ImageLoading loading) {
+        GlChoice choice = state.choice();
+        if (loading.image().isPresent()) {
+            draw(choice.withFile(loading.image().get(), kept.shown()), state.touched());
+            return;
+        }
+        Optional<String> problem =
+                loading.problem().map(said -> said + "; an image of the lab is shown instead");
+        state = with(choice, problem, Setting.IMAGE);
         tell();
     }
 

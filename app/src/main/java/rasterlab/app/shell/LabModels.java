@@ -118,6 +118,7 @@ public final class LabModels implements AutoCloseable {
                 held -> new VisibilityLabModel(PictureMaker.by(new Renderer()), held, onFailure),
                 (model, kept) -> {
                     kept.put("visibility", model);
+                    kept.put("visibility.files", model.keptFiles());
                     kept.put("visibility.rows", model.rows());
                     kept.put("visibility.rows.open", model.rows().keptOpen());
                 },
@@ -130,6 +131,7 @@ public final class LabModels implements AutoCloseable {
                 held -> new LightLabModel(held, onFailure),
                 (model, kept) -> {
                     kept.put("light", model);
+                    kept.put("light.file", model.keptFile());
                     kept.put("light.rows", model.rows());
                     kept.put("light.rows.open", model.rows().keptOpen());
                 },
@@ -152,7 +154,10 @@ public final class LabModels implements AutoCloseable {
         return lab(
                 "opengl",
                 held -> new OpenGlLabModel(held, onFailure),
-                (model, kept) -> kept.put("opengl", model),
+                (model, kept) -> {
+                    kept.put("opengl", model);
+                    kept.put("opengl.image", model.keptImage());
+                },
                 OpenGlLabModel::close);
     }
 

@@ -36,8 +36,18 @@ final class SceneFiles {
      * A file to read, or to write.
      *
      * @param saved what is written; empty for a file to be read
+     * @param back what is read of an earlier run; empty for a file that the user opens
      */
-    record Task(Path file, Optional<VisibilityChoice> saved) {}
+    record Task(Path file, Optional<VisibilityChoice> saved, Optional<OpenedFiles.View> back) {
+        Task(Path file, Optional<VisibilityChoice> saved) {
+            this(file, saved, Optional.empty());
+        }
+
+        static Task of(OpenedFiles.View back) {
+            Path first = back.scene().or(back::picture).orElseThrow();
+            return new Task(first, Optional.empty(), Optional.of(back));
+        }
+    }
 
     /**
      * @param change what an opened file makes of the choice
@@ -47,6 +57,7 @@ final class SceneFiles {
 
     static Answer done(Task task) {
         try {
+            if (task.back.isPresent()) return new Answer(broughtBack(task.back.get()), "");
             if (task.saved.isEmpty()) return new Answer(opened(task.file), "");
             save(task.file, task.saved.get());
             return new Answer(choice -> choice, "");
@@ -57,12 +68,20 @@ final class SceneFiles {
         }
     }
 
+    private static boolean isScene(Path file) {
+        return lowerCase(file).endsWith(SceneText.EXTENSION);
+    }
+
+    private static String lowerCase(Path file) {
+        return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+    }
+
     private static UnaryOperator<VisibilityChoice> opened(Path file) {
-        String name = file.getFileName().toString().toLowerCase(Locale.ROOT);
-        if (name.endsWith(SceneText.EXTENSION)) return seen(file, SceneText.view(file));
+        String name = lowerCase(file);
+        if (isScene(file)) return seen(file, SceneText.view(file));
         if (name.endsWith(MODEL)) {
-            Scene model = ModelFile.read(file, UpAxis.Z, note -> {});
-            return choice -> choice.with(SceneChoice.opened(file, model));
+            SceneChoice model = model(file);
+            return choice -> choice.with(model);
         }
         if (!name.matches(".*\\.(png|jpg|jpeg)"))
             throw Complaint.badInput(
@@ -74,11 +93,39 @@ final class SceneFiles {
         return choice -> choice.with(choice.shown().covered(file, texture), choice.camera());
     }
 
+    private static SceneChoice model(Path file) {
+        Scene model = ModelFile.read(file, UpAxis.Z, note -> {});
+        return SceneChoice.opened(file, model);
+    }
+
+    private static SceneChoice held(Path file, SceneSource source) {
+        return source instanceof SceneSource.ByName named && named.detail().isEmpty()
+                ? SceneChoice.named(named.name())
+                : SceneChoice.opened(file, source.scene());
+    }
+
+    /** As it was seen, which need not be as a scene file says. */
+    private static UnaryOperator<VisibilityChoice> broughtBack(OpenedFiles.View view) {
+        Optional<SceneChoice> own =
+                view.scene()
+                        .map(
+                                file ->
+                                        isScene(file)
+                                                ? held(file, SceneText.view(file).source())
+                                                : model(file));
+        Optional<Texture> texture = view.picture().map(PictureFile::texture);
+        return choice -> {
+            SceneChoice scene = own.orElse(choice.shown());
+            if (texture.isPresent()) scene = scene.covered(view.picture().get(), texture.get());
+            VisibilityChoice next =
+                    choice.with(scene, view.camera()).withZoom(view.zoom()).with(view.look());
+            next.plain(2, 1); // Refuses what cannot be drawn so.
+            return next;
+        };
+    }
+
     private static UnaryOperator<VisibilityChoice> seen(Path file, SceneView view) {
-        SceneChoice held =
-                view.source() instanceof SceneSource.ByName named && named.detail().isEmpty()
-                        ? SceneChoice.named(named.name())
-                        : SceneChoice.opened(file, view.source().scene());
+        SceneChoice held = held(file, view.source());
         SceneChoice found = SceneText.laid(file, view.settings(), held::covered).orElse(held);
         return choice -> {
             try {

@@ -11,6 +11,7 @@ import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.KeptFile;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.row.RowLabModel;
@@ -40,6 +41,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
             new History<>(() -> state().choice(), this::draw);
     private final FrameTimes times = new FrameTimes();
     private final List<Consumer<VisibilityLabState>> listeners = new ArrayList<>();
+    private final KeptFile<OpenedFiles> keptFiles;
     private final ChartStudies charts;
     private final RowLabModel rows;
     private Optional<Frame> compared = Optional.empty();
@@ -83,8 +85,14 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
                 new LatestOnly<>(
                         "scene file",
                         (task, cancelled) -> SceneFiles.done(task),
-                        (task, answer) -> events.execute(() -> accept(answer)),
+                        (task, answer) -> events.execute(() -> accept(task, answer)),
                         onFailure);
+        keptFiles =
+                new KeptFile<>(
+                        OpenedFiles.class,
+                        () -> OpenedFiles.of(state().choice()),
+                        () -> state().choice().shown(),
+                        opened -> opened.read(view -> files.ask(SceneFiles.Task.of(view))));
     }
 
     public VisibilityLabState state() {
@@ -259,7 +267,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     /** Opens a scene, a model or a texture; what goes wrong is told in the state. */
-    void open(Path file) {
+    public void open(Path file) {
         files.ask(new SceneFiles.Task(file, Optional.empty()));
     }
 
@@ -283,6 +291,11 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     public void bringBack(VisibilityChoice choice) {
         choice.plain(1, 1); // Refuses unknown names.
         draw(choice);
+    }
+
+    /** What of the user's files is shown; brought back after the choice itself. */
+    public Kept<OpenedFiles> keptFiles() {
+        return keptFiles;
     }
 
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
@@ -365,12 +378,17 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         if (still) publish(state.with(Optional.of(found)));
     }
 
-    private void accept(SceneFiles.Answer answer) {
-        publish(state.withProblem(answer.problem()));
+    private void accept(SceneFiles.Task task, SceneFiles.Answer answer) {
+        boolean back = task.back().isPresent();
+        if (back && keptFiles.awaited().isEmpty()) return;
+        String instead = back ? "; the scene " + state.choice().scene() + " is shown instead" : "";
+        String problem = answer.problem();
+        publish(state.withProblem(problem.isEmpty() ? "" : problem + instead));
         try {
-            choose(answer.change());
+            if (back) draw(answer.change().apply(state.choice()));
+            else choose(answer.change());
         } catch (IllegalArgumentException e) {
-            publish(state.withProblem(e.getMessage()));
+            publish(state.withProblem(e.getMessage() + instead));
         }
     }
 

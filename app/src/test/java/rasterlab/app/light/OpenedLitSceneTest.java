@@ -238,4 +238,47 @@ class OpenedLitSceneTest {
         return Files.writeString(
                 folder.resolve("one.scene.json"), "{\"version\": 1, \"scene\": " + scene + "}");
     }
+
+    private static final String RING = "{\"version\": 1, \"scene\": \"torus\", \"detail\": 100}";
+
+    private void restarted(LightLabModel next) {
+        next.bringBack(model.kept());
+        next.keptFile().bringBack(model.keptFile().kept());
+        thread.settle(next::settle);
+    }
+
+    @Test
+    @DisplayName("the body of a file, or its normals, are gone after a restart")
+    void bodyOfAFileComesBack() throws IOException {
+        Path file = Files.writeString(folder.resolve("ring.scene.json"), RING);
+        model.open(file);
+        thread.settle(model::settle);
+        model.choose(choice -> choice.with(choice.body().withNormals("angle")).zoomed(1.25));
+        try (var next = new LightLabModel(thread, failures::add)) {
+            restarted(next);
+            LightChoice opened = next.state().choice();
+            assertEquals("ring.scene.json", opened.body().name());
+            assertEquals("angle", opened.body().normals());
+            assertEquals(model.state().choice().zoom(), opened.zoom());
+            assertEquals(model.keptFile().kept(), next.keptFile().kept());
+            assertFalse(next.history().undoable());
+        }
+    }
+
+    @Test
+    @DisplayName("a scene file that is broken by the next start is not told")
+    void bodyOfTheLabStandsForABrokenFile() throws IOException {
+        Path file = Files.writeString(folder.resolve("ring.scene.json"), RING);
+        model.open(file);
+        thread.settle(model::settle);
+        Files.writeString(file, "{");
+        try (var next = new LightLabModel(thread, failures::add)) {
+            restarted(next);
+            assertEquals("sphere", next.state().choice().body().name());
+            String problem = next.state().problem();
+            assertTrue(problem.startsWith(file + ": "), problem);
+            assertTrue(problem.endsWith("; the scene sphere is shown instead"), problem);
+            assertEquals(LitFile.NONE, next.keptFile().kept());
+        }
+    }
 }

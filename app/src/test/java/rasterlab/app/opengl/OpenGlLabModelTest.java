@@ -186,6 +186,43 @@ class OpenGlLabModelTest {
         assertEquals(before, model.kept());
     }
 
+    @Test
+    @DisplayName("an opened image, or that it is not the texture, is forgotten at a restart")
+    void imageComesBackAsItWasUsed(@TempDir Path folder) throws IOException, InterruptedException {
+        Path file = folder.resolve("flag.png");
+        ImageIO.write(new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
+        model.open(file);
+        model.settle();
+        model.set(Setting.TEXTURE_2D, "off");
+        for (String image : List.of("file", "checker")) {
+            model.set(Setting.IMAGE, image);
+            try (var next = new OpenGlLabModel(this::locked, failures::add)) {
+                locked(() -> next.bringBack(model.kept()));
+                locked(() -> next.keptImage().bringBack(model.keptImage().kept()));
+                next.settle();
+                GlChoice opened = next.state().choice();
+                assertEquals(model.state().choice().options(), opened.options());
+                assertEquals(file.toAbsolutePath(), opened.file().orElseThrow().file());
+                assertEquals(model.keptImage().kept(), next.keptImage().kept());
+                assertFalse(next.history().undoable());
+            }
+        }
+    }
+
+    @Test
+    @DisplayName("an image that is gone is not told, or only until the window has its size")
+    void imageThatIsGoneIsNamed(@TempDir Path folder) throws IOException, InterruptedException {
+        Path file = folder.resolve("flag.png");
+        locked(() -> model.keptImage().bringBack(new KeptImage(Optional.of(file), true)));
+        model.settle();
+        model.resize(64, 48);
+        String problem = model.state().problem().orElseThrow();
+        assertEquals(
+                file + ": no such file to read; an image of the lab is shown instead", problem);
+        assertEquals(GlChoice.first(), model.state().choice());
+        assertEquals(Setting.IMAGE, model.state().touched());
+    }
+
     private String problemWith(Path file) throws InterruptedException {
         model.open(file);
         model.settle();

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,12 +17,14 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.clip.ClipMode;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
@@ -36,6 +39,10 @@ import rasterlab.contract.SplineEnds;
 import rasterlab.engine.line.Segment;
 
 class LabsFileTest {
+    /** What is kept of files that the user opened. */
+    private static final Set<String> OF_FILES =
+            Set.of("visibility.files", "light.file", "opengl.image");
+
     @TempDir Path folder;
     private final List<String> problems = new ArrayList<>();
     private final List<Throwable> failures = new ArrayList<>();
@@ -46,8 +53,60 @@ class LabsFileTest {
         Map<String, Object> left = shown(LabsFileTest::changeAll, false);
         Map<String, Object> opened = shown(models -> {}, true);
         assertEquals(left, opened);
+        left.keySet().removeAll(OF_FILES);
         left.forEach((name, choice) -> assertNotEquals(first.get(name), choice, name));
         assertEquals(List.of(), problems);
+    }
+
+    @Test
+    @DisplayName("a scene or an image of the user's is forgotten at the next start")
+    void openedFilesAreOpenedAgain() throws IOException, InterruptedException {
+        Path scene =
+                Files.writeString(
+                        folder.resolve("ring.scene.json"),
+                        "{\"version\": 1, \"scene\": \"torus\", \"detail\": 100}");
+        Path image = folder.resolve("a flag №1.png");
+        ImageIO.write(new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", image.toFile());
+        Map<String, Object> first = shown(models -> {}, false);
+        var left = new TreeMap<String, Object>();
+        settled(
+                models -> {
+                    models.visibility().open(scene);
+                    models.light().open(scene);
+                    models.opengl().open(image);
+                },
+                models -> {
+                    left.putAll(choices(models));
+                    save(models);
+                });
+        for (String name : OF_FILES) assertNotEquals(first.get(name), left.get(name), name);
+        settled(
+                models -> {
+                    load(file(), models);
+                    assertEquals(left, choices(models), "before the files are read");
+                },
+                models -> {
+                    assertEquals(left, choices(models));
+                    assertEquals(scene.getFileName().toString(), shownScene(models));
+                });
+        assertEquals(List.of(), problems);
+        assertEquals(List.of(), failures);
+    }
+
+    private static String shownScene(LabModels models) {
+        return models.visibility().state().choice().scene();
+    }
+
+    private void settled(Consumer<LabModels> before, Consumer<LabModels> after)
+            throws InterruptedException {
+        var thread = new ModelThread();
+        try (LabModels models = LabModels.first(thread, failures::add)) {
+            before.accept(models);
+            thread.settle(models.visibility()::settle);
+            thread.settle(models.light()::settle);
+            thread.settle(models.opengl()::settle);
+            after.accept(models);
+        }
     }
 
     /** Scenes with NaN, infinities and repeated points among them. */

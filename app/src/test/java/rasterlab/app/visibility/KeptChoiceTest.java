@@ -1,17 +1,21 @@
 package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
 import rasterlab.engine.raster.Raster;
 
 class KeptChoiceTest {
@@ -55,10 +59,7 @@ class KeptChoiceTest {
     void keepsWhatDoesNotDependOnTheFile(@TempDir Path folder) throws IOException {
         choose();
         VisibilityChoice vase = model.state().choice();
-        Path file =
-                Files.writeString(
-                        folder.resolve("tent.obj"),
-                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+        Path file = tent(folder);
         open(file);
         model.look(
                 Cameras.turned(
@@ -86,5 +87,98 @@ class KeptChoiceTest {
         ImageIO.write(new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
         open(file);
         assertEquals(globe, model.kept());
+    }
+
+    private Path tent(Path folder) throws IOException {
+        return Files.writeString(
+                folder.resolve("tent.obj"),
+                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    }
+
+    /** As at the next start. */
+    private VisibilityChoice restarted(VisibilityLabModel next) {
+        next.bringBack(model.kept());
+        next.keptFiles().bringBack(model.keptFiles().kept());
+        return next.state().choice();
+    }
+
+    private VisibilityLabModel next() {
+        return new VisibilityLabModel(
+                (request, cancelled) -> new Raster(request.width(), request.height()),
+                thread,
+                failure -> {
+                    throw new AssertionError(failure);
+                });
+    }
+
+    @Test
+    @DisplayName("a model from a file, or its camera, is gone after a restart")
+    void modelOfAFileComesBackAsItWasSeen(@TempDir Path folder) throws IOException {
+        choose();
+        open(tent(folder));
+        model.turn(0.3, 0.1);
+        model.choose(choice -> choice.zoomed(1.5));
+        VisibilityChoice left = model.state().choice();
+        try (VisibilityLabModel next = next()) {
+            restarted(next);
+            assertEquals(model.keptFiles().kept(), next.keptFiles().kept(), "closed too soon");
+            thread.settle(next::settle);
+            VisibilityChoice opened = next.state().choice();
+            assertEquals("tent.obj", opened.scene());
+            assertEquals(left.camera(), opened.camera());
+            assertEquals(left.zoom(), opened.zoom());
+            assertEquals(left.look(), opened.look());
+            assertEquals(left.visibility(), opened.visibility());
+            assertFalse(next.history().undoable(), "opening is something to undo");
+            assertEquals(model.keptFiles().kept(), next.keptFiles().kept());
+            assertEquals("", next.state().problem());
+        }
+    }
+
+    @Test
+    @DisplayName("a picture on the lab's own scene is gone after a restart")
+    void pictureOnASceneComesBack(@TempDir Path folder) throws IOException {
+        model.choose(choice -> choice.withScene("globe"));
+        Path file = folder.resolve("flag.png");
+        ImageIO.write(new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
+        open(file);
+        try (VisibilityLabModel next = next()) {
+            restarted(next);
+            thread.settle(next::settle);
+            assertEquals(Optional.of(file), next.state().choice().shown().image());
+            assertEquals("globe", next.state().choice().scene());
+        }
+    }
+
+    @Test
+    @DisplayName("a file that is gone leaves the lab empty, or is asked for at every start")
+    void sceneOfTheLabStandsForAFileThatIsGone(@TempDir Path folder) throws IOException {
+        Path file = tent(folder);
+        open(file);
+        Files.delete(file);
+        try (VisibilityLabModel next = next()) {
+            VisibilityChoice inItsPlace = restarted(next);
+            thread.settle(next::settle);
+            assertEquals(inItsPlace, next.state().choice());
+            String problem = next.state().problem();
+            assertEquals(file + ": no such file to read; the scene vase is shown instead", problem);
+            assertEquals(
+                    file + ": такого файла нет; вместо неё показана сцена vase",
+                    Complaints.said(Language.RUSSIAN, problem));
+            assertEquals(OpenedFiles.NONE, next.keptFiles().kept());
+        }
+    }
+
+    @Test
+    @DisplayName("a file that is read late takes the place of what was chosen meanwhile")
+    void laterChoiceStays(@TempDir Path folder) throws IOException {
+        open(tent(folder));
+        try (VisibilityLabModel next = next()) {
+            restarted(next);
+            next.choose(choice -> choice.withScene("globe"));
+            assertEquals(OpenedFiles.NONE, next.keptFiles().kept());
+            thread.settle(next::settle);
+            assertEquals("globe", next.state().choice().scene());
+        }
     }
 }

@@ -112,6 +112,17 @@ public record GlChoice(
         return new GlChoice(next, turn, tilt, distance, Optional.of(image));
     }
 
+    /**
+     * The same with an image that was opened before, and all else as it is.
+     *
+     * @param shown whether it is the texture
+     */
+    public GlChoice withFile(ImageTexture image, boolean shown) {
+        var next = new EnumMap<>(options);
+        if (shown) next.put(Setting.IMAGE, "file");
+        return new GlChoice(next, turn, tilt, distance, Optional.of(image));
+    }
+
     /** The same with the lab's first image where a file is the texture. */
     public GlChoice withoutFile() {
         var next = new EnumMap<>(options);

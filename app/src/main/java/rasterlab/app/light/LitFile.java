@@ -1,0 +1,27 @@
+package rasterlab.app.light;
+
+import java.nio.file.Path;
+import java.util.Optional;
+
+/**
+ * The file of the body that is lit, as it is kept between runs: by its place, for it may be another
+ * one by then.
+ *
+ * @param file empty where the body is the lab's
+ * @param normals of the body, as in {@link Body}
+ */
+record LitFile(Optional<Path> file, String normals) {
+    static final LitFile NONE = new LitFile(Optional.empty(), Body.OWN);
+
+    LitFile {
+        if (!Body.NORMALS.contains(normals))
+            throw new IllegalArgumentException(
+                    "normals must be one of %s, got '%s'".formatted(Body.NORMALS, normals));
+    }
+
+    static LitFile of(Body body) {
+        return body.opened()
+                .map(scene -> new LitFile(Optional.of(scene.file()), body.normals()))
+                .orElse(NONE);
+    }
+}

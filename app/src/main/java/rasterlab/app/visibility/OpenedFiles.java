@@ -1,0 +1,55 @@
+package rasterlab.app.visibility;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Consumer;
+import rasterlab.engine.scene.catalogue.Scenes;
+import rasterlab.engine.transform.SphericalView;
+
+/**
+ * What of the user's files is shown, as it is kept between runs: by its place, for it may be
+ * another one by then.
+ *
+ * @param view empty where no name of the lab's scenes lacks anything
+ */
+record OpenedFiles(Optional<View> view) {
+    static final OpenedFiles NONE = new OpenedFiles(Optional.empty());
+
+    /**
+     * How a scene was seen, where a scene of the lab in its place is seen otherwise.
+     *
+     * @param scene the file of a scene or model; empty for a scene of the lab
+     * @param picture laid on its faces
+     */
+    record View(
+            Optional<Path> scene,
+            Optional<Path> picture,
+            SphericalView camera,
+            double zoom,
+            LookChoice look) {
+        View {
+            if (scene.isEmpty() && picture.isEmpty())
+                throw new IllegalArgumentException("neither a scene's file nor a picture's");
+        }
+    }
+
+    /** Gives what is to be read to who reads it; whether there is any. */
+    boolean read(Consumer<View> reader) {
+        view.ifPresent(reader);
+        return view.isPresent();
+    }
+
+    static OpenedFiles of(VisibilityChoice choice) {
+        SceneChoice shown = choice.shown();
+        boolean covered = shown.image().isPresent() && Scenes.names().contains(shown.name());
+        if (shown.file().isEmpty() && !covered) return NONE;
+        return new OpenedFiles(
+                Optional.of(
+                        new View(
+                                shown.file().map(Path::toAbsolutePath),
+                                shown.image().map(Path::toAbsolutePath),
+                                choice.camera(),
+                                choice.zoom(),
+                                choice.look())));
+    }
+}
