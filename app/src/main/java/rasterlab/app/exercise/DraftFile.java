@@ -131,6 +131,11 @@ final class DraftFile implements Closeable {
         return path(number);
     }
 
+    /** For what was said to the text. */
+    Path outcomePath() {
+        return folder.resolve(stem(exercise, number) + ".result.json");
+    }
+
     private Path path(int of) {
         return folder.resolve(stem(exercise, of) + ".java");
     }

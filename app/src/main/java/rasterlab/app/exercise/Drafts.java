@@ -72,6 +72,11 @@ final class Drafts implements AutoCloseable {
         return Optional.ofNullable(files.get(exercise)).map(DraftFile::path).filter(Files::exists);
     }
 
+    /** Where what was said to the exercise's text is; empty before that is opened. */
+    synchronized Optional<Path> outcomePath(String exercise) {
+        return Optional.ofNullable(files.get(exercise)).map(DraftFile::outcomePath);
+    }
+
     synchronized void save(String exercise, String text) {
         waiting.put(exercise, text);
         notifyAll();

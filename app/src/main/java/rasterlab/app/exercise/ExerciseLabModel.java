@@ -41,7 +41,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     private final Checking checking = new Checking();
     private final List<Consumer<ExerciseState>> listeners = new ArrayList<>();
     private final Map<String, String> sources = new HashMap<>();
-    private final Map<String, Outcome> outcomes = new HashMap<>();
+    private final Outcomes outcomes;
 
     /** What each submission that is not graded yet is called, by exercise and source. */
     private final Map<String, String> keys = new HashMap<>();
@@ -70,6 +70,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         this.patience = patience;
         this.events = events;
         background = new Background("exercise", events, onFailure);
+        outcomes = new Outcomes(id -> drafts.flatMap(held -> held.outcomePath(id)), events);
     }
 
     /**
@@ -88,30 +89,13 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     }
 
     private void open() {
-        drafts =
-                folder.map(
-                        kept ->
-                                new Drafts(
-                                        kept.resolve("drafts"),
-                                        saving -> events.execute(() -> accept(saving))));
-        Exercise first =
-                exercises().stream()
-                        .filter(one -> one.id().equals(chosen.exercise()))
-                        .findFirst()
-                        .orElse(exercises().get(0));
+        drafts = folder.map(kept -> new Drafts(kept.resolve("drafts"), this::told));
+        Exercise first = exercises.namedOrFirst(chosen.exercise());
         chosen = chosen.with(first.id());
-        state =
-                new ExerciseState(
-                        first,
-                        source(first),
-                        List.of(),
-                        Optional.empty(),
-                        Work.NONE,
-                        Notice.NONE,
-                        Notice.NONE,
-                        Optional.empty());
+        state = ExerciseState.of(first, source(first));
         state = changed().otherDrafts(others(first)).made();
         folder.ifPresent(this::loadAccount);
+        outcomes.read(first, outcome -> show(first, outcome));
     }
 
     private void loadAccount(Path kept) {
@@ -152,9 +136,10 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                 changed()
                         .exercise(next, source(next))
                         .otherDrafts(others(next))
-                        .outcome(Optional.ofNullable(outcomes.get(id)))
+                        .outcome(outcomes.of(next))
                         .notice(Notice.NONE)
                         .unsaved(unsaved(id)));
+        outcomes.read(next, outcome -> show(next, outcome));
     }
 
     /** Takes the text as the user has just left it, and keeps it. */
@@ -242,13 +227,19 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
      * @param name of the student
      */
     void join(String address, String code, String name) {
-        URI server;
+        server(address).ifPresent(server -> join(server, code, name));
+    }
+
+    private Optional<URI> server(String address) {
         try {
-            server = Account.server(address);
+            return Optional.of(Account.server(address));
         } catch (IllegalArgumentException e) {
             publish(changed().notice(Notice.of("server.address", address)));
-            return;
+            return Optional.empty();
         }
+    }
+
+    private void join(URI server, String code, String name) {
         String key = key(server + "\n" + code + "\n" + name);
         begin(
                 Work.of(JOINING),
@@ -261,11 +252,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     /** Submits with a token that the student has already. */
     void signIn(String address, String token) {
-        try {
-            use(new Account(Account.server(address), token.strip()));
-        } catch (IllegalArgumentException e) {
-            publish(changed().notice(Notice.of("server.address", address)));
-        }
+        server(address).ifPresent(server -> use(new Account(server, token.strip())));
     }
 
     private void use(Account account) {
@@ -349,8 +336,16 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     }
 
     private void accept(Exercise exercise, Outcome outcome) {
-        outcomes.put(exercise.id(), outcome);
+        outcomes.keep(exercise, outcome);
+        show(exercise, outcome);
+    }
+
+    private void show(Exercise exercise, Outcome outcome) {
         if (exercise.equals(state.exercise())) publish(changed().outcome(Optional.of(outcome)));
+    }
+
+    private void told(Drafts.Saving saving) {
+        events.execute(() -> accept(saving));
     }
 
     private void accept(Drafts.Saving saving) {
@@ -380,12 +375,14 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     /** Waits until every change so far is on the disk or told not to be. Any other thread. */
     void settle() throws InterruptedException {
         if (drafts.isPresent()) drafts.get().settle();
+        outcomes.settle();
     }
 
     /** Gives up what runs, and writes what is not written yet. */
     @Override
     public void close() {
         background.close(checking::close);
+        outcomes.close();
         drafts.ifPresent(Drafts::close);
     }
 

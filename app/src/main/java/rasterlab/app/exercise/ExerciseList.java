@@ -18,4 +18,8 @@ final class ExerciseList {
         if (read.isEmpty()) read = Optional.of(catalogue.get());
         return read.get();
     }
+
+    Exercise namedOrFirst(String id) {
+        return get().stream().filter(one -> one.id().equals(id)).findFirst().orElse(get().get(0));
+    }
 }

@@ -27,6 +27,19 @@ record ExerciseState(
         otherDrafts = List.copyOf(otherDrafts);
     }
 
+    /** Before anything was done. */
+    static ExerciseState of(Exercise exercise, String source) {
+        return new ExerciseState(
+                exercise,
+                source,
+                List.of(),
+                Optional.empty(),
+                Work.NONE,
+                Notice.NONE,
+                Notice.NONE,
+                Optional.empty());
+    }
+
     /** Whether the outcome speaks of the text as it is now. */
     boolean upToDate() {
         return outcome.filter(one -> one.source().equals(source)).isPresent();

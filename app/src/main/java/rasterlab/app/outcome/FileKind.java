@@ -14,6 +14,8 @@ public enum FileKind {
     SOURCE("a source", Grading.MOST_SOURCE_BYTES),
     /** A student's source as the window keeps it, finished or not. */
     DRAFT("a draft", 1 << 20),
+    /** What was said to a source, as the window keeps it, with pictures of all cases. */
+    RESULT("a result", 16 << 20),
     /** What the window keeps of itself. */
     SETTINGS("a settings file", 4 << 20);
 

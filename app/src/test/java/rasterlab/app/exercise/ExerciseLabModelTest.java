@@ -17,6 +17,7 @@ import rasterlab.app.canvas.ShellPath;
 import rasterlab.app.language.Language;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.score.GradingVerdict;
 
 @Timeout(120)
 class ExerciseLabModelTest {
@@ -65,6 +66,57 @@ class ExerciseLabModelTest {
         }
         try (var trial = new Trial(folder)) {
             assertEquals(FIRST_PIXEL, trial.state().source());
+        }
+    }
+
+    @Test
+    void resultOutlivesTheWindowAndIsToldAsOfAnOlderText() throws Exception {
+        Outcome told;
+        try (var trial = new Trial(folder)) {
+            trial.model.type(FIRST_PIXEL);
+            trial.model.check();
+            told = trial.awaitEnd().outcome().orElseThrow();
+        }
+        try (var trial = new Trial(folder)) {
+            ExerciseState state = trial.await("the result", each -> each.outcome().isPresent());
+            assertTrue(state.upToDate());
+            assertEquals(json(told), json(state.outcome().orElseThrow()));
+            trial.model.type(ENDLESS);
+            assertFalse(trial.state().upToDate());
+        }
+        try (var trial = new Trial(folder)) {
+            ExerciseState state = trial.await("the result", each -> each.outcome().isPresent());
+            assertFalse(state.upToDate());
+            assertEquals(FIRST_PIXEL, state.outcome().orElseThrow().source());
+        }
+    }
+
+    /** Pictures too, byte for byte. */
+    private String json(Outcome outcome) throws Exception {
+        Path file = folder.resolve("compared.json");
+        OutcomeFile.write(file, Catalogue.builtIn().all().get(0), outcome);
+        return Files.readString(file);
+    }
+
+    @Test
+    void resultThatIsBrokenOrOfOtherCasesIsNotShown() throws Exception {
+        Exercise exercise = Catalogue.builtIn().all().get(0);
+        Path file = folder.resolve("result.json");
+        OutcomeFile.write(file, exercise, ShownResult.outcome(GradingVerdict.WRONG));
+        assertTrue(OutcomeFile.read(file, exercise).isPresent());
+        String whole = Files.readString(file);
+        String ofOtherCases = whole.replaceFirst("\"cases\":\\[\"", "$0older-");
+        assertNotEquals(whole, ofOtherCases);
+        for (String broken :
+                List.of(
+                        ofOtherCases,
+                        "",
+                        "{",
+                        "null",
+                        whole.substring(9),
+                        whole.replace("100", "-1"))) {
+            Files.writeString(file, broken);
+            assertEquals(Optional.empty(), OutcomeFile.read(file, exercise), broken);
         }
     }
 

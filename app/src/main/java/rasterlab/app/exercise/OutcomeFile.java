@@ -1,0 +1,75 @@
+package rasterlab.app.exercise;
+
+import com.fasterxml.jackson.annotation.JsonAutoDetect.Visibility;
+import com.fasterxml.jackson.annotation.PropertyAccessor;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.datatype.jdk8.Jdk8Module;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.FileKind;
+import rasterlab.app.outcome.FileToRead;
+import rasterlab.app.outcome.WholeFile;
+import rasterlab.exercises.Exercise;
+
+/**
+ * What was last said to a source, in a file beside it: with the text that was tried, so that it is
+ * told where the text is another one by now.
+ */
+final class OutcomeFile {
+    private static final ObjectMapper MAPPER =
+            JsonMapper.builder()
+                    .addModule(new Jdk8Module())
+                    .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
+                    .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
+                    .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
+                    .visibility(PropertyAccessor.GETTER, Visibility.NONE)
+                    .visibility(PropertyAccessor.IS_GETTER, Visibility.NONE)
+                    .visibility(PropertyAccessor.FIELD, Visibility.ANY)
+                    .build();
+
+    /**
+     * @param cases names of the exercise's open cases at that time
+     */
+    private record Content(List<String> cases, Outcome outcome) {}
+
+    private OutcomeFile() {}
+
+    /**
+     * @throws Complaint if it cannot be written
+     */
+    static void write(Path file, Exercise exercise, Outcome outcome) {
+        try {
+            byte[] text = MAPPER.writeValueAsBytes(new Content(cases(exercise), outcome));
+            WholeFile.write(file, text);
+        } catch (JsonProcessingException e) {
+            throw new AssertionError("a record of texts and numbers", e);
+        }
+    }
+
+    /**
+     * What was kept; empty where that is nothing, nothing that can be used, or of other cases than
+     * the exercise has now: the next check says it anew.
+     */
+    static Optional<Outcome> read(Path file, Exercise exercise) {
+        if (FileToRead.obstacle(file, FileKind.RESULT).isPresent()) return Optional.empty();
+        try {
+            Content kept = MAPPER.readValue(Files.readAllBytes(file), Content.class);
+            return Optional.ofNullable(kept)
+                    .filter(one -> one.cases().equals(cases(exercise)))
+                    .map(Content::outcome);
+        } catch (IOException e) {
+            return Optional.empty();
+        }
+    }
+
+    private static List<String> cases(Exercise exercise) {
+        return TriedCase.untried(exercise).stream().map(TriedCase::name).toList();
+    }
+}
