@@ -39,7 +39,7 @@ public final class Actions extends JPanel {
         setLayout(grid);
         this.texts = texts;
         status.setVisible(false);
-        add(status, "south, hidemode 3, wmin 0, gap 4 10 6 0");
+        add(status, "south, hidemode 3, wmin 0, gap 2 12 6 0");
     }
 
     /**

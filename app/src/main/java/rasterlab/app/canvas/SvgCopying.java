@@ -12,7 +12,7 @@ final class SvgCopying {
     private SwingWorker<?, Void> running;
 
     /**
-     * @param onFailure told what could not be copied, on the event thread
+     * @param onFailure told what could not be copied, on any thread
      */
     SvgCopying(ShownPicture picture, Consumer<Throwable> onFailure) {
         this.picture = picture;
@@ -31,7 +31,17 @@ final class SvgCopying {
 
     private void take() {
         SvgDrawing drawing = picture.svg().get();
-        inBackground(drawing::document, document -> Copying.svg(document, onFailure));
+        inBackground(drawing::document, this::put);
+    }
+
+    /** The system's clipboard may be waited for longer than the window should be. */
+    private void put(String document) {
+        inBackground(
+                () -> {
+                    Copying.svg(document, onFailure);
+                    return document;
+                },
+                copied -> {});
     }
 
     /** What is copied after it stays on the clipboard. */
