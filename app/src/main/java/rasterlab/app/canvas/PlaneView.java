@@ -230,6 +230,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
                 map,
                 getWidth(),
                 getHeight(),
+                zoom.getBounds(),
                 DevicePixels.scale(this),
                 StageColours.now(),
                 PictureType.in(getSize()),
