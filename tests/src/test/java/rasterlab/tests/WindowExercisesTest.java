@@ -12,6 +12,8 @@ import java.util.List;
 import javax.swing.text.JTextComponent;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JOptionPaneFixture;
+import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
+import org.fife.ui.rsyntaxtextarea.TokenTypes;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -92,6 +94,22 @@ class WindowExercisesTest extends WindowHarness {
         String first = window.textBox("reason").text();
         press(KeyEvent.VK_UP);
         assertTrue(!window.textBox("reason").text().equals(first), first);
+    }
+
+    @Test
+    void sourceIsMeasuredInTheTypeThatItIsShownIn() {
+        show("line");
+        GuiActionRunner.execute(() -> frame.wear(frame.look().larger().larger()));
+        show("exercises");
+        var editor = window.textBox("source").targetCastedTo(RSyntaxTextArea.class);
+        int shown = GuiActionRunner.execute(() -> editor.getFont().getSize());
+        int measured =
+                GuiActionRunner.execute(
+                        () ->
+                                editor.getFontMetricsForTokenType(TokenTypes.IDENTIFIER)
+                                        .getFont()
+                                        .getSize());
+        assertEquals(shown, measured);
     }
 
     @Test

@@ -172,6 +172,19 @@ class WindowLightTest extends WindowHarness {
         window.button("player.play").click();
     }
 
+    @Test
+    void lampOfATabThatIsNotSeenGoesOnWhenItIsSeenAgain() {
+        GuiActionRunner.execute(() -> window.slider("player.speed").target().setValue(6));
+        window.button("player.play").click();
+        show("line");
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(LabTheme.DARK)));
+        GuiActionRunner.execute(() -> frame.speak(Language.RUSSIAN));
+        show("light");
+        awaitTheLampMoving();
+        assertEquals(6, number("player.speed"));
+        window.button("player.play").click();
+    }
+
     private void awaitTheLampMoving() {
         robot.waitForIdle();
         String before = text("player.count");

@@ -3,6 +3,7 @@ package rasterlab.app.canvas;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import javax.swing.JEditorPane;
 import javax.swing.text.DefaultCaret;
 import rasterlab.app.language.Language;
@@ -44,8 +45,44 @@ public final class AboutText extends JEditorPane {
      */
     public void show(
             Texts translations, String key, Method<?> method, String decision, String refusal) {
+        show(paragraphs(parts("", translations, key, method, decision, refusal)));
+    }
+
+    /**
+     * A method that no chooser beside the text names.
+     *
+     * @param name what it is called there
+     * @param translations texts {@code KEY.formula} and so on, where there are any
+     */
+    public record Called(String name, Texts translations, String key, Method<?> method) {}
+
+    /** Several methods, each by its name first. */
+    public void show(List<Called> methods) {
+        show(
+                methods.stream()
+                        .map(
+                                one ->
+                                        parts(
+                                                one.name(),
+                                                one.translations(),
+                                                one.key(),
+                                                one.method(),
+                                                "",
+                                                ""))
+                        .map(this::paragraphs)
+                        .collect(Collectors.joining("<p style='margin: 0 0 5 0'>&nbsp;</p>")));
+    }
+
+    private static Map<String, String> parts(
+            String name,
+            Texts translations,
+            String key,
+            Method<?> method,
+            String decision,
+            String refusal) {
         Method.About about = method.about();
         var parts = new LinkedHashMap<String, String>();
+        parts.put("method", name);
         parts.put("refusal", refusal);
         parts.put("formula", translated(translations, key, "formula", about.formula()));
         parts.put("decision", decision);
@@ -53,7 +90,7 @@ public final class AboutText extends JEditorPane {
         parts.put("cost", translated(translations, key, "cost", about.cost()));
         parts.put("failures", translated(translations, key, "failures", about.failures()));
         parts.put("source", translated(translations, key, "source", about.source()));
-        show(html(parts));
+        return parts;
     }
 
     /**
@@ -65,11 +102,12 @@ public final class AboutText extends JEditorPane {
         var parts = new LinkedHashMap<String, String>();
         for (String part : List.of("formula", "invariant", "cost", "failures", "source"))
             parts.put(part, texts.text("about." + part));
-        show(html(parts));
+        show(paragraphs(parts));
     }
 
     /** Shows a text unless it is shown already, so that a selection in it stays. */
-    private void show(String html) {
+    private void show(String paragraphs) {
+        String html = "<html><body>" + paragraphs + "</body></html>";
         if (html.equals(shown)) return;
         shown = html;
         setText(html);
@@ -80,8 +118,8 @@ public final class AboutText extends JEditorPane {
         return translations.textOr(key + "." + part, english);
     }
 
-    private String html(Map<String, String> parts) {
-        var html = new StringBuilder("<html><body>");
+    private String paragraphs(Map<String, String> parts) {
+        var html = new StringBuilder();
         parts.forEach(
                 (part, text) -> {
                     if (!text.isEmpty())
@@ -91,7 +129,7 @@ public final class AboutText extends JEditorPane {
                                 .append(escaped(text))
                                 .append("</p>");
                 });
-        return html.append("</body></html>").toString();
+        return html.toString();
     }
 
     private static String escaped(String text) {

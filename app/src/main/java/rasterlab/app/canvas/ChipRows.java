@@ -10,12 +10,12 @@ import java.util.function.IntConsumer;
 import javax.swing.JComponent;
 
 /**
- * A title and chips in rows that wrap at the container's width. Chips beyond a share of the height
- * of what holds the container are hidden; the last component then stands for them.
+ * A title and chips in rows that wrap at the container's width. Chips beyond two rows are hidden;
+ * the last component then stands for them.
  */
 final class ChipRows implements LayoutManager {
-    /** The most of the height around that chips may take. */
-    private static final double SHARE = 0.2;
+    /** More would take too much of the stage's height. */
+    private static final int MOST_ROWS = 2;
 
     private final int gap;
     private final JComponent more;
@@ -58,7 +58,7 @@ final class ChipRows implements LayoutManager {
     private List<Component> shown(Container parent, int width) {
         List<Component> chips = new ArrayList<>(List.of(parent.getComponents()));
         chips.remove(more);
-        int room = room(parent, chips);
+        int room = room(chips);
         if (flow(chips, width, false).height <= room) return chips;
         for (int kept = chips.size() - 1; kept > 0; kept--) {
             List<Component> some = new ArrayList<>(chips.subList(0, kept));
@@ -68,13 +68,9 @@ final class ChipRows implements LayoutManager {
         return chips;
     }
 
-    /** At least two rows. */
-    private int room(Container parent, List<Component> chips) {
+    private int room(List<Component> chips) {
         int row = chips.stream().mapToInt(chip -> chip.getPreferredSize().height).max().orElse(0);
-        Container around = parent.getParent();
-        while (around != null && !(around instanceof LabLayout)) around = around.getParent();
-        int share = around == null ? Integer.MAX_VALUE : (int) (SHARE * around.getHeight());
-        return Math.max(2 * row + gap, share);
+        return MOST_ROWS * (row + gap) - gap;
     }
 
     private Dimension flow(List<Component> components, int width, boolean place) {

@@ -2,8 +2,6 @@ package rasterlab.app.canvas;
 
 import java.awt.Component;
 import java.awt.Dimension;
-import java.awt.event.HierarchyBoundsAdapter;
-import java.awt.event.HierarchyEvent;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
@@ -41,13 +39,6 @@ public final class Chips extends JPanel {
         add(label);
         add(more);
         FlowRows.keepWrapped(this);
-        addHierarchyBoundsListener(
-                new HierarchyBoundsAdapter() {
-                    @Override
-                    public void ancestorResized(HierarchyEvent e) {
-                        if (e.getChanged() instanceof LabLayout) revalidate();
-                    }
-                });
     }
 
     /**

@@ -22,6 +22,7 @@ import java.util.stream.Stream;
  *
  * @param width of the stage in view units
  * @param height of the stage in view units
+ * @param covered by buttons over the picture, in view units
  * @param scale device dots per view unit
  * @param font of a label
  * @param note a sentence over the picture, "" for none
@@ -33,6 +34,7 @@ record PlaneFrame(
         PlaneMap map,
         int width,
         int height,
+        Rectangle covered,
         double scale,
         StageColours colours,
         Font font,
@@ -41,6 +43,9 @@ record PlaneFrame(
 
     /** Between a point and its label, for the ring around the point. */
     private static final int AWAY = 15;
+
+    /** From a point to the outer edge of its ring. */
+    private static final double RING = 10.5;
 
     /**
      * @throws CancellationException soon after {@code cancelled} says true
@@ -71,8 +76,11 @@ record PlaneFrame(
 
     /** A sentence over a picture, beside its rulers if it has any. */
     static StageNote note(PlanePicture picture, String said, Dimension stage, Font label) {
-        Rectangle inside = picture.ruled() ? Rulers.inside(stage) : new Rectangle(stage);
-        return new StageNote(said, inside, label);
+        return new StageNote(said, inside(picture, stage), label);
+    }
+
+    private static Rectangle inside(PlanePicture picture, Dimension stage) {
+        return picture.ruled() ? Rulers.inside(stage) : new Rectangle(stage);
     }
 
     private void paintGround(Graphics2D g) {
@@ -95,23 +103,35 @@ record PlaneFrame(
     }
 
     /**
-     * The label where it lies over no other point's ring and no label before it: where it should
-     * be, or else at another side of its point; where it should be if all are taken.
+     * The label where it lies over no point's ring, no label before it and no button: where it
+     * should be, or else at another side of its point; where it should be if all are taken.
      */
     private Label free(PlanePoint point, Label wanted, List<Label> before) {
         List<Rectangle> taken =
-                Stream.concat(
+                Stream.of(
                                 before.stream().map(Label::place),
                                 points.stream()
                                         .filter(other -> other != point && inSight(other))
-                                        .map(this::ring))
+                                        .map(this::ring),
+                                Stream.of(covered))
+                        .flatMap(places -> places)
                         .toList();
+        Rectangle inside = inside(picture, new Dimension(width, height));
         return Stream.concat(Stream.of(wanted.place), sides(ring(point), wanted.place))
-                .filter(place -> new Rectangle(width, height).contains(place))
+                .filter(inside::contains)
                 .filter(place -> taken.stream().noneMatch(place::intersects))
+                .filter(place -> !onItsRing(point, place))
                 .findFirst()
                 .map(place -> new Label(wanted.text, place))
                 .orElse(wanted);
+    }
+
+    private boolean onItsRing(PlanePoint point, Rectangle label) {
+        double radius = PictureType.scaled((float) RING);
+        double x = map.viewX(point.x());
+        double y = map.viewY(point.y());
+        return new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius)
+                .intersects(label);
     }
 
     /** Places of that size above, below and beside a ring, then off its corners. */
@@ -146,10 +166,13 @@ record PlaneFrame(
                 (int) (2 * away()));
     }
 
-    /** The places of labels and of the rings around points. */
+    /** The places of labels, of the rings around points and of buttons. */
     private List<Rectangle> taken(List<Label> labels) {
         Stream<Rectangle> rings = points.stream().filter(this::inSight).map(this::ring);
-        return Stream.concat(labels.stream().map(Label::place), rings).toList();
+        return Stream.of(labels.stream().map(Label::place), rings, Stream.of(covered))
+                .flatMap(places -> places)
+                .filter(place -> !place.isEmpty())
+                .toList();
     }
 
     private boolean inSight(PlanePoint point) {

@@ -231,6 +231,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
                 map,
                 getWidth(),
                 getHeight(),
+                zoom.getBounds(),
                 DevicePixels.scale(this),
                 StageColours.now(),
                 PictureType.in(getSize()),

@@ -18,6 +18,7 @@ import javax.accessibility.AccessibleRole;
 import javax.imageio.ImageIO;
 import javax.swing.Timer;
 import javax.swing.UIManager;
+import rasterlab.app.canvas.LargeType;
 import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.language.Texts;
@@ -147,6 +148,7 @@ final class CasePicture extends SelfDrawn {
 
     /** Smaller than usual where all names have room by that only. */
     private Font typeOfNames() {
+        if (LargeType.now() && getFont() != null && fit(getFont())) return getFont();
         Font usual = PictureType.in(getSize());
         Font smaller = usual.deriveFont(SMALLER * usual.getSize2D());
         return !fit(usual) && fit(smaller) ? smaller : usual;

@@ -2,6 +2,7 @@ package rasterlab.app.exercise;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
+import java.awt.Font;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -50,14 +51,21 @@ final class CaseTable extends JTable {
         getTableHeader().setReorderingAllowed(false);
         if (getTableHeader().getDefaultRenderer() instanceof JLabel head)
             head.setHorizontalAlignment(JLabel.LEADING);
-        var metrics = getFontMetrics(getFont());
-        setRowHeight(metrics.getHeight() + 6);
+        setFont(getFont());
         verdict = getColumnModel().getColumn(3);
         getSelectionModel()
                 .addListSelectionListener(
                         e -> {
                             if (!e.getValueIsAdjusting()) chosen.run();
                         });
+    }
+
+    /** Rows and head go with the type. */
+    @Override
+    public void setFont(Font type) {
+        super.setFont(type);
+        if (type != null) setRowHeight(getFontMetrics(type).getHeight() + 6);
+        if (getTableHeader() != null) getTableHeader().setFont(type);
     }
 
     /**

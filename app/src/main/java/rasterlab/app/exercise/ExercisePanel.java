@@ -89,9 +89,9 @@ public final class ExercisePanel extends LabPanel {
         notice.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.getAccessibleContext().setAccessibleName(texts.text("notice"));
         unsaved.setForeground(VerdictLook.colour("wrong"));
-        if (LargeType.now()) add(chooser("8 10 0 10"), BorderLayout.NORTH);
+        if (LargeType.now()) add(chooser("8 10 4 10"), BorderLayout.NORTH);
         result.setBorder(BorderFactory.createEmptyBorder(6, 10, 8, 10));
-        rooms = new Rooms(texts, task(), work(), result);
+        rooms = new Rooms(texts, kept.rooms(), task(), work(), result);
         add(rooms);
         keys();
         Runnable noState = model.listen(state -> refresh());
@@ -101,7 +101,8 @@ public final class ExercisePanel extends LabPanel {
                     place.close();
                     result.close();
                 };
-        if (model.state().outcome().isPresent()) rooms.show(Rooms.Room.RESULT);
+        if (model.state().outcome().isPresent() && kept.rooms().chosen().isEmpty())
+            rooms.show(Rooms.Room.RESULT);
     }
 
     private void goTo(Outcome.Remark remark) {

@@ -4,8 +4,10 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
+import java.awt.Font;
 import java.awt.Insets;
 import java.awt.LayoutManager;
+import java.util.function.Supplier;
 import javax.swing.JScrollPane;
 import javax.swing.UIManager;
 
@@ -30,35 +32,39 @@ final class ResultLayout implements LayoutManager {
     private final Container words;
     private final Component picture;
     private final Component guide;
+    private final Supplier<Font> type;
 
     /**
      * @param cases what scrolls the table
      * @param words the chosen case's reason, and the buttons
      * @param guide stands in place of words and picture while it is visible
+     * @param type that cases and words have then
      */
     ResultLayout(
             CaseTable table,
             JScrollPane cases,
             Container words,
             Component picture,
-            Component guide) {
+            Component guide,
+            Supplier<Font> type) {
         this.table = table;
         this.cases = cases;
         this.words = words;
         this.picture = picture;
         this.guide = guide;
+        this.type = type;
     }
 
     @Override
     public void layoutContainer(Container parent) {
-        int type = UIManager.getFont("Label.font").getSize();
+        int size = type.get().getSize();
         int width = parent.getWidth();
         int height = parent.getHeight();
         int gap = UIScale.scale(GAP);
         int bar = UIScale.scale(UIManager.getInt("ScrollBar.width")) + 2;
         int needed = table.needed() + bar;
-        int most = width - gap - BESIDE * type;
-        if (table.least() + bar > most && height >= ABOVE * type) {
+        int most = width - gap - BESIDE * size;
+        if (table.least() + bar > most && height >= ABOVE * size) {
             int left = (width - gap) * 2 / 5;
             int top = Math.min((height - gap) / 2, height - gap - heightOfWords(left));
             top = Math.max(top, ROWS * table.getRowHeight());

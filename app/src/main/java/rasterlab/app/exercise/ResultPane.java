@@ -102,20 +102,34 @@ final class ResultPane extends JPanel {
         words.setLayout(new MigLayout("insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][]"));
         var controls = new JPanel(new FlowRows(6));
         JLabel label = Controls.label("view", texts, view);
-        label.setPreferredSize(
-                new Dimension(label.getPreferredSize().width, view.getPreferredSize().height));
         controls.add(label);
         controls.add(view);
         controls.add(open);
         FlowRows.keepWrapped(controls);
         words.add(reason, "wmin 0");
         words.add(controls, "wmin 0");
-        var all = new JPanel(new ResultLayout(table, scroll, words, picture, guideScroll));
+        var all =
+                new JPanel(
+                        new ResultLayout(
+                                table, scroll, words, picture, guideScroll, () -> wear(label)));
         all.add(scroll);
         all.add(words);
         all.add(picture);
         all.add(guideScroll);
         return all;
+    }
+
+    /** The label lies in the middle of its row of buttons. */
+    private Font wear(JLabel label) {
+        Font type = ResultType.in(getSize());
+        if (type.equals(table.getFont()) && label.isPreferredSizeSet()) return type;
+        List.of(points, where, table, reason, label, view, open, picture)
+                .forEach(part -> part.setFont(type));
+        verdict.setFont(type.deriveFont(Font.BOLD));
+        label.setPreferredSize(null);
+        label.setPreferredSize(
+                new Dimension(label.getPreferredSize().width, view.getPreferredSize().height));
+        return type;
     }
 
     /**

@@ -34,11 +34,20 @@ final class Rooms extends JPanel {
     private final JComponent program;
     private final JComponent result;
     private final JTabbedPane tabs = new JTabbedPane();
-    private Room chosen = Room.STATEMENT;
+    private final transient RoomsKept kept;
 
-    Rooms(Texts texts, JComponent statement, JComponent program, JComponent result) {
+    /**
+     * @param kept how these rooms' like were left, and these are
+     */
+    Rooms(
+            Texts texts,
+            RoomsKept kept,
+            JComponent statement,
+            JComponent program,
+            JComponent result) {
         super(new BorderLayout());
         this.texts = texts;
+        this.kept = kept;
         this.statement = statement;
         this.program = program;
         this.result = result;
@@ -48,14 +57,16 @@ final class Rooms extends JPanel {
         add(split());
     }
 
+    /** None is selected while the tabs are made or taken away. */
     private void remember() {
-        if (tabs.getTabCount() == Room.values().length)
-            chosen = Room.values()[tabs.getSelectedIndex()];
+        int selected = tabs.getSelectedIndex();
+        if (selected >= 0 && tabs.getTabCount() == Room.values().length)
+            kept.choose(Room.values()[selected]);
     }
 
     /** Brings that part in sight. */
     void show(Room room) {
-        chosen = room;
+        kept.choose(room);
         if (!together()) tabs.setSelectedIndex(room.ordinal());
     }
 
@@ -79,7 +90,7 @@ final class Rooms extends JPanel {
             add(split());
             return;
         }
-        Room shown = chosen;
+        Room shown = kept.chosen().orElse(Room.STATEMENT);
         tabs.addTab(texts.text("room.statement"), statement);
         tabs.addTab(texts.text("room.program"), program);
         tabs.addTab(texts.text("room.result"), result);
@@ -95,7 +106,8 @@ final class Rooms extends JPanel {
         return both;
     }
 
-    private void divide(JSplitPane pane, double share, String name) {
+    private void divide(JSplitPane pane, double usual, String name) {
+        double share = kept.share(name, usual);
         pane.setName(name);
         pane.getAccessibleContext().setAccessibleName(texts.text(name));
         pane.setBorder(null);
@@ -104,6 +116,14 @@ final class Rooms extends JPanel {
         pane.getRightComponent().setMinimumSize(UIScale.scale(new Dimension(300, 140)));
         pane.getLeftComponent().setPreferredSize(scaled(share));
         pane.getRightComponent().setPreferredSize(scaled(1 - share));
+        pane.addPropertyChangeListener(
+                JSplitPane.DIVIDER_LOCATION_PROPERTY, e -> remember(pane, name));
+    }
+
+    private void remember(JSplitPane pane, String name) {
+        boolean beside = pane.getOrientation() == JSplitPane.HORIZONTAL_SPLIT;
+        int room = (beside ? pane.getWidth() : pane.getHeight()) - pane.getDividerSize();
+        if (room > 0) kept.divide(name, Math.min(1, (double) pane.getDividerLocation() / room));
     }
 
     /** Sizes in the ratio of the shares, so that the first layout divides by them too. */

@@ -129,6 +129,13 @@ final class SourceEditor extends JPanel {
             super(20, 60);
         }
 
+        /** Type that changed while no window had the editor is measured anew. */
+        @Override
+        public void addNotify() {
+            super.addNotify();
+            setFont(getFont());
+        }
+
         @Override
         public Graphics getGraphics() {
             Graphics own = super.getGraphics();

@@ -6,11 +6,17 @@ import javax.swing.JPanel;
 import rasterlab.app.language.Texts;
 
 /**
- * The one editor of a window. The panels of its languages and themes wear it in turn, so that
- * caret, selection, scroll and what can be undone outlive each of them. On the event thread.
+ * The one editor of a window, and how the rooms around it were left. The panels of its languages
+ * and themes wear it in turn, so that caret, selection, scroll and what can be undone outlive each
+ * of them. On the event thread.
  */
 public final class WindowEditor {
+    private final RoomsKept rooms = new RoomsKept();
     private Optional<SourceEditor> made = Optional.empty();
+
+    RoomsKept rooms() {
+        return rooms;
+    }
 
     SourceEditor of(ExerciseLabModel model) {
         if (made.isEmpty()) made = Optional.of(new SourceEditor(model::type));

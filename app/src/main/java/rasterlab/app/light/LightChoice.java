@@ -26,7 +26,7 @@ import rasterlab.engine.transform.SphericalView;
  * @param twoSided whether backs are lit by themselves
  * @param arrows whether normals are drawn
  * @param mach whether the profile shows what the eye reports
- * @param line the profile's ends and the point, as shares of the picture
+ * @param line the profile's ends and the point
  */
 record LightChoice(
         Body body,
@@ -48,7 +48,8 @@ record LightChoice(
     static final double LARGEST = 8;
 
     /**
-     * Places in the picture, each from 0 to 1, x to the right and y down.
+     * Places in front of the scene, as {@link MarkPlaces} has them: from 0 to 1 in the frame that
+     * every picture shows, x to the right and y down.
      *
      * @param fromX of the profile's first end
      * @param toX of its other end
@@ -79,7 +80,7 @@ record LightChoice(
                 true,
                 false,
                 true,
-                new Marks(0.1, 0.5, 0.9, 0.5, 0.4, 0.42));
+                new Marks(0.1, 0.5, 0.9, 0.5, 0.4, 0.37));
     }
 
     LightChoice with(Body other) {

@@ -76,28 +76,33 @@ record LightFrame(LightChoice choice, int width, int height) {
                 places,
                 arrows ? places.faceArrows() : new double[0],
                 arrows ? places.cornerArrows() : new double[0],
-                SeenPoint.at(view, column(choice.line().atX()), row(choice.line().atY()))
+                SeenPoint.at(view, column(), row())
                         .map(point -> PointReading.of(choice, view, point)));
     }
 
     private Picture profiled(ShadingMethod shading, Raster raster) {
         LightChoice.Marks line = choice.line();
+        MarkPlaces marks = marks();
         double[] brightness =
                 SeenBrightness.along(
                         raster,
-                        line.fromX() * (width - 1),
-                        line.fromY() * (height - 1),
-                        line.toX() * (width - 1),
-                        line.toY() * (height - 1),
+                        Math.min(width - 1, marks.x(line.fromX())),
+                        Math.min(height - 1, marks.y(line.fromY())),
+                        Math.min(width - 1, marks.x(line.toX())),
+                        Math.min(height - 1, marks.y(line.toY())),
                         SAMPLES);
         return new Picture(shading, raster, brightness, SeenBrightness.reported(brightness, REACH));
     }
 
-    private int column(double share) {
-        return (int) Math.max(0, Math.min(width - 1, Math.floor(share * width)));
+    private MarkPlaces marks() {
+        return new MarkPlaces(width, height);
     }
 
-    private int row(double share) {
-        return (int) Math.max(0, Math.min(height - 1, Math.floor(share * height)));
+    private int column() {
+        return (int) Math.min(width - 1, marks().x(choice.line().atX()));
+    }
+
+    private int row() {
+        return (int) Math.min(height - 1, marks().y(choice.line().atY()));
     }
 }

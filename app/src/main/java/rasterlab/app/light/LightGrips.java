@@ -31,10 +31,11 @@ final class LightGrips {
     /** The middle of a grip in view units from its picture's corner, kept inside the picture. */
     static Point2D at(LightGrip grip, LightFrame.Drawn drawn, LightChoice choice, Rectangle box) {
         LightChoice.Marks line = choice.line();
+        var places = new MarkPlaces(box.width, box.height);
         return switch (grip.kind()) {
-            case FROM -> new Point2D.Double(line.fromX() * box.width, line.fromY() * box.height);
-            case TO -> new Point2D.Double(line.toX() * box.width, line.toY() * box.height);
-            case POINT -> new Point2D.Double(line.atX() * box.width, line.atY() * box.height);
+            case FROM -> new Point2D.Double(places.x(line.fromX()), places.y(line.fromY()));
+            case TO -> new Point2D.Double(places.x(line.toX()), places.y(line.toY()));
+            case POINT -> new Point2D.Double(places.x(line.atX()), places.y(line.atY()));
             case LAMP -> {
                 double[] pixel = pixel(drawn, choice.lamps().get(grip.index()));
                 double scale = (double) drawn.width() / box.width;
@@ -73,12 +74,15 @@ final class LightGrips {
     /** Moves a grip to a place of the stage; a lamp keeps its depth. */
     void drag(LightGrip grip, Point view, StagePlan plan) {
         Rectangle box = plan.picture(plan.pictureAt(view.x));
-        double x = within((double) (view.x - box.x) / box.width);
-        double y = within((double) (view.y - box.y) / box.height);
         if (grip.kind() == LightGrip.Kind.LAMP) {
+            double x = within((double) (view.x - box.x) / box.width);
+            double y = within((double) (view.y - box.y) / box.height);
             moveLamp(grip.index(), x, y);
             return;
         }
+        var places = new MarkPlaces(box.width, box.height);
+        double x = places.markX(view.x - box.x);
+        double y = places.markY(view.y - box.y);
         model.choose(choice -> choice.with(moved(choice.line(), grip.kind(), x, y)));
     }
 

@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
@@ -30,6 +31,7 @@ final class LightInspector {
 
     private final LightLabModel model;
     private final Texts texts;
+    private final LightMethods methods;
     private final Inspector column;
     private final ModeRow mode;
     private final NameChooser body;
@@ -47,6 +49,7 @@ final class LightInspector {
     private LampControls lamps;
     private final FormulaView formula = new FormulaView("formula");
     private JLabel place;
+    private AboutText about;
 
     private record Setting(ToDoubleFunction<MaterialChoice> value, NumberSlider slider) {}
 
@@ -57,6 +60,7 @@ final class LightInspector {
     LightInspector(LightLabModel model, Texts texts) {
         this.model = model;
         this.texts = texts;
+        methods = new LightMethods(texts);
         column = new Inspector(texts);
         mode = new ModeRow(model, texts, column);
         body = bodies();
@@ -77,7 +81,12 @@ final class LightInspector {
 
     /** What the constructor leaves out, in the column's order, as {@link LabPanel#parts}. */
     List<Runnable> sections() {
-        return List.of(this::addFormula, this::addLamps, this::addMaterial, this::addTerms);
+        return List.of(
+                this::addFormula,
+                this::addLamps,
+                this::addMaterial,
+                this::addTerms,
+                this::addAbout);
     }
 
     private void addFormula() {
@@ -133,6 +142,12 @@ final class LightInspector {
         column.row("ambient", ambient);
         localViewer = box("localViewer", on -> model.choose(c -> c.withLocalViewer(on)));
         twoSided = box("twoSided", on -> model.choose(c -> c.withTwoSides(on)));
+    }
+
+    private void addAbout() {
+        column.heading("heading.methods");
+        about = new AboutText("about", texts.language());
+        column.wide(about);
     }
 
     private static String code(Enum<?> constant) {
@@ -275,5 +290,6 @@ final class LightInspector {
         var readings = new LightReadings(state, texts);
         place.setText(readings.place());
         formula.show(readings.formula());
+        about.show(methods.of(choice));
     }
 }

@@ -1,9 +1,12 @@
 package rasterlab.app.line;
 
 import java.awt.Rectangle;
+import java.util.Optional;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelWindow;
+import rasterlab.engine.raster.Plotted;
 
 /** Chooses which part of the pixel grid the stage shows when the user has not zoomed. */
 final class LineFraming {
@@ -16,6 +19,9 @@ final class LineFraming {
     /** Of a segment too long to draw, this many pixels around end A are shown. */
     private static final int NEIGHBOURHOOD = 24;
 
+    /** Pixels of a program are shown so far beside the segment, or as far as that is long. */
+    private static final int BESIDE = 24;
+
     private LineFraming() {}
 
     /**
@@ -23,18 +29,34 @@ final class LineFraming {
      */
     static PixelGrid of(LineLabState state, Rectangle view) {
         Segment segment = state.choice().segment();
-        return PixelGrid.fitting(
-                segment.steps() < LineDrawing.LIMIT ? whole(segment) : beginning(segment), view);
+        if (segment.steps() >= LineDrawing.LIMIT)
+            return PixelGrid.fitting(beginning(segment), view);
+        Optional<Plotted> plotted =
+                state.drawings()
+                        .tried()
+                        .filter(program -> program.fits(state.choice()))
+                        .flatMap(Tried::drawn);
+        return PixelGrid.fitting(whole(segment, plotted), view);
     }
 
-    private static Rectangle whole(Segment segment) {
+    private static Rectangle whole(Segment segment, Optional<Plotted> plotted) {
         Rectangle shown = pixels(segment.x0(), segment.y0(), segment.x1(), segment.y1());
         PixelWindow w = segment.window();
         if (!segment.isWhole()) shown.add(pixels(w.xmin(), w.ymin(), w.xmax(), w.ymax()));
+        plotted.ifPresent(program -> addNear(shown, program.pixels()));
         shown.grow(
                 Math.max(MARGIN, (LEAST - shown.width + 1) / 2),
                 Math.max(MARGIN, (LEAST - shown.height + 1) / 2));
         return shown;
+    }
+
+    /** Those far away would leave nothing of the others. */
+    private static void addNear(Rectangle shown, PixelRecording plotted) {
+        var near = new Rectangle(shown);
+        near.grow(Math.max(BESIDE, shown.width), Math.max(BESIDE, shown.height));
+        for (int i = 0; i < plotted.size(); i++)
+            if (near.contains(plotted.x(i), plotted.y(i)))
+                shown.add(new Rectangle(plotted.x(i), plotted.y(i), 1, 1));
     }
 
     private static Rectangle pixels(int x0, int y0, int x1, int y1) {

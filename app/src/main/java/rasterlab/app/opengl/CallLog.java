@@ -26,6 +26,15 @@ import rasterlab.app.opengl.state.Setting;
 final class CallLog extends JList<GlCall> {
     private static final long serialVersionUID = 1L;
 
+    /** Letters that a line has room for at least, its number among them. */
+    private static final int COLUMNS = 34;
+
+    /** Width of a letter in sizes of its type. */
+    private static final float LETTER = 0.6f;
+
+    /** No smaller than so many view units, if labels are not. */
+    private static final float LEAST = 14;
+
     private transient List<String> shown = List.of();
     private transient Optional<Setting> marked = Optional.empty();
 
@@ -44,10 +53,17 @@ final class CallLog extends JList<GlCall> {
         boolean other = width != getWidth();
         super.setBounds(x, y, width, height);
         if (!other) return;
+        setFont(getFont().deriveFont(type(width)));
         // A list asks for its rows' heights again where they are no longer fixed.
         setFixedCellHeight(1);
         setFixedCellHeight(-1);
         EventQueue.invokeLater(this::reveal);
+    }
+
+    /** That of labels, smaller where names of calls would be broken. */
+    private static float type(int width) {
+        float label = UIManager.getFont("Label.font").getSize2D();
+        return Math.min(label, Math.max(LEAST, width / (COLUMNS * LETTER)));
     }
 
     /** No wider than what shows it: calls are broken instead. */

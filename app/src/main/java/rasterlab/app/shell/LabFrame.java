@@ -13,6 +13,7 @@ import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -20,7 +21,6 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.WindowConstants;
 import rasterlab.app.canvas.LabLayout;
-import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.exercise.Closing;
 import rasterlab.app.exercise.ClosingDialog;
 import rasterlab.app.language.Language;
@@ -172,7 +172,7 @@ public final class LabFrame extends JFrame {
         String focus = focused();
         String seen = content.seen();
         String chosen = content.shown();
-        Optional<StepPlayer.Playing> playing = StepPlayer.seenIn(content).map(StepPlayer::playing);
+        List<LabTabs.Playing> playing = tabs.playing();
         // What is thrown away need not learn the new look first.
         place.removeAll();
         tabs.close();
@@ -181,7 +181,7 @@ public final class LabFrame extends JFrame {
             FlatLaf.updateUI();
         }
         fill(next.get(), seen);
-        playing.ifPresent(was -> StepPlayer.seenIn(content).ifPresent(it -> it.goOn(was)));
+        tabs.goOnAs(playing);
         content.show(chosen);
         giveFocus(focus);
         EventQueue.invokeLater(() -> giveFocus(focus));

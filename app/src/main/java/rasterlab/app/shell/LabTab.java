@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import javax.swing.JEditorPane;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.StepPlayer;
 
 /** One tab of the window, whose panel is made when it is first asked for. On the event thread. */
 public final class LabTab implements AutoCloseable {
@@ -18,6 +19,7 @@ public final class LabTab implements AutoCloseable {
     private final Supplier<LabPanel> begun;
     private final Deque<Runnable> parts = new ArrayDeque<>();
     private Optional<LabPanel> panel = Optional.empty();
+    private Optional<StepPlayer.Playing> playing = Optional.empty();
     private boolean closed;
 
     /**
@@ -98,6 +100,7 @@ public final class LabTab implements AutoCloseable {
                 () -> {
                     first.refresh();
                     measurePages(first);
+                    playing.ifPresent(before -> goOn(first, before));
                 });
         // What takes long when it is measured first is quick when the window lays it out.
         parts.add(first::getPreferredSize);
@@ -114,6 +117,21 @@ public final class LabTab implements AutoCloseable {
         parts.clear();
         panel.ifPresent(LabPanel::close);
         panel = Optional.empty();
+    }
+
+    /** How the lab plays, or will once it is made; empty where nothing does. */
+    Optional<StepPlayer.Playing> playing() {
+        return isWhole() ? panel.flatMap(StepPlayer::seenIn).map(StepPlayer::playing) : playing;
+    }
+
+    /** Lets the lab play, once it is made, as another in its place did, seen or not. */
+    void goOn(StepPlayer.Playing before) {
+        playing = Optional.of(before);
+        if (isWhole()) panel.ifPresent(lab -> goOn(lab, before));
+    }
+
+    private static void goOn(LabPanel lab, StepPlayer.Playing before) {
+        StepPlayer.seenIn(lab).ifPresent(player -> player.goOn(before));
     }
 
     /** The lab; the same one every time. */

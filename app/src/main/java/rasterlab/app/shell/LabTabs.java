@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.clip.ClipPanel;
 import rasterlab.app.coordinates.CoordinatesPanel;
 import rasterlab.app.exercise.ExercisePanel;
@@ -150,6 +151,21 @@ public final class LabTabs implements AutoCloseable {
     public LabTab named(String name) {
         return Named.find("tab", name, tabs, LabTab::name);
     }
+
+    /** Lets each tab, once it is made, play as the one of its name did. */
+    void goOnAs(List<Playing> before) {
+        before.forEach(was -> named(was.tab()).goOn(was.playing()));
+    }
+
+    /** What plays in which tab, seen or not. */
+    List<Playing> playing() {
+        return tabs.stream()
+                .flatMap(tab -> tab.playing().map(how -> new Playing(tab.name(), how)).stream())
+                .toList();
+    }
+
+    /** How the lab of a tab plays. */
+    record Playing(String tab, StepPlayer.Playing playing) {}
 
     /** The tab of that name, or the first. */
     LabTab namedOrFirst(String name) {

@@ -240,10 +240,14 @@ final class StudyInspector {
 
     private void explain(StudyLabState state) {
         Method<?> method = state.topic().method(state.method());
-        TopicTexts.of(state.topic().name(), texts.language())
-                .ifPresentOrElse(
-                        topic -> about.show(topic.texts(), topic.key(method), method, "", ""),
-                        () -> about.show(texts, method, "", ""));
+        Optional<TopicTexts> said = TopicTexts.of(state.topic().name(), texts.language());
+        about.show(
+                List.of(
+                        new AboutText.Called(
+                                method.name(),
+                                said.map(TopicTexts::texts).orElse(texts),
+                                said.map(topic -> topic.key(method)).orElse(method.name()),
+                                method)));
     }
 
     private String number(double value) {

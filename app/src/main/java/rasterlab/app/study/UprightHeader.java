@@ -6,6 +6,7 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
@@ -13,19 +14,25 @@ import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.table.TableCellRenderer;
 
-/** Names of columns that stand upright, so that a column is as narrow as its sign. */
+/**
+ * Names of columns that stand upright, so that a column is as narrow as its sign. Where they would
+ * take too much of the table's height they are folded into two lines, then get smaller.
+ */
 final class UprightHeader extends JComponent implements TableCellRenderer {
     private static final long serialVersionUID = 1L;
 
     private static final int MARGIN = 8;
 
-    /** The most of the table's height that names may take before their type gets smaller. */
-    private static final double SHARE = 0.5;
+    /** The most of the table's height that names may take. */
+    private static final double SHARE = 0.6;
 
     private static final double SMALLEST = 0.6;
 
+    /** The most of a column's width that a line of a folded name takes. */
+    private static final double ACROSS = 0.48;
+
     private final boolean lying;
-    private String name = "";
+    private List<String> lines = List.of();
 
     /**
      * @param lying whether this name lies, at the foot of a header that is high for the others
@@ -37,26 +44,44 @@ final class UprightHeader extends JComponent implements TableCellRenderer {
     @Override
     public Component getTableCellRendererComponent(
             JTable table, Object value, boolean on, boolean focused, int row, int column) {
-        name = String.valueOf(value);
+        String name = String.valueOf(value);
         setFont(table.getFont());
-        int longest = longest(table);
-        double most = SHARE * room(table) - 2 * MARGIN;
-        if (longest > most) {
-            double smaller = Math.max(SMALLEST, most / longest);
-            setFont(getFont().deriveFont((float) (getFont().getSize2D() * smaller)));
-            longest = longest(table);
-        }
         int width = table.getColumnModel().getColumn(column).getPreferredWidth();
+        double most = SHARE * room(table) - 2 * MARGIN;
+        boolean fold = longest(table, false) > most;
+        int longest = longest(table, fold);
+        double smaller = most / longest;
+        if (fold)
+            smaller = Math.min(smaller, ACROSS * width / getFontMetrics(getFont()).getHeight());
+        if (smaller < 1) {
+            float size = getFont().getSize2D() * (float) Math.max(SMALLEST, smaller);
+            setFont(getFont().deriveFont(size));
+            longest = longest(table, fold);
+        }
+        lines = lines(name, fold);
         setPreferredSize(new Dimension(width, longest + 2 * MARGIN));
         return this;
     }
 
-    private int longest(JTable table) {
+    private int longest(JTable table, boolean fold) {
         var metrics = getFontMetrics(getFont());
         int longest = metrics.getHeight();
         for (int i = 0; !lying && i < table.getColumnCount(); i++)
-            longest = Math.max(longest, metrics.stringWidth(table.getColumnName(i)));
+            for (String line : lines(table.getColumnName(i), fold))
+                longest = Math.max(longest, metrics.stringWidth(line));
         return longest;
+    }
+
+    /** Folded after the hyphen or at the space that is nearest to the middle. */
+    static List<String> lines(String name, boolean fold) {
+        int at = 0;
+        for (int i = 1; fold && i < name.length() - 1; i++)
+            if ("- ".indexOf(name.charAt(i)) >= 0
+                    && Math.abs(2 * i + 1 - name.length()) < Math.abs(2 * at + 1 - name.length()))
+                at = i;
+        return at == 0
+                ? List.of(name)
+                : List.of(name.substring(0, at + 1).strip(), name.substring(at + 1));
     }
 
     /** Height of what scrolls the table; without end where nothing does. */
@@ -86,11 +111,13 @@ final class UprightHeader extends JComponent implements TableCellRenderer {
         g.setColor(UIManager.getColor("TableHeader.foreground"));
         if (lying) {
             int left = UIScale.scale(UIManager.getInsets("Table.cellMargins").left);
-            g.drawString(name, left, getHeight() - MARGIN);
+            g.drawString(String.join(" ", lines), left, getHeight() - MARGIN);
         } else {
             g.translate((getWidth() + smallLetter(g)) / 2, getHeight() - MARGIN);
             g.rotate(-Math.PI / 2);
-            g.drawString(name, 0, 0);
+            float high = g.getFontMetrics().getHeight();
+            float first = -high * (lines.size() - 1) / 2;
+            for (int i = 0; i < lines.size(); i++) g.drawString(lines.get(i), 0, first + i * high);
         }
         g.dispose();
     }

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.transform.PictureFit;
 import rasterlab.engine.visibility.Visibility;
 
 /**
@@ -15,6 +16,9 @@ import rasterlab.engine.visibility.Visibility;
 record StagePictures(List<Method<Visibility>> methods, int width, int height) {
     /** View pixels between two pictures. */
     static final int GAP = 6;
+
+    /** The most that a scene takes of the narrower side of one of two pictures. */
+    private static final double FILLED = 0.94;
 
     boolean known() {
         return width > 0;
@@ -45,8 +49,22 @@ record StagePictures(List<Method<Visibility>> methods, int width, int height) {
         return Optional.of(choice.comparison()).filter(method -> !method.isEmpty());
     }
 
+    /**
+     * The choice with a scene as large as it is shown: of two pictures that are higher than wide,
+     * each is filled by what, however it is turned, has room there.
+     */
+    VisibilityChoice filling(VisibilityChoice choice) {
+        int wide = pictureWidth(choice);
+        double usual = PictureFit.of(wide, height, 1).pixelsPerUnit();
+        double most = (double) height / PictureFit.NATURAL_HEIGHT / usual;
+        if (choice.comparison().isEmpty() || most <= 1) return choice;
+        double reach = usual * choice.zoom() * SceneReach.of(choice);
+        double room = FILLED * Math.min(wide, height) / 2 / reach;
+        return room <= 1 ? choice : choice.zoomed(Math.min(most, room));
+    }
+
     RenderRequest request(VisibilityChoice choice, String method) {
-        RenderRequest plain = choice.plain(method, pictureWidth(choice), height);
+        RenderRequest plain = filling(choice).plain(method, pictureWidth(choice), height);
         return drawsEdges(choice, method) ? plain.withOutline() : plain;
     }
 
@@ -63,9 +81,10 @@ record StagePictures(List<Method<Visibility>> methods, int width, int height) {
 
     /** The whole pictures without edges, whose wrong pixels are counted. */
     Frame plain(VisibilityChoice choice) {
+        VisibilityChoice shown = filling(choice);
         return new Frame(
-                choice.plain(pictureWidth(choice), height),
-                second(choice).map(method -> choice.plain(method, pictureWidth(choice), height)),
+                shown.plain(pictureWidth(choice), height),
+                second(choice).map(method -> shown.plain(method, pictureWidth(choice), height)),
                 false,
                 Frame.ALL);
     }

@@ -66,7 +66,7 @@ final class VisibilityCommand {
         add("--shading", choice.shading());
         add("--projection", choice.projection());
         add("--camera", camera.thetaRadians() + "," + camera.phiRadians() + "," + camera.rho());
-        add("--zoom", choice.zoom());
+        add("--zoom", model.shownZoom());
         add("--size", shown.width() + "x" + shown.height());
         if (model.drawsEdges(method)) words.add("--outline");
         addLook(choice.plain(method, shown.width(), shown.height()));

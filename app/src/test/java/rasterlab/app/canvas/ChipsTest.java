@@ -60,6 +60,20 @@ class ChipsTest {
     }
 
     @Test
+    void takeTwoRowsAtMostInAHighWindowToo() throws Exception {
+        Chips chips = chips();
+        OffscreenPainter.paint(lab(chips), 1280, 1200);
+        long rows =
+                Stream.of(chips.getComponents())
+                        .filter(each -> each.isVisible() && each instanceof JButton)
+                        .map(Component::getY)
+                        .distinct()
+                        .count();
+        assertEquals(2, rows);
+        assertTrue(shown(chips).contains("chips.more"), "nothing is left out");
+    }
+
+    @Test
     void areAllInSightWhereThereIsRoom() throws Exception {
         Chips chips = chips();
         OffscreenPainter.paint(lab(chips), 2000, 1200);

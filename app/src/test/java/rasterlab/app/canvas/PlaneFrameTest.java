@@ -39,6 +39,10 @@ class PlaneFrameTest {
     }
 
     private static List<Rectangle> told(PlanePoint... points) {
+        return told(new Rectangle(), points);
+    }
+
+    private static List<Rectangle> told(Rectangle covered, PlanePoint... points) {
         var picture = new Told(new ArrayList<>());
         new PlaneFrame(
                         picture,
@@ -47,6 +51,7 @@ class PlaneFrameTest {
                         MAP,
                         400,
                         400,
+                        covered,
                         1,
                         StageColours.LIGHT,
                         new Font(Font.SANS_SERIF, Font.PLAIN, 13),
@@ -65,6 +70,25 @@ class PlaneFrameTest {
         assertEquals(5, places.size());
         for (Rectangle ring : places.subList(2, 5))
             assertFalse(ring.intersects(places.get(0)), ring + " under " + places.get(0));
+    }
+
+    @Test
+    void labelThatTheUpperEdgePushesBackLiesBesideItsRing() {
+        PlanePoint high = point("B3 0001", 5, MAP.worldY(Rulers.top() + 22));
+        List<Rectangle> places = told(high, point("", 5, 1));
+        Rectangle label = places.get(0);
+        double x = MAP.viewX(high.x());
+        double y = MAP.viewY(high.y());
+        assertFalse(label.intersects(x - 7, y - 7, 14, 14), label + " on the ring at " + y);
+        assertTrue(label.y >= Rulers.top(), label + " under the ruler");
+    }
+
+    @Test
+    void labelsLeaveTheButtonsAndThePictureIsToldOfThem() {
+        Rectangle alone = told(point("A1 0000", 8, 2), point("", 2, 8)).get(0);
+        List<Rectangle> places = told(alone, point("A1 0000", 8, 2), point("", 2, 8));
+        assertFalse(alone.intersects(places.get(0)), places.toString());
+        assertTrue(places.contains(alone), places.toString());
     }
 
     @Test

@@ -67,6 +67,37 @@ class ResultPlacesTest {
         EventQueue.invokeAndWait(pane::close);
     }
 
+    /** The sizes are those of a window of 1280×800. */
+    @ParameterizedTest(name = "verdicts or pictures have no room: {0}, projector at {1} %")
+    @CsvSource({
+        "ENGLISH, 150, 1250, 590",
+        "RUSSIAN, 150, 1250, 590",
+        "ENGLISH, 200, 1250, 500",
+        "RUSSIAN, 200, 1250, 500"
+    })
+    void projectorShowsVerdictsAndPictures(Language language, int percent, int width, int height)
+            throws Exception {
+        var made = new AtomicReference<ResultPane>();
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.PROJECTOR.install(percent);
+                    made.set(
+                            new ResultPane(
+                                    Texts.of("exercise", language),
+                                    ExerciseRoomsTest.NOWHERE,
+                                    remark -> {},
+                                    FAILURES::add));
+                    show(made.get(), Optional.of(outcome(GradingVerdict.WRONG)));
+                });
+        ResultPane pane = made.get();
+        for (int round = 0; round < 2; round++) OffscreenPainter.paint(pane, width, height);
+        assertEquals(4, ((JTable) named(pane, "cases")).getColumnCount(), "no verdicts");
+        var picture = (CasePicture) named(pane, "case.picture");
+        assertTrue(picture.together(), "no room for three pictures in " + picture.getSize());
+        assertTrue(picture.getHeight() >= 120, "pictures are high by " + picture.getHeight());
+        EventQueue.invokeAndWait(pane::close);
+    }
+
     private static void assertUseful(ResultPane pane) {
         var picture = (CasePicture) named(pane, "case.picture");
         assertTrue(picture.together(), "no room for three pictures in " + picture.getSize());

@@ -106,11 +106,12 @@ class LightLabModelTest {
             LightFrame.Drawn drawn = drawn();
             PointReading point = drawn.point().orElseThrow();
             LightChoice.Marks at = drawn.choice().line();
+            var places = new MarkPlaces(WIDTH, HEIGHT);
             int argb =
                     drawn.pictures()
                             .get(2)
                             .raster()
-                            .argb((int) (at.atX() * WIDTH), (int) (at.atY() * HEIGHT));
+                            .argb((int) places.x(at.atX()), (int) places.y(at.atY()));
             for (int c = 0; c < 3; c++)
                 assertEquals(
                         argb >> 16 - 8 * c & 255,

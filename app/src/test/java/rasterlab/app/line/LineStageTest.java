@@ -183,6 +183,22 @@ class LineStageTest {
         assertTrue(grid.viewX(0) > 0 && grid.viewY(0) > 0, grid.toString());
     }
 
+    @Test
+    void whatAProgramPlottedBesideItsSegmentIsInSight() throws InterruptedException {
+        var plotted = new PixelRecording(3);
+        plotted.plot(0, 0);
+        plotted.plot(15, 18);
+        plotted.plot(1_000_000, -1_000_000);
+        model.showTried(new Segment(0, 0, 9, 3), "bresenham", Optional.of(Plotted.whole(plotted)));
+        model.settle();
+        PixelGrid grid = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
+        assertTrue(grid.viewX(15) < 500 && grid.viewY(18) < 300, grid.toString());
+        assertTrue(grid.cell() >= 8, "the pixel far away leaves nothing of the others: " + grid);
+        model.show(new Segment(0, 0, 9, 4));
+        PixelGrid other = LineFraming.of(model.state(), new Rectangle(0, 0, 500, 300));
+        assertTrue(other.viewY(18) > 300, "another segment's pixels are in sight: " + other);
+    }
+
     @ParameterizedTest(name = "the note covers a handle: {argumentSetName}")
     @MethodSource("noted")
     void noteCoversNoHandle(Segment segment, Language language) throws InterruptedException {

@@ -182,6 +182,17 @@ class RowLabModelTest {
     }
 
     @Test
+    void hazardAndThePixelThatIsLookedForInItAreOneChange() {
+        settle(depths);
+        RowChoice before = depths.choice();
+        depths.show("depth-buffer", "drift-8192", "incremental-float");
+        settle(depths);
+        assertTrue(depths.choice().pixel() > 0, "no pixel was looked for");
+        depths.history().undo();
+        assertEquals(before, depths.choice());
+    }
+
+    @Test
     void redoneRowIsShownFromItsFirstWrongPixel() {
         depths.show("depth-buffer", "drift-8192", "incremental-float");
         depths.history().undo();

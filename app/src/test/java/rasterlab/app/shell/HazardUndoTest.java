@@ -3,68 +3,117 @@ package rasterlab.app.shell;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
-import java.util.function.Function;
+import java.util.Map;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.ModelThread;
+import rasterlab.app.row.RowLabModel;
+import rasterlab.engine.Topics;
+import rasterlab.engine.study.Hazard;
+import rasterlab.engine.study.Topic;
 
 /** Undo in a lab after a hazard was opened in it. */
 class HazardUndoTest {
-    private final LabModels models =
+    private static final ModelThread THREAD = new ModelThread();
+
+    private static final LabModels MODELS =
             LabModels.first(
-                    answer -> {},
+                    THREAD,
                     failure -> {
                         throw new AssertionError(failure);
                     });
 
-    @AfterEach
-    void close() {
-        models.close();
+    private final LabOpening opening =
+            new LabOpening(MODELS, Runnable::run, Runnable::run, failure -> {});
+
+    /** What shows a topic's hazards, and what can be undone there. */
+    private record Lab(Kept<?> shown, History<?> history) {}
+
+    private static Lab of(RowLabModel rows) {
+        return new Lab(rows, rows.history());
+    }
+
+    private static Map<String, Lab> labs() {
+        var line = new Lab(MODELS.line(), MODELS.line().history());
+        var figures = new Lab(MODELS.line().figures(), MODELS.line().figures().history());
+        var polygon = new Lab(MODELS.polygon(), MODELS.polygon().history());
+        var clip = new Lab(MODELS.clip(), MODELS.clip().history());
+        var seen = new Lab(MODELS.visibility(), MODELS.visibility().history());
+        var light = new Lab(MODELS.light(), MODELS.light().history());
+        var curve = new Lab(MODELS.spline().curve(), MODELS.spline().curve().history());
+        var function = new Lab(MODELS.spline().function(), MODELS.spline().function().history());
+        var lists = MODELS.coordinates().transformations();
+        var turn = MODELS.coordinates().rotation();
+        var meeting = MODELS.coordinates().meeting();
+        return Map.ofEntries(
+                Map.entry("line", line),
+                Map.entry("circle", figures),
+                Map.entry("ellipse", figures),
+                Map.entry("point-in-triangle", polygon),
+                Map.entry("point-in-polygon", polygon),
+                Map.entry("triangulate", polygon),
+                Map.entry("polygon-fill", polygon),
+                Map.entry("fill", polygon),
+                Map.entry("clip-segment", clip),
+                Map.entry("clip-polygon", clip),
+                Map.entry("clip-volume", clip),
+                Map.entry("hidden-surfaces", seen),
+                Map.entry("visible-faces", seen),
+                Map.entry("depth-order", seen),
+                Map.entry("depth-buffer", of(MODELS.visibility().rows())),
+                Map.entry("texture-mapping", of(MODELS.light().rows())),
+                Map.entry("texture-filter", of(MODELS.light().rows())),
+                Map.entry("shade", light),
+                Map.entry("shade-face", light),
+                Map.entry("vertex-normals", light),
+                Map.entry("color", light),
+                Map.entry("curve", curve),
+                Map.entry("spline-function", function),
+                Map.entry("matrix", new Lab(lists, lists.history())),
+                Map.entry("transform", new Lab(lists, lists.history())),
+                Map.entry("view", new Lab(lists, lists.history())),
+                Map.entry("rotate-axis", new Lab(lists, lists.history())),
+                Map.entry("rotate", new Lab(turn, turn.history())),
+                Map.entry("line-plane", new Lab(meeting, meeting.history())));
+    }
+
+    @AfterAll
+    static void close() {
+        MODELS.close();
     }
 
     static Stream<Arguments> topics() {
-        return Stream.of(
-                topic(
-                        "line",
-                        "leftward",
-                        "naive-textbook",
-                        LabModels::line,
-                        m -> m.line().history()),
-                topic(
-                        "clip-polygon",
-                        "comb",
-                        "weiler-atherton",
-                        LabModels::clip,
-                        m -> m.clip().history()));
-    }
-
-    private static Arguments topic(
-            String topic,
-            String hazard,
-            String method,
-            Function<LabModels, Kept<?>> lab,
-            Function<LabModels, History<?>> history) {
-        return Arguments.argumentSet(
-                "hazard and method are two changes: " + topic, topic, hazard, method, lab, history);
+        var ways = new TopicWays(MODELS);
+        return Topics.all().stream()
+                .filter(topic -> ways.of(topic.name()).isPresent())
+                .map(
+                        topic ->
+                                Arguments.argumentSet(
+                                        "hazard and method are two changes: " + topic.name(),
+                                        topic));
     }
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("topics")
-    void oneUndoBringsBackWhatWasThere(
-            String topic,
-            String hazard,
-            String method,
-            Function<LabModels, Kept<?>> lab,
-            Function<LabModels, History<?>> history) {
-        Object before = lab.apply(models).kept();
-        var opening = new LabOpening(models, Runnable::run, Runnable::run, failure -> {});
-        opening.showHazard(topic, hazard, method);
-        assertNotEquals(before, lab.apply(models).kept());
-        history.apply(models).undo();
-        assertEquals(before, lab.apply(models).kept());
+    void oneUndoBringsBackWhatWasThere(Topic<?, ?, ?> topic) {
+        Lab lab = labs().get(topic.name());
+        String other = topic.methods().get(topic.methods().size() - 1).name();
+        String usual = topic.methods().get(0).name();
+        String last = topic.hazards().get(topic.hazards().size() - 1).name();
+        for (Hazard<?> hazard : topic.hazards()) {
+            String first = hazard.name().equals(last) ? topic.hazards().get(0).name() : last;
+            opening.showHazard(topic.name(), first, usual);
+            THREAD.runAll();
+            Object before = lab.shown().kept();
+            opening.showHazard(topic.name(), hazard.name(), other);
+            assertNotEquals(before, lab.shown().kept(), hazard.name());
+            lab.history().undo();
+            assertEquals(before, lab.shown().kept(), hazard.name());
+        }
     }
 }

@@ -64,6 +64,23 @@ class StudyInspectorTest {
         assertEquals(List.of(), failures);
     }
 
+    @ParameterizedTest(name = "the method that is explained has no name: {0}")
+    @EnumSource
+    void methodIsExplainedBelowItsName(Language language) {
+        List<Throwable> failures = new ArrayList<>();
+        Texts texts = Texts.of("study", language);
+        try (var model =
+                new StudyLabModel(List.of(new LineTopic()), Runnable::run, failures::add)) {
+            var inspector = new StudyInspector(model, texts, NOWHERE, () -> {});
+            model.show(StudyView.HAZARDS);
+            model.choose("steep", "midpoint");
+            inspector.refresh();
+            String shown = shown(inspector);
+            assertTrue(shown.matches("(?s).*<b>[^<]*</b>\\s+midpoint\\s.*"), shown);
+        }
+        assertEquals(List.of(), failures);
+    }
+
     @Test
     void signOfAVerdictIsNotThatOfNoValue() {
         for (VerdictSign sign : VerdictSign.values()) assertNotEquals("–", sign.sign());

@@ -10,7 +10,8 @@ package rasterlab.engine.raster;
  * @param largestLevelDifference the largest |expected − actual| of any of the channels alpha, red,
  *     green, blue, in levels 0 to 255
  * @param mask the expected picture, pale and grey, with the wrong pixels in {@link #WRONG} and a
- *     dark × around each, so that a single wrong pixel is found by shape as well as by colour
+ *     dark edge around them that reaches out as a × around each: a single wrong pixel is found by
+ *     shape as well as by colour, and every one stands out from the greys
  */
 public record PictureDifference(
         long wrongPixels,
@@ -24,8 +25,8 @@ public record PictureDifference(
     /** Colour of a wrong pixel in the mask; nothing else in the mask has it. */
     public static final int WRONG = PixelMark.ARGB;
 
-    /** Colour of the arms of the × in the mask. */
-    static final int ARM = 0xFF101010;
+    /** Colour of the edge and the arms in the mask. */
+    static final int EDGE = 0xFF101010;
 
     private static final int ARM_LENGTH = 2;
 
@@ -74,7 +75,7 @@ public record PictureDifference(
         int[] out = mask.argb();
         for (int i = 0; i < out.length; i++) out[i] = pale(want[i]);
         for (int i = 0; i < out.length; i++)
-            if (want[i] != have[i]) drawArms(mask, i % expected.width(), i / expected.width());
+            if (want[i] != have[i]) drawEdge(mask, i % expected.width(), i / expected.width());
         for (int i = 0; i < out.length; i++) if (want[i] != have[i]) out[i] = WRONG;
         return mask;
     }
@@ -85,11 +86,15 @@ public record PictureDifference(
         return 0xFF000000 | 0x010101 * (170 + luma / 3);
     }
 
-    private static void drawArms(Raster mask, int x, int y) {
-        for (int k = 1; k <= ARM_LENGTH; k++)
-            for (int dx = -k; dx <= k; dx += 2 * k)
-                for (int dy = -k; dy <= k; dy += 2 * k)
-                    if (mask.contains(x + dx, y + dy))
-                        mask.argb()[(y + dy) * mask.width() + x + dx] = ARM;
+    private static void drawEdge(Raster mask, int x, int y) {
+        for (int dy = -1; dy <= 1; dy++)
+            for (int dx = -1; dx <= 1; dx++) darken(mask, x + dx, y + dy);
+        for (int dx = -ARM_LENGTH; dx <= ARM_LENGTH; dx += 2 * ARM_LENGTH)
+            for (int dy = -ARM_LENGTH; dy <= ARM_LENGTH; dy += 2 * ARM_LENGTH)
+                darken(mask, x + dx, y + dy);
+    }
+
+    private static void darken(Raster mask, int x, int y) {
+        if (mask.contains(x, y)) mask.argb()[y * mask.width() + x] = EDGE;
     }
 }

@@ -34,7 +34,7 @@ class PictureDifferenceTest {
 
     @Test
     @DisplayName("the mask marks other pixels than the wrong ones")
-    void maskShowsAWrongPixelAsACross() {
+    void maskShowsAWrongPixelInADarkEdge() {
         var mask = PictureDifference.of(single(0xFFFFFFFF), single(0xFF000000)).mask();
         var text = new StringBuilder();
         for (int y = 0; y < mask.height(); y++) {
@@ -42,10 +42,10 @@ class PictureDifferenceTest {
                 text.append(
                         mask.argb(x, y) == PictureDifference.WRONG
                                 ? '#'
-                                : mask.argb(x, y) == PictureDifference.ARM ? 'x' : '.');
+                                : mask.argb(x, y) == PictureDifference.EDGE ? 'x' : '.');
             text.append(' ');
         }
-        assertEquals(".x.x. ..#.. .x.x. ", text.toString());
+        assertEquals(".xxx. .x#x. .xxx. ", text.toString());
     }
 
     @Test

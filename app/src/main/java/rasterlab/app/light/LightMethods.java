@@ -1,0 +1,41 @@
+package rasterlab.app.light;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import rasterlab.app.canvas.AboutText;
+import rasterlab.app.language.Texts;
+import rasterlab.engine.light.face.FaceTopic;
+import rasterlab.engine.light.normals.NormalsTopic;
+import rasterlab.engine.light.shade.ShadeTopic;
+import rasterlab.engine.pipeline.ShadingMethod;
+import rasterlab.engine.study.Topic;
+
+/** The methods by which a choice is lit, as the engine describes them. */
+final class LightMethods {
+    private final Texts texts;
+    private final Texts translations;
+
+    LightMethods(Texts texts) {
+        this.texts = texts;
+        translations = Texts.of("light", "topic", texts.language());
+    }
+
+    /** The three shadings, the specular term, and how normals of corners are mixed, if they are. */
+    List<AboutText.Called> of(LightChoice choice) {
+        var methods = new ArrayList<AboutText.Called>();
+        for (ShadingMethod shading : LightFrame.SHADINGS)
+            methods.add(called("shading.", "face.", new FaceTopic(), shading.code()));
+        String reflection = choice.reflection().name().toLowerCase(Locale.ROOT).replace('_', '-');
+        methods.add(called("reflection.", "shade.", new ShadeTopic(), reflection));
+        String normals = choice.body().normals();
+        if (!normals.equals(Body.OWN))
+            methods.add(called("normals.", "normals.", new NormalsTopic(), normals));
+        return methods;
+    }
+
+    private AboutText.Called called(String label, String key, Topic<?, ?, ?> topic, String name) {
+        return new AboutText.Called(
+                texts.text(label + name), translations, key + name, topic.method(name));
+    }
+}

@@ -1,0 +1,44 @@
+package rasterlab.app.light;
+
+import rasterlab.engine.transform.PictureFit;
+
+/**
+ * Where {@link LightChoice.Marks} lie in a picture: they stay on their place of the scene when the
+ * picture changes its size.
+ *
+ * <p>A mark's 0 to 1 is the frame of {@value PictureFit#NATURAL_WIDTH} × {@value
+ * PictureFit#NATURAL_HEIGHT} that {@link PictureFit#of} puts as large as it fits into the middle of
+ * the picture; a mark beside the picture is shown at its edge.
+ *
+ * @param width of the picture
+ * @param height of the picture, in the same unit
+ */
+record MarkPlaces(int width, int height) {
+    private PictureFit frame() {
+        return PictureFit.of(width, height, 1);
+    }
+
+    /** From 0 to the picture's width. */
+    double x(double mark) {
+        return within(frame().toPixelX((mark - 0.5) * PictureFit.NATURAL_WIDTH), width);
+    }
+
+    /** From 0 to the picture's height. */
+    double y(double mark) {
+        return within(frame().toPixelY((0.5 - mark) * PictureFit.NATURAL_HEIGHT), height);
+    }
+
+    /** Of the mark that is shown there; a place beside the picture is its edge. */
+    double markX(double x) {
+        return 0.5 + frame().toPlaneX(within(x, width)) / PictureFit.NATURAL_WIDTH;
+    }
+
+    /** Of the mark that is shown there; a place beside the picture is its edge. */
+    double markY(double y) {
+        return 0.5 - frame().toPlaneY(within(y, height)) / PictureFit.NATURAL_HEIGHT;
+    }
+
+    private static double within(double place, int end) {
+        return Math.max(0, Math.min(end, place));
+    }
+}

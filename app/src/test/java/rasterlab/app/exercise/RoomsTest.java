@@ -1,0 +1,95 @@
+package rasterlab.app.exercise;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.awt.EventQueue;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.OffscreenPainter;
+
+/** The rooms of a tab that is made again, as another language or theme has it. */
+class RoomsTest {
+    /** What the tab before leaves to the next one of its window. */
+    private final RoomsKept kept = new RoomsKept();
+
+    @BeforeAll
+    static void look() throws Exception {
+        EventQueue.invokeAndWait(LabTheme.LIGHT::install);
+    }
+
+    private Rooms made(Language language) throws Exception {
+        var made = new AtomicReference<Rooms>();
+        EventQueue.invokeAndWait(
+                () ->
+                        made.set(
+                                new Rooms(
+                                        Texts.of("exercise", language),
+                                        kept,
+                                        new JPanel(),
+                                        new JPanel(),
+                                        new JPanel())));
+        return made.get();
+    }
+
+    private static void paintLarge(Rooms rooms) throws Exception {
+        for (int round = 0; round < 2; round++) OffscreenPainter.paint(rooms, 1280, 740);
+    }
+
+    private static void paintSmall(Rooms rooms) throws Exception {
+        for (int round = 0; round < 2; round++) OffscreenPainter.paint(rooms, 600, 400);
+    }
+
+    private static JSplitPane divided(Rooms rooms) {
+        return (JSplitPane) rooms.getComponent(0);
+    }
+
+    private static JSplitPane lower(Rooms rooms) {
+        return (JSplitPane) divided(rooms).getRightComponent();
+    }
+
+    private static void drag(JSplitPane pane, int to) throws Exception {
+        EventQueue.invokeAndWait(() -> pane.setDividerLocation(to));
+    }
+
+    @Test
+    void dividersStayWhereTheyWereDragged() throws Exception {
+        Rooms first = made(Language.ENGLISH);
+        paintLarge(first);
+        drag(divided(first), 300);
+        drag(lower(first), 500);
+        paintLarge(first);
+        Rooms again = made(Language.RUSSIAN);
+        paintLarge(again);
+        assertEquals(300, divided(again).getDividerLocation(), 2);
+        assertEquals(500, lower(again).getDividerLocation(), 2);
+    }
+
+    @Test
+    void dividersComeBackWithTheRoomForThem() throws Exception {
+        Rooms rooms = made(Language.ENGLISH);
+        paintLarge(rooms);
+        drag(divided(rooms), 300);
+        paintLarge(rooms);
+        paintSmall(rooms);
+        paintLarge(rooms);
+        assertEquals(300, divided(rooms).getDividerLocation(), 2);
+    }
+
+    @Test
+    void roomThatWasLookedAtIsStillInSight() throws Exception {
+        Rooms first = made(Language.ENGLISH);
+        paintSmall(first);
+        EventQueue.invokeAndWait(() -> first.show(Rooms.Room.PROGRAM));
+        Rooms again = made(Language.RUSSIAN);
+        paintSmall(again);
+        int shown = ((JTabbedPane) again.getComponent(0)).getSelectedIndex();
+        assertEquals(Rooms.Room.PROGRAM.ordinal(), shown);
+    }
+}
