@@ -45,6 +45,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private Optional<Frame> compared = Optional.empty();
     private StagePictures stage = new StagePictures(Renderer.visibilityMethods(), 0, 0);
     private VisibilityLabState state = VisibilityLabState.of(VisibilityChoice.first());
+    private Optional<SavedScene> saved = Optional.empty();
 
     /**
      * @param maker closed with the model, when it draws no more
@@ -83,7 +84,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
                 new LatestOnly<>(
                         "scene file",
                         (task, cancelled) -> SceneFiles.done(task),
-                        (task, answer) -> events.execute(() -> accept(answer)),
+                        (task, answer) -> events.execute(() -> accept(task, answer)),
                         onFailure);
     }
 
@@ -268,6 +269,15 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         files.ask(new SceneFiles.Task(file, Optional.of(state.choice())));
     }
 
+    void keep(SavedScene scene) {
+        saved = Optional.of(scene);
+    }
+
+    /** The scene that was saved last. */
+    Optional<SavedScene> saved() {
+        return saved;
+    }
+
     @Override
     public Class<VisibilityChoice> keptType() {
         return VisibilityChoice.class;
@@ -365,7 +375,9 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         if (still) publish(state.with(Optional.of(found)));
     }
 
-    private void accept(SceneFiles.Answer answer) {
+    private void accept(SceneFiles.Task task, SceneFiles.Answer answer) {
+        if (answer.problem().isEmpty())
+            task.saved().ifPresent(choice -> keep(new SavedScene(task.file(), choice.shown())));
         publish(state.withProblem(answer.problem()));
         try {
             choose(answer.change());
