@@ -95,7 +95,13 @@ for %%A in (%arguments%) do for %%W in (-h --help -V --version) do if "%%~A"=="%
 :start
 set "options="
 if "%module%"=="app" set options="@%root%\app\java-options"
-"%java%" %native% %vector% %options% -Dfile.encoding=UTF-8 "-Drasterlab.home=%root%" -cp "%root%\%module%\target\classes;%root%\%module%\target\lib\*" %main% %arguments%
+set classes="%root%\%module%\target\classes;%root%\%module%\target\lib\*"
+rem What is wrong with the arguments is told before Java can warn.
+if not defined vector goto measure
+"%java%" -Dfile.encoding=UTF-8 -cp %classes% %main% --arguments-only %arguments%
+if errorlevel 1 exit /b %errorlevel%
+:measure
+"%java%" %native% %vector% %options% -Dfile.encoding=UTF-8 "-Drasterlab.home=%root%" -cp %classes% %main% %arguments%
 exit /b %errorlevel%
 
 rem Errorlevel 1 when a source is newer than the last build, or there was none.

@@ -2,6 +2,7 @@ package rasterlab.exercises;
 
 import java.util.List;
 import java.util.Map;
+import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 
 /**
@@ -64,6 +65,23 @@ public record Exercise(
     }
 
     /**
+     * What a case of a report is called in that language; its name where this exercise has no such
+     * case.
+     *
+     * @param name as in {@link rasterlab.exercises.score.CaseReport}
+     */
+    public String caseTitle(String name, String language) {
+        return CaseReport.ownTitle(name, language)
+                .or(
+                        () ->
+                                cases.stream()
+                                        .filter(one -> one.name().equals(name))
+                                        .map(one -> one.title(language))
+                                        .findFirst())
+                .orElse(name);
+    }
+
+    /**
      * What still counts as right.
      *
      * @param eitherPixelOnTies where the exact line passes midway between two pixels, either is
@@ -88,6 +106,7 @@ public record Exercise(
      * One case as data; the topic's own package reads {@code input}.
      *
      * @param name what mistake it catches, lower-case with hyphens
+     * @param title the same for people, by language code; may be empty
      * @param kind whether it earns accuracy or stability
      * @param input the topic's input as JSON text; for a generated case, how to draw it from the
      *     seed
@@ -95,16 +114,23 @@ public record Exercise(
      */
     public record Case(
             String name,
+            Map<String, String> title,
             Kind kind,
             Disclosure visibility,
             int points,
             String input,
             boolean generated) {
         public Case {
+            title = Map.copyOf(title);
             inRange("case '" + name + "'", points);
             if (generated && visibility == Disclosure.OPEN)
                 throw new IllegalArgumentException(
                         "case '" + name + "' must not be open, since the seed draws it");
+        }
+
+        /** The title in that language, or the English one; the name where there is neither. */
+        public String title(String language) {
+            return title.getOrDefault(language, title.getOrDefault("en", name));
         }
     }
 

@@ -75,7 +75,7 @@ class Server(
     private val live = Live()
     private val submissions = Submissions(database)
     private val reports = Reports(database)
-    private val results = Results(submissions, reports, live)
+    private val results = Results(submissions, reports, live, exercises)
     private val intake = Intake(database, settings.intake, clock)
     private val leases = Leases(database, reports, clock)
     private val attempts = Attempts(database, leases, exercises, grading, live, stopping)

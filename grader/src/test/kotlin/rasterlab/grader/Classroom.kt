@@ -106,7 +106,17 @@ class Classroom(
                 "r1",
                 Exercise.Tolerance(true),
                 Exercise.PointPlan(6, 3, 1),
-                emptyList(),
+                listOf(
+                    Exercise.Case(
+                        "open-case",
+                        mapOf("en" to "one pixel", "ru" to "один пиксель"),
+                        Exercise.Kind.ACCURACY,
+                        Disclosure.OPEN,
+                        5,
+                        "{}",
+                        false,
+                    ),
+                ),
             )
 
         fun wrongReport() = report(GradingVerdict.WRONG, Points(4, 0, 0, 10))

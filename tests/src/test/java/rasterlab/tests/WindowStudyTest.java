@@ -85,7 +85,7 @@ class WindowStudyTest extends WindowHarness {
 
     @Test
     void enterOpensTheCellToo() {
-        window.comboBox("topic").selectItem("curve");
+        window.comboBox("topic").selectItem("curve by control points");
         robot.waitForIdle();
         window.table("hazards").selectCell(TableCell.row(1).column(1));
         focus("hazards");
@@ -95,7 +95,7 @@ class WindowStudyTest extends WindowHarness {
 
     @Test
     void rowOfDepthsOpensBesideTheScenes() {
-        window.comboBox("topic").selectItem("depth-buffer");
+        window.comboBox("topic").selectItem("depth buffer");
         robot.waitForIdle();
         window.table("hazards").selectCell(TableCell.row(2).column(1));
         robot.waitForIdle();
@@ -112,7 +112,7 @@ class WindowStudyTest extends WindowHarness {
 
     @Test
     void namesOfHazardsStayWhereMethodsScroll() {
-        window.comboBox("topic").selectItem("hidden-surfaces");
+        window.comboBox("topic").selectItem("hidden surfaces");
         window.resizeTo(new Dimension(900, 600));
         robot.waitForIdle();
         var names = window.table("hazards.names");
@@ -171,7 +171,7 @@ class WindowStudyTest extends WindowHarness {
 
     @Test
     void languageKeepsTopicViewAndChoice() {
-        window.comboBox("topic").selectItem("clip-segment");
+        window.comboBox("topic").selectItem("clipping of segments");
         window.table("hazards").selectCell(TableCell.row(2).column(1));
         robot.waitForIdle();
         var before = state();

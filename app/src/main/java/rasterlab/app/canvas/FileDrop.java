@@ -1,29 +1,51 @@
 package rasterlab.app.canvas;
 
+import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
 import java.io.IOException;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
+import javax.swing.JOptionPane;
 import javax.swing.TransferHandler;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 
-/** Lets a file be dropped on a component; of several the first counts. */
+/** Lets a file be dropped on a component; of several none is taken, and that is told. */
 public final class FileDrop extends TransferHandler {
     private static final long serialVersionUID = 1L;
 
+    private final transient Texts texts;
     private final transient Consumer<Path> dropped;
-    private final transient Consumer<Throwable> onFailure;
+    private final transient Consumer<String> refused;
 
     /**
+     * @param parent of the dialog that tells why nothing was taken
      * @param dropped told the file, on the event thread, after the drop is over
-     * @param onFailure told why the file could not be had
      */
-    public FileDrop(Consumer<Path> dropped, Consumer<Throwable> onFailure) {
+    public FileDrop(Component parent, Language language, Consumer<Path> dropped) {
+        this(
+                language,
+                dropped,
+                why ->
+                        JOptionPane.showMessageDialog(
+                                parent,
+                                why,
+                                Texts.of("canvas", language).text("drop.title"),
+                                JOptionPane.WARNING_MESSAGE));
+    }
+
+    /**
+     * @param refused told why nothing was taken, on the event thread, after the drop is over
+     */
+    FileDrop(Language language, Consumer<Path> dropped, Consumer<String> refused) {
+        texts = Texts.of("canvas", language);
         this.dropped = dropped;
-        this.onFailure = onFailure;
+        this.refused = refused;
     }
 
     @Override
@@ -40,12 +62,26 @@ public final class FileDrop extends TransferHandler {
                             support.getTransferable()
                                     .getTransferData(DataFlavor.javaFileListFlavor);
             if (files.isEmpty()) return false;
-            Path file = ((File) files.get(0)).toPath();
-            EventQueue.invokeLater(() -> dropped.accept(file));
-            return true;
+            return files.size() == 1
+                    ? taken((File) files.get(0))
+                    : refuse(texts.text("drop.several", files.size()));
         } catch (UnsupportedFlavorException | IOException e) {
-            onFailure.accept(e);
-            return false;
+            return refuse(texts.text("drop.lost", e.getMessage()));
         }
+    }
+
+    private boolean taken(File file) {
+        try {
+            Path path = file.toPath();
+            EventQueue.invokeLater(() -> dropped.accept(path));
+            return true;
+        } catch (InvalidPathException e) {
+            return refuse(texts.text("drop.name", e.getInput()));
+        }
+    }
+
+    private boolean refuse(String why) {
+        EventQueue.invokeLater(() -> refused.accept(why));
+        return false;
     }
 }

@@ -62,7 +62,7 @@ final class CheckCommand implements Callable<Integer> {
         WholeFile.requireFolderWritable(pictures);
         Report report = graded(chosen, source);
         var text = new ReportText(console.out(), language.texts(), file.getFileName().toString());
-        text.print(chosen.title(language.code()), report);
+        text.print(chosen, report);
         if (CasePictureFiles.write(report, pictures) > 0)
             text.say("pictures", pictures.toAbsolutePath().normalize().toString());
         return report.verdict() == GradingVerdict.OK ? ExitCode.DONE : ExitCode.FOUND_WRONG;
@@ -79,14 +79,16 @@ final class CheckCommand implements Callable<Integer> {
     private Report graded(Exercise chosen, String source) {
         try (Judge judge = Judge.start(JudgeSettings.once())) {
             console.err().println(judge.isolation().describe(language.code()));
-            return judge.grade(chosen, source, CaseSelection.open(), this::showProgress);
+            return judge.grade(
+                    chosen, source, CaseSelection.open(), done -> showProgress(chosen, done));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw Complaint.gaveUp("interrupted");
         }
     }
 
-    private void showProgress(CaseReport done) {
-        console.err().println(done.name() + ": " + language.texts().text(done.verdict().code()));
+    private void showProgress(Exercise chosen, CaseReport done) {
+        String title = chosen.caseTitle(done.name(), language.code());
+        console.err().println(title + ": " + language.texts().text(done.verdict().code()));
     }
 }

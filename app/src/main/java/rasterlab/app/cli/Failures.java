@@ -11,21 +11,27 @@ import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.UnmatchedArgumentException;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.ExitCode;
 
-/** Turns every failure into one line on the error stream and an exit code. */
+/**
+ * Turns every failure into one line on the error stream and an exit code, in the language that
+ * {@code --lang} asks for.
+ */
 final class Failures {
     private final PrintStream err;
+    private final ReportLanguage language;
 
-    Failures(PrintStream err) {
+    Failures(PrintStream err, ReportLanguage language) {
         this.err = err;
+        this.language = language;
     }
 
     int wrongArguments(ParameterException e, String[] args) {
         CommandLine command = e.getCommandLine();
         String name = command.getCommandSpec().qualifiedName(" ");
-        say(name, explanation(e) + " (see `" + name + " --help`)");
+        say(name, said(explanation(e)) + " " + language.texts().text("see", name));
         return ExitCode.BAD_INPUT;
     }
 
@@ -54,7 +60,7 @@ final class Failures {
     int failed(Exception e, CommandLine command, ParseResult parsed) {
         String name = command.getCommandSpec().qualifiedName(" ");
         if (e instanceof Complaint complaint) {
-            say(name, complaint.getMessage());
+            say(name, said(complaint.getMessage()));
             return complaint.exitCode();
         }
         return fault(name, e);
@@ -62,14 +68,21 @@ final class Failures {
 
     /** Something that no command expected: one line here, all of it in a log file. */
     int fault(String command, Throwable e) {
-        say(command, "this is a fault of Rasterlab (" + e + "); details: " + logged(e));
+        say(command, language.texts().text("fault", e.toString(), logged(e)));
         return ExitCode.INTERNAL;
     }
 
     int outOfMemory() {
         long mebibytes = Runtime.getRuntime().maxMemory() >> 20;
-        say("./lab", "this needs more than the " + mebibytes + " MiB that Java may use here");
+        say("./lab", language.texts().text("memory", mebibytes));
         return ExitCode.GAVE_UP;
+    }
+
+    /** English stays as it is, its numbers too: scripts may read them. */
+    private String said(String english) {
+        return language == ReportLanguage.EN
+                ? english
+                : Complaints.said(language.inWindow(), english);
     }
 
     private void say(String command, String message) {

@@ -21,12 +21,13 @@ public final class Lab {
      */
     public static int run(String[] args, InputStream in, PrintStream out, PrintStream err) {
         var console = Console.of(in, out, err);
+        ReportLanguage language = ReportLanguage.asked(args);
         try {
-            return commandLine(console).execute(args);
+            return commandLine(console, language).execute(args);
         } catch (OutOfMemoryError e) {
-            return new Failures(console.err()).outOfMemory();
+            return new Failures(console.err(), language).outOfMemory();
         } catch (Error e) {
-            return new Failures(console.err()).fault("./lab", e);
+            return new Failures(console.err(), language).fault("./lab", e);
         } finally {
             console.out().flush();
             console.err().flush();
@@ -34,6 +35,10 @@ public final class Lab {
     }
 
     static CommandLine commandLine(Console console) {
+        return commandLine(console, ReportLanguage.EN);
+    }
+
+    private static CommandLine commandLine(Console console, ReportLanguage language) {
         var lab = new CommandLine(new LabCommand(console));
         lab.addSubcommand(new MethodsCommand(console));
         lab.addSubcommand(new RunCommand(console));
@@ -48,11 +53,12 @@ public final class Lab {
         lab.addSubcommand(new BenchCommand());
         lab.addSubcommand(new CompletionCommand(console));
         lab.addSubcommand(new CommandLine.HelpCommand());
-        return configured(lab, console);
+        return configured(lab, console, language);
     }
 
-    private static CommandLine configured(CommandLine lab, Console console) {
-        var failures = new Failures(console.err());
+    private static CommandLine configured(
+            CommandLine lab, Console console, ReportLanguage language) {
+        var failures = new Failures(console.err(), language);
         return lab.setOut(new PrintWriter(console.out(), true))
                 .setErr(new PrintWriter(console.err(), true))
                 .setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF))

@@ -29,6 +29,12 @@ enum ReportLanguage {
         throw new TypeConversionException("expected one of " + codes + ", got '" + code + "'");
     }
 
+    /** What {@code --lang} says, whatever is wrong with the other arguments; else English. */
+    static ReportLanguage asked(String[] args) {
+        String words = String.join("\n", args) + "\n";
+        return words.matches("(?is)(.*\\n)?--lang[\\n=]ru\\n.*") ? RU : EN;
+    }
+
     Language inWindow() {
         return this == EN ? Language.ENGLISH : Language.RUSSIAN;
     }

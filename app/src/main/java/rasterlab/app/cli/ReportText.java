@@ -4,6 +4,7 @@ import java.io.PrintStream;
 import java.util.List;
 import java.util.Locale;
 import rasterlab.app.language.Texts;
+import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Points;
@@ -24,9 +25,9 @@ final class ReportText {
         this.fileName = fileName;
     }
 
-    void print(String title, Report report) {
+    void print(Exercise exercise, Report report) {
         Points points = report.points();
-        say("exercise", title);
+        say("exercise", exercise.title(language()));
         say("verdict", texts.text(report.verdict().code()));
         say(
                 "points",
@@ -42,7 +43,7 @@ final class ReportText {
             say("cost", String.format(Locale.ROOT, "%.2f ns", report.nanosPerItem()));
         say("isolation", report.isolation(language()));
         report.diagnostics().forEach(this::printDiagnostic);
-        printCases(report.cases());
+        printCases(exercise, report.cases());
     }
 
     /** Prints one value with its name in the report's language. */
@@ -62,7 +63,7 @@ final class ReportText {
         return texts.locale().getLanguage();
     }
 
-    private void printCases(List<CaseReport> cases) {
+    private void printCases(Exercise exercise, List<CaseReport> cases) {
         if (cases.isEmpty()) return;
         out.println();
         var table =
@@ -71,25 +72,28 @@ final class ReportText {
                         texts.text("verdict"),
                         texts.text("points"),
                         texts.text("message"));
-        for (CaseReport judged : cases) table.add(row(judged));
+        for (CaseReport judged : cases) table.add(row(exercise, judged));
         table.lines().forEach(out::println);
-        cases.forEach(this::printPicture);
+        for (CaseReport judged : cases) printPicture(exercise, judged);
     }
 
-    private List<String> row(CaseReport judged) {
+    private List<String> row(Exercise exercise, CaseReport judged) {
         return List.of(
-                judged.name(),
+                exercise.caseTitle(judged.name(), language()),
                 texts.text(judged.verdict().code()),
                 judged.points() + "/" + judged.of(),
                 judged.message(language()));
     }
 
-    private void printPicture(CaseReport judged) {
+    /** Below the case's name too, with which the names of its picture files begin. */
+    private void printPicture(Exercise exercise, CaseReport judged) {
         judged.pictures()
                 .ifPresent(
                         pictures -> {
                             out.println();
-                            out.println(judged.name() + " (" + texts.text("legend") + ")");
+                            String title = exercise.caseTitle(judged.name(), language());
+                            out.println(title + ", " + judged.name());
+                            out.println("(" + texts.text("legend") + ")");
                             pictures.text().lines().forEach(row -> out.println("  " + row));
                         });
     }

@@ -5,6 +5,7 @@ import java.awt.Component;
 import java.awt.Font;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import javax.swing.JLabel;
 import javax.swing.JTable;
@@ -35,6 +36,7 @@ final class CaseTable extends JTable {
 
     private final transient Texts texts;
     private final transient Rows rows = new Rows();
+    private transient UnaryOperator<String> titles = UnaryOperator.identity();
     private final TableColumn verdict;
 
     /**
@@ -134,8 +136,13 @@ final class CaseTable extends JTable {
         return column == 0 ? "" : texts.text("column." + COLUMNS.get(column));
     }
 
-    /** Shows other cases; the chosen one stays chosen if there is one of its name. */
-    void show(List<TriedCase> cases) {
+    /**
+     * Shows other cases; the chosen one stays chosen if there is one of its name.
+     *
+     * @param named a case's name to what it is called in the table's language
+     */
+    void show(List<TriedCase> cases, UnaryOperator<String> named) {
+        titles = named;
         if (cases.equals(rows.cases)) return;
         String chosen = chosen().map(TriedCase::name).orElse("");
         rows.cases = List.copyOf(cases);
@@ -181,9 +188,14 @@ final class CaseTable extends JTable {
             if (coloured) setForeground(VerdictLook.colour(shown.verdict()));
             else if (!on) setForeground(table.getForeground());
             String said = shown.said().in(texts.language());
-            setToolTipText(said.isEmpty() ? shown.name() : said);
+            setToolTipText(said.isEmpty() ? titleAndName() : said);
             setHorizontalAlignment(column == 0 || column == 2 ? CENTER : LEADING);
             return this;
+        }
+
+        private String titleAndName() {
+            String title = titles.apply(shown.name());
+            return title.equals(shown.name()) ? title : title + " (" + shown.name() + ")";
         }
     }
 
@@ -212,7 +224,7 @@ final class CaseTable extends JTable {
             TriedCase one = cases.get(row);
             return switch (column) {
                 case 0 -> VerdictLook.sign(one.verdict());
-                case 1 -> one.name();
+                case 1 -> titles.apply(one.name());
                 case 2 -> one.verdict().isEmpty() ? one.of() : one.points() + "/" + one.of();
                 default -> texts.textOr("verdict." + one.verdict(), one.verdict());
             };

@@ -139,10 +139,13 @@ final class ResultPane extends JPanel {
         boolean running = !state.work().cases().isEmpty();
         Optional<Outcome> outcome = state.work().running() ? Optional.empty() : state.outcome();
         List<TriedCase> judged = outcome.map(Outcome::cases).orElse(state.work().cases());
+        String language = texts.locale().getLanguage();
         boolean sourceRefused =
                 outcome.filter(one -> one.cases().isEmpty() && !one.remarks().isEmpty())
                         .isPresent();
-        table.show(outcome.isPresent() || running ? merged(judged, untried) : untried);
+        table.show(
+                outcome.isPresent() || running ? merged(judged, untried) : untried,
+                name -> state.exercise().caseTitle(name, language));
         remarks.show(outcome.map(Outcome::remarks).orElse(List.of()));
         guide(outcome.isEmpty() && !state.work().running());
         cases.revalidate();

@@ -61,7 +61,7 @@ public final class LightPanel extends LabPanel {
         saving = new LitSceneSaving(model, texts, this, onFailure);
         lightActions.add("openScene", saving::open);
         lightActions.add("saveScene", saving::ask);
-        stage.setTransferHandler(new FileDrop(model::open, onFailure));
+        stage.setTransferHandler(new FileDrop(this, language, model::open));
         lightActions.add(
                 "copyCommand", () -> saving.tellCommands(lines -> Copying.text(lines, onFailure)));
         colourActions.add("copyCommand", () -> Copying.text(command(), onFailure));

@@ -1,22 +1,19 @@
 package rasterlab.app.light;
 
 import java.awt.Component;
-import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import rasterlab.app.canvas.FileWriting;
 import rasterlab.app.canvas.LastFolderChooser;
-import rasterlab.app.canvas.SaveChooser;
+import rasterlab.app.canvas.SceneWriting;
 import rasterlab.app.language.Texts;
-import rasterlab.app.model.SceneText;
 
 /** Asks for a file, saves the lit scene there, and knows the commands that draw it from there. */
 final class LitSceneSaving {
     private final LightLabModel model;
     private final Texts texts;
     private final Component parent;
-    private final FileWriting writing;
+    private final SceneWriting writing;
 
     /**
      * @param parent of the dialogs
@@ -27,7 +24,7 @@ final class LitSceneSaving {
         this.model = model;
         this.texts = texts;
         this.parent = parent;
-        writing = new FileWriting(parent, texts.language(), onFailure);
+        writing = new SceneWriting(parent, texts.language(), onFailure);
     }
 
     /** The commands for the three pictures; empty where no file holds the scene. */
@@ -66,15 +63,15 @@ final class LitSceneSaving {
      * @param title key of what the dialog says above all
      */
     private void ask(String title, Consumer<LitSceneFile> then) {
-        var chooser = new SaveChooser(texts.language(), SceneText::named);
-        chooser.setDialogTitle(texts.text(title));
         LightChoice choice = model.state().choice();
-        chooser.toSave(
-                        parent,
-                        choice.body().stem().replaceFirst("-lit$", "")
-                                + "-lit"
-                                + SceneText.EXTENSION)
-                .ifPresent(file -> write(choice, file, then));
+        writing.ask(
+                texts.text(title),
+                choice.body().stem().replaceFirst("-lit$", "") + "-lit",
+                file -> () -> LitSceneFile.write(choice, file),
+                written -> {
+                    model.keep(written);
+                    then.accept(written);
+                });
     }
 
     /** Asks for a file and opens it. */
@@ -84,15 +81,5 @@ final class LitSceneSaving {
         chooser.setDialogTitle(texts.text("scene.open.title"));
         chooser.setFileFilter(new FileNameExtensionFilter(texts.text("scene.files"), "json"));
         chooser.toOpen(parent).ifPresent(model::open);
-    }
-
-    private void write(LightChoice choice, Path file, Consumer<LitSceneFile> then) {
-        writing.write(
-                texts.text("scene.save.title"),
-                () -> LitSceneFile.write(choice, file),
-                written -> {
-                    model.keep(written);
-                    then.accept(written);
-                });
     }
 }

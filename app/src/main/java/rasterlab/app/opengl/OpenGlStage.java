@@ -18,6 +18,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import rasterlab.app.canvas.DevicePixels;
+import rasterlab.app.canvas.FileDrop;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.SvgDrawing;
@@ -88,7 +89,7 @@ final class OpenGlStage extends JPanel implements Settling {
         add(fields);
         reading.setMinimumSize(new Dimension());
         add(reading, BorderLayout.SOUTH);
-        setTransferHandler(new ImageDrop(onImage));
+        setTransferHandler(new FileDrop(this, texts.language(), onImage));
         listen();
         refresh();
     }

@@ -30,26 +30,31 @@ record LeftOutNote(List<String> lines) {
     }
 
     static LeftOutNote of(Study study, StudyWords words) {
-        var sizes = new LinkedHashMap<String, Map<Verdict.Kind, List<Integer>>>();
+        var points = new LinkedHashMap<String, Map<Verdict.Kind, List<Measurement>>>();
         for (Measurement measured : study.measurements())
             if (!measured.cost().timed())
-                sizes.computeIfAbsent(
+                points.computeIfAbsent(
                                 measured.method(), method -> new EnumMap<>(Verdict.Kind.class))
                         .computeIfAbsent(measured.kind(), kind -> new ArrayList<>())
-                        .add(measured.size());
-        if (sizes.isEmpty()) return new LeftOutNote(List.of());
+                        .add(measured);
+        if (points.isEmpty()) return new LeftOutNote(List.of());
         String methods =
-                sizes.entrySet().stream()
-                        .map(entry -> entry.getKey() + " " + reasons(entry.getValue(), words))
+                points.entrySet().stream()
+                        .map(
+                                entry ->
+                                        entry.getKey()
+                                                + " "
+                                                + reasons(study, entry.getValue(), words))
                         .collect(Collectors.joining("; "));
         return new LeftOutNote(
                 Wrapping.lines(words.notTimed() + " " + methods, LONGEST_LINE, String::length));
     }
 
-    private static String reasons(Map<Verdict.Kind, List<Integer>> sizes, StudyWords words) {
-        return sizes.entrySet().stream()
-                .map(entry -> words.reason(entry.getKey(), entry.getValue()))
-                .collect(Collectors.joining(", ", "(", ")"));
+    private static String reasons(
+            Study study, Map<Verdict.Kind, List<Measurement>> points, StudyWords words) {
+        return points.entrySet().stream()
+                .map(entry -> words.reason(study, entry.getKey(), entry.getValue()))
+                .collect(Collectors.joining("; ", "(", ")"));
     }
 
     /** Height of the note in pixels. */

@@ -54,8 +54,8 @@ final class SizeLabels extends Annotation {
         points.add(new Point(cost, position));
     }
 
-    void add(int size, double cost, double position, Color colour) {
-        labels.add(new Label(LogTicks.size(size), new Point(cost, position), colour));
+    void add(String size, double cost, double position, Color colour) {
+        labels.add(new Label(size, new Point(cost, position), colour));
     }
 
     @Override

@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYChartBuilder;
@@ -57,7 +58,7 @@ public final class StudyChart {
                         (method, look) -> {
                             for (List<Measurement> line : lines(method, points(study))) {
                                 add(chart, method, look.on(paper), line, errors);
-                                label(sizes, look, line, errors);
+                                label(sizes, look, line, errors, point -> words.size(study, point));
                             }
                         });
         chart.addAnnotation(sizes);
@@ -133,13 +134,17 @@ public final class StudyChart {
 
     /** The least and the greatest size. */
     private static void label(
-            SizeLabels sizes, MethodLook look, List<Measurement> points, ErrorAxis axis) {
+            SizeLabels sizes,
+            MethodLook look,
+            List<Measurement> points,
+            ErrorAxis axis,
+            Function<Measurement, String> said) {
         for (Measurement point : points) sizes.avoid(cost(point), axis.position(point));
         Measurement first = points.get(0);
         Measurement last = points.get(points.size() - 1);
-        sizes.add(first.size(), cost(first), axis.position(first), look.colour());
+        sizes.add(said.apply(first), cost(first), axis.position(first), look.colour());
         if (points.size() > 1)
-            sizes.add(last.size(), cost(last), axis.position(last), look.colour());
+            sizes.add(said.apply(last), cost(last), axis.position(last), look.colour());
     }
 
     private static double cost(Measurement point) {

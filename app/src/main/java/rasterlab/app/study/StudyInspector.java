@@ -163,7 +163,8 @@ final class StudyInspector {
 
     private void showPoint(StudyLabState state) {
         Optional<Measurement> point = state.point();
-        workload.setText(point.map(Measurement::workload).orElse("–"));
+        workload.setText(point.map(one -> workload(state, one)).orElse("–"));
+        workload.setToolTipText(point.map(Measurement::workload).orElse(null));
         cost.setText(
                 point.map(one -> texts.text("nanos", number(one.cost().medianNanos())))
                         .orElse("–"));
@@ -179,6 +180,10 @@ final class StudyInspector {
         verdict.setText(point.map(one -> texts.text("verdict." + one.kind().code())).orElse("–"));
         wrong.setText(point.map(one -> wrong(one.error())).orElse("–"));
         say(detail, point.map(this::detail).orElse(texts.text("hint.point")));
+    }
+
+    private String workload(StudyLabState state, Measurement point) {
+        return words.workload(state.topic().name(), point.workload());
     }
 
     private String detail(Measurement point) {

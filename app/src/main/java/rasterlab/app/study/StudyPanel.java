@@ -40,6 +40,7 @@ public final class StudyPanel extends LabPanel {
     private final transient OpenInLab lab;
     private final transient Texts texts;
     private final transient TopicNames called;
+    private final transient StudyWords words;
     private final transient Consumer<Throwable> onFailure;
     private final transient FileWriting writing;
     private final ChartStage chart;
@@ -68,6 +69,7 @@ public final class StudyPanel extends LabPanel {
         setName("study");
         texts = Texts.of("study", language);
         called = TopicNames.in(language);
+        words = new StudyWords(language);
         writing = new FileWriting(this, language, onFailure);
         chart = new ChartStage(model, texts, onFailure);
         table = new HazardTable(model, texts, this::open);
@@ -220,7 +222,9 @@ public final class StudyPanel extends LabPanel {
         if (work.method().isEmpty()) return "";
         boolean hazard = work.kind() == StudyWork.Kind.HAZARDS;
         String on =
-                hazard ? called.hazard(model.state().topic(), model.hazard(work.on())) : work.on();
+                hazard
+                        ? called.hazard(model.state().topic(), model.hazard(work.on()))
+                        : words.workload(model.state().topic().name(), work.on());
         return work.method() + ", " + on;
     }
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
 import rasterlab.engine.study.Verdict;
 
@@ -11,10 +12,12 @@ import rasterlab.engine.study.Verdict;
 public final class StudyWords {
     private final Texts texts;
     private final TopicNames called;
+    private final WorkloadWords workloads;
 
     public StudyWords(Language language) {
         texts = Texts.of("study", language);
         called = TopicNames.in(language);
+        workloads = new WorkloadWords(texts);
     }
 
     /** What is counted, as it stands behind "per"; in English where it has no translation. */
@@ -78,12 +81,23 @@ public final class StudyWords {
         return texts.text("chart.notTimed");
     }
 
+    /** What a workload of the topic draws, cuts or counts. */
+    String workload(String topic, String name) {
+        return workloads.workload(topic, name);
+    }
+
+    /** The size beside a point of the chart, with what it counts. */
+    String size(Study study, Measurement point) {
+        return workloads.size(study.topic(), point.workload(), point.size());
+    }
+
     /**
      * @param kind refused, endless or crashed
-     * @param sizes at which a method ended so
+     * @param points at whose sizes a method ended so
      */
-    String reason(Verdict.Kind kind, List<Integer> sizes) {
-        String listed = sizes.stream().map(String::valueOf).collect(Collectors.joining(", "));
+    String reason(Study study, Verdict.Kind kind, List<Measurement> points) {
+        String listed =
+                points.stream().map(point -> size(study, point)).collect(Collectors.joining(", "));
         return texts.text("chart." + kind.code(), listed);
     }
 }

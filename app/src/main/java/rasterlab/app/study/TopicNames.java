@@ -6,12 +6,12 @@ import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
 
 /**
- * What topics and their hazards are called in the window's language; in English as in commands. A
- * hazard that a lab has among its own is called as there.
+ * What topics and their hazards are called in the window's language. A hazard that a lab has among
+ * its own is called as there.
  */
 record TopicNames(Texts own) {
     static TopicNames in(Language language) {
-        return new TopicNames(Texts.of("study", "topic", language));
+        return new TopicNames(Texts.of("study", "names", language));
     }
 
     String topic(String name) {
@@ -24,7 +24,6 @@ record TopicNames(Texts own) {
     }
 
     String hazard(Topic<?, ?, ?> topic, Hazard<?> hazard) {
-        if (own.language() == Language.ENGLISH) return hazard.name();
         String key = "hazard." + topic.name() + "." + hazard.name();
         if (own.has(key)) return own.text(key);
         return TopicTexts.of(topic.name(), own.language())

@@ -118,7 +118,7 @@ final class GradingSection implements TourPart {
         for (JsonNode judged : graded.result.path("cases"))
             rows.add(
                     List.of(
-                            judged.path("name").asText(),
+                            title(judged),
                             page.texts().text("verdict." + judged.path("verdict").asText()),
                             judged.path("points").asText() + "/" + judged.path("of").asText(),
                             judged.path("message").asText()));
@@ -134,13 +134,19 @@ final class GradingSection implements TourPart {
             JsonNode pictures = judged.path("pictures");
             if (!pictures.hasNonNull("difference")) continue;
             String name = judged.path("name").asText();
-            page.paragraph(page.texts().text("grading.picture", name));
+            page.paragraph(page.texts().text("grading.picture", title(judged)));
             page.preformatted(pictures.path("text").asText());
             byte[] png = client.get(pictures.path("difference").asText(), student);
             page.smallGallery(
-                    List.of(page.picture("graded-" + graded.solution + "-" + name, png, name)));
+                    List.of(
+                            page.picture(
+                                    "graded-" + graded.solution + "-" + name, png, title(judged))));
             return;
         }
+    }
+
+    private static String title(JsonNode judged) {
+        return judged.path("title").asText();
     }
 
     private static String source(String solution) throws IOException {

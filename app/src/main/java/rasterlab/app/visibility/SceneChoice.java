@@ -38,6 +38,11 @@ record SceneChoice(
         return name;
     }
 
+    /** Whether {@code ./lab render} finds the scene by its name; a picture on it has its own. */
+    boolean named() {
+        return known || file.isEmpty() && image.isPresent() && Scenes.names().contains(name);
+    }
+
     /** The lab's scene that a picture is laid on; empty where the scene is not the lab's. */
     Optional<SceneChoice> withoutFiles() {
         return file.isEmpty() && Scenes.names().contains(name)

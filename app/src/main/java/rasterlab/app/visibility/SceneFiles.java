@@ -11,6 +11,8 @@ import java.util.function.UnaryOperator;
 import rasterlab.app.model.ModelFile;
 import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.FileKind;
+import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.PictureFile;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.scene.Finish;
@@ -83,6 +85,7 @@ final class SceneFiles {
             SceneChoice model = model(file);
             return choice -> choice.with(model);
         }
+        if (Files.isDirectory(file)) FileToRead.require(file, FileKind.SCENE);
         if (!name.matches(".*\\.(png|jpg|jpeg)"))
             throw Complaint.badInput(
                     file
@@ -138,12 +141,16 @@ final class SceneFiles {
         };
     }
 
-    private static void save(Path file, VisibilityChoice choice) {
+    /**
+     * @throws Complaint if the file cannot be written
+     */
+    static SavedScene save(Path file, VisibilityChoice choice) {
         Settings said = SavedView.of(choice);
         Optional<Path> image = choice.shown().image();
         if (image.isPresent())
             said = said.with(Setting.TEXTURE_IMAGE, nameBeside(file, image.get()));
         SceneText.write(file, new SceneView(source(choice.shown()), said));
+        return new SavedScene(file, choice.shown());
     }
 
     private static SceneSource source(SceneChoice shown) {

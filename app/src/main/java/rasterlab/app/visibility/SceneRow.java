@@ -1,12 +1,12 @@
 package rasterlab.app.visibility;
 
 import java.awt.Component;
-import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.FileDrop;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.model.SceneText;
 
@@ -53,8 +53,7 @@ final class SceneRow extends JPanel {
     }
 
     /** Lets files be dropped on a component. */
-    static void acceptFiles(
-            JComponent target, VisibilityLabModel model, Consumer<Throwable> onFailure) {
-        target.setTransferHandler(new FileDrop(model::open, onFailure));
+    static void acceptFiles(JComponent target, VisibilityLabModel model, Language language) {
+        target.setTransferHandler(new FileDrop(target, language, model::open));
     }
 }

@@ -46,6 +46,7 @@ public record VisibilityChoice(
     private static final String VASE_TONES = "tone";
 
     private static final double FIRST_ZOOM = 1.6;
+    private static final double BESIDE_ZOOM = 1.3;
 
     public VisibilityChoice {
         if (!(zoom >= SMALLEST && zoom <= LARGEST))
@@ -138,6 +139,19 @@ public record VisibilityChoice(
         var draft = new Draft(this);
         draft.visibility = other;
         return draft.choice();
+    }
+
+    /** A scene by two methods side by side. */
+    VisibilityChoice comparing(String scene, String method, String other) {
+        return withScene(scene).withVisibility(method).withComparison(other);
+    }
+
+    /**
+     * Two pictures in the scene's own colours, unmarked: a scene's own scale is for a wide picture,
+     * but each of the two is high.
+     */
+    VisibilityChoice inOwnColours() {
+        return withShading(OWN_COLOURS).withZoom(BESIDE_ZOOM).withDifference(false);
     }
 
     VisibilityChoice withComparison(String other) {

@@ -45,21 +45,27 @@ final class VisibilityCommand {
         return first + "\n" + new VisibilityCommand(model).by(choice.comparison());
     }
 
-    /** The file that has to be saved before the command can draw it; empty where there is one. */
-    static Optional<String> unsaved(VisibilityLabModel model) {
+    /** Whether no name and no file brings the scene back, so that it has to be saved first. */
+    static boolean needsFile(VisibilityLabModel model) {
         VisibilityChoice choice = model.state().choice();
-        SceneChoice scene = choice.shown();
         boolean charted = choice.view() == StageView.GROWTH || choice.view() == StageView.PRECISION;
-        boolean saved = charted || scene.file().isPresent() || named(scene).equals(scene.name());
-        return saved ? Optional.empty() : Optional.of(named(scene));
+        return !charted && !choice.shown().named() && file(model).isEmpty();
+    }
+
+    /** The file that holds the scene. */
+    private static Optional<Path> file(VisibilityLabModel model) {
+        SceneChoice shown = model.state().choice().shown();
+        return shown.file()
+                .or(() -> model.saved().filter(one -> one.holds(shown)).map(SavedScene::file));
     }
 
     private String by(String method) {
         Raster shown = model.state().picture().map(Picture::raster).orElse(new Raster(800, 600));
         SceneChoice scene = choice.shown();
         words.addAll(List.of("./lab", "render"));
-        words.add(scene.file().map(ShellPath::quoted).orElse(named(scene)));
-        if (scene.file().filter(VisibilityCommand::says).isPresent()) words.add("--scene-only");
+        Optional<Path> file = file(model);
+        words.add(file.map(ShellPath::quoted).orElse(scene.name()));
+        if (file.filter(VisibilityCommand::says).isPresent()) words.add("--scene-only");
         scene.image().ifPresent(image -> add("--texture-image", ShellPath.quoted(image)));
         SphericalView camera = choice.camera();
         add("--visibility", method);
@@ -80,13 +86,8 @@ final class VisibilityCommand {
         return file.toString().endsWith(SceneText.EXTENSION);
     }
 
-    /** A scene that no name brings back, as it is called when it is saved. */
-    private static String named(SceneChoice scene) {
-        boolean unknown = !scene.known() && scene.image().isEmpty();
-        return unknown ? scene.name() + SceneText.EXTENSION : scene.name();
-    }
-
-    private static String stem(String name) {
+    /** What files of a scene are called before their ending. */
+    static String stem(String name) {
         return name.replaceFirst("(\\.scene)?\\.[a-zA-Z]+$", "")
                 .replaceAll("[^\\p{L}\\p{N}_-]", "-");
     }

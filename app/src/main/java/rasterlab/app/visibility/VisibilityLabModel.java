@@ -29,8 +29,6 @@ import rasterlab.engine.visibility.Visibility;
  * the executor it is given. Each change publishes a new immutable {@link VisibilityLabState}.
  */
 public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoCloseable {
-    private static final double BESIDE_ZOOM = 1.3;
-
     private final PictureMaker maker;
     private final LatestOnly<Frame, Frame.Pictures> pictures;
     private final LatestOnly<Frame, Optional<Differences>> differences;
@@ -47,6 +45,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private Optional<Frame> compared = Optional.empty();
     private StagePictures stage = new StagePictures(Renderer.visibilityMethods(), 0, 0);
     private VisibilityLabState state = VisibilityLabState.of(VisibilityChoice.first());
+    private Optional<SavedScene> saved = Optional.empty();
 
     /**
      * @param maker closed with the model, when it draws no more
@@ -178,25 +177,12 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
      * @throws IllegalArgumentException if the engine does not know a name
      */
     public void compare(String scene, String method, String comparison) {
-        choose(choice -> compared(choice, scene, method, comparison).withDifference(true));
+        choose(choice -> choice.comparing(scene, method, comparison).withDifference(true));
     }
 
-    /**
-     * The same in the scene's own colours, unmarked, and larger: a scene's own scale is for a wide
-     * picture, but each of the two is high.
-     */
+    /** The same in the scene's own colours, unmarked, and larger. */
     public void compareColours(String scene, String method, String comparison) {
-        choose(
-                choice ->
-                        compared(choice, scene, method, comparison)
-                                .withShading(VisibilityChoice.OWN_COLOURS)
-                                .withZoom(BESIDE_ZOOM)
-                                .withDifference(false));
-    }
-
-    private static VisibilityChoice compared(
-            VisibilityChoice choice, String scene, String method, String comparison) {
-        return choice.withScene(scene).withVisibility(method).withComparison(comparison);
+        choose(choice -> choice.comparing(scene, method, comparison).inOwnColours());
     }
 
     /** Lets the timeline go through the method's steps, or turn the scene. */
@@ -279,6 +265,15 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     /** Writes the view into a scene file; what goes wrong is told in the state. */
     void save(Path file) {
         files.ask(new SceneFiles.Task(file, Optional.of(state.choice())));
+    }
+
+    void keep(SavedScene scene) {
+        saved = Optional.of(scene);
+    }
+
+    /** The scene that was saved last. */
+    Optional<SavedScene> saved() {
+        return saved;
     }
 
     @Override
@@ -371,8 +366,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     private void accept(RenderRequest request, Optional<Drawn> found) {
-        if (!state.choice().drawing()) return;
-        publish(state.withDrawn(found));
+        if (state.choice().drawing()) publish(state.withDrawn(found));
     }
 
     private void accept(PixelReport found) {
@@ -384,10 +378,12 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     private void accept(SceneFiles.Task task, SceneFiles.Answer answer) {
+        String problem = answer.problem();
         boolean back = task.back().isPresent();
         if (back && keptFiles.awaited().isEmpty()) return;
         String instead = back ? "; the scene " + state.choice().scene() + " is shown instead" : "";
-        String problem = answer.problem();
+        if (problem.isEmpty())
+            task.saved().ifPresent(choice -> keep(new SavedScene(task.file(), choice.shown())));
         publish(state.withProblem(problem.isEmpty() ? "" : problem + instead));
         try {
             if (back) draw(answer.change().apply(state.choice()));

@@ -10,6 +10,7 @@ import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.SceneWriting;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
@@ -30,6 +31,7 @@ public final class VisibilityPanel extends LabPanel {
     private final transient VisibilityInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
+    private final transient SceneWriting writing;
     private transient Runnable unsubscribe = () -> {};
 
     /**
@@ -42,7 +44,7 @@ public final class VisibilityPanel extends LabPanel {
         texts = Texts.of("visibility", language);
         inspector = new VisibilityInspector(model, texts);
         stage = new VisibilityStage(model, texts);
-        SceneRow.acceptFiles(stage, model, onFailure);
+        SceneRow.acceptFiles(stage, model, language);
         player =
                 new StepPlayer(
                         Texts.of("canvas", language),
@@ -53,7 +55,8 @@ public final class VisibilityPanel extends LabPanel {
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("hidden-surfaces", stage, stage::svg), onFailure);
         rows = new RowCard(shown, cards, () -> rows(onFailure));
-        actions.add("copyCommand", () -> Copying.text(VisibilityCommand.of(model), onFailure));
+        writing = new SceneWriting(this, language, onFailure);
+        actions.add("copyCommand", () -> tellCommand(line -> Copying.text(line, onFailure)));
     }
 
     @Override
@@ -124,9 +127,24 @@ public final class VisibilityPanel extends LabPanel {
         actions.refreshUndo();
         actions.hint(
                 "copyCommand",
-                VisibilityCommand.unsaved(model)
-                        .map(file -> texts.text("copy.unsaved", file))
-                        .orElse(texts.text("copy.command")));
+                texts.text(VisibilityCommand.needsFile(model) ? "copy.unsaved" : "copy.command"));
+    }
+
+    /** Where no file holds the scene, asks for one first and saves the scene there. */
+    private void tellCommand(Consumer<String> told) {
+        if (!VisibilityCommand.needsFile(model)) {
+            told.accept(VisibilityCommand.of(model));
+            return;
+        }
+        VisibilityChoice choice = model.state().choice();
+        writing.ask(
+                texts.text("copy.title"),
+                VisibilityCommand.stem(choice.shown().name()),
+                file -> () -> SceneFiles.save(file, choice),
+                written -> {
+                    model.keep(written);
+                    told.accept(VisibilityCommand.of(model));
+                });
     }
 
     private Chips chips() {

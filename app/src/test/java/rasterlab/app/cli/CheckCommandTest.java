@@ -30,6 +30,8 @@ class CheckCommandTest {
         assertTrue(ran.out().contains("\n  #.."), ran.out());
         assertTrue(ran.out().contains("нет пикселя ("), ran.out());
         assertFalse(ran.out().contains("missing"), ran.out());
+        assertTrue(ran.out().contains("разрывы на крутом отрезке, steep-line-leaves"), ran.out());
+        assertTrue(ran.err().contains("разрывы на крутом отрезке: неверно"), ran.err());
         Path picture = folder.resolve("pictures/steep-line-leaves-gaps-difference.png");
         assertTrue(Files.exists(picture), ran.out());
         String scene = folder.resolve("pictures/steep-line-leaves-gaps.scene.json").toString();

@@ -154,7 +154,7 @@ class LabTest {
     @Test
     void faultIsOneLineAndALog() throws Exception {
         var err = new ByteArrayOutputStream();
-        var failures = new Failures(new PrintStream(err));
+        var failures = new Failures(new PrintStream(err), ReportLanguage.EN);
         assertEquals(70, failures.fault("./lab run", new IllegalStateException("a\nb")));
         String line = err.toString();
         assertEquals(1, line.lines().count(), line);

@@ -7,10 +7,13 @@ import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import javax.swing.JComponent;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.GradingVerdict;
 
 class CaseTableTest {
@@ -31,7 +34,7 @@ class CaseTableTest {
                     table.setSize(640, 200);
                     table.doLayout();
                     for (GradingVerdict verdict : GradingVerdict.values()) {
-                        table.show(List.of(one(verdict.code())));
+                        table.show(List.of(one(verdict.code())), name -> name);
                         table.doLayout();
                         assertEquals(4, table.getColumnCount(), verdict.code());
                         for (int column = 0; column < 4; column++)
@@ -40,6 +43,22 @@ class CaseTableTest {
                     }
                 });
         assertEquals(List.of(), cut);
+    }
+
+    @Test
+    @DisplayName("a case is called in English in the Russian window, or its name is nowhere")
+    void casesHaveTitlesAndTipsTheirNames() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    Exercise exercise = Catalogue.builtIn().all().get(0);
+                    var table = new CaseTable(texts, () -> {});
+                    table.show(List.of(one("")), name -> exercise.caseTitle(name, "ru"));
+                    assertEquals("потерян последний пиксель", table.getValueAt(0, 1));
+                    var cell = table.prepareRenderer(table.getCellRenderer(0, 1), 0, 1);
+                    assertEquals(
+                            "потерян последний пиксель (last-pixel-is-dropped)",
+                            ((JComponent) cell).getToolTipText());
+                });
     }
 
     private static int needed(CaseTable table, int column) {

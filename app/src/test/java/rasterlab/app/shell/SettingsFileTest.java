@@ -98,7 +98,7 @@ class SettingsFileTest {
         file(place).save(FIRST);
         Files.writeString(place, Files.readString(place) + key + "=" + value + "\n");
         assertEquals(FIRST, file(place).load(FIRST));
-        for (String part : List.of(place.toString(), "'" + key + "'", "'" + value + "'", allowed))
+        for (String part : List.of(place.toString(), "“" + key + "”", "“" + value + "”", allowed))
             assertTrue(problems.get(0).contains(part), problems.get(0) + " lacks " + part);
     }
 

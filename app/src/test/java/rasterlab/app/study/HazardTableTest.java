@@ -64,8 +64,11 @@ class HazardTableTest {
             assertTrue(svg.contains("height=\"" + dots.getHeight() + "\""), dots.toString());
             for (Method<?> method : model.state().topic().methods())
                 assertTrue(svg.contains(">" + method.name() + "<"), method.name());
+            TopicNames called = TopicNames.in(Language.ENGLISH);
             for (Hazard<?> hazard : model.state().topic().hazards())
-                assertTrue(svg.contains(">" + hazard.name() + "<"), hazard.name());
+                assertTrue(
+                        svg.contains(">" + called.hazard(model.state().topic(), hazard) + "<"),
+                        hazard.name());
             int methods = model.state().topic().methods().size();
             int hazards = model.state().topic().hazards().size();
             long verdicts = svg.chars().filter(sign -> "✓≈✗⊘∞†".indexOf(sign) >= 0).count();

@@ -188,18 +188,15 @@ class StudyChartTest {
                                 untimed(256, Verdict.Kind.CRASHED)));
         var words = new StudyWords(Language.RUSSIAN);
         assertEquals(
-                List.of("Не измерено: dda (отказ при 16, 64, сбой при 256)"),
+                List.of("Не измерено: dda (отказ: 16, 64; сбой: 256)"),
                 LeftOutNote.of(study, words).lines());
         String svg = new String(StudyChart.svg(study, Language.RUSSIAN), StandardCharsets.UTF_8);
         var texts = Pattern.compile(">([^<]*[a-zA-Z]{3}[^<]*)<").matcher(svg);
         List<String> english = texts.results().map(found -> found.group(1).strip()).toList();
-        assertEquals(
-                List.of("Не измерено: dda (отказ при 16, 64, сбой при 256)"),
-                english,
-                "but a name");
+        assertEquals(List.of("Не измерено: dda (отказ: 16, 64; сбой: 256)"), english, "but a name");
         XYChart chart = StudyChart.chart(study, words);
         assertEquals("Скорость и точность: отрезок (line)", chart.getTitle());
-        assertTrue(chart.getXAxisTitle().startsWith("цена: наносекунд на пиксель"));
+        assertTrue(chart.getXAxisTitle().startsWith("время: наносекунд на пиксель"));
         assertEquals("наибольшая ошибка [пиксели]", chart.getYAxisTitle());
     }
 

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.Topics;
+import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Topic;
 
@@ -41,14 +43,18 @@ class TopicNamesTest {
     @Test
     @DisplayName("two hazards of a topic, or two topics, have one name")
     void namesDiffer() {
+        for (Language language : Language.values()) namesDiffer(TopicNames.in(language));
+    }
+
+    private static void namesDiffer(TopicNames called) {
         var topics = new TreeMap<String, String>();
         for (Topic<?, ?, ?> topic : Topics.all()) {
-            assertEquals(null, topics.put(RUSSIAN.topic(topic.name()), topic.name()), topic.name());
+            assertEquals(null, topics.put(called.topic(topic.name()), topic.name()), topic.name());
             var hazards = new TreeMap<String, String>();
             for (Hazard<?> hazard : topic.hazards())
                 assertEquals(
                         null,
-                        hazards.put(RUSSIAN.hazard(topic, hazard), hazard.name()),
+                        hazards.put(called.hazard(topic, hazard), hazard.name()),
                         topic.name() + " " + hazard.name());
         }
     }
@@ -68,32 +74,52 @@ class TopicNamesTest {
     }
 
     @Test
-    @DisplayName("English names are not those of the commands")
-    void englishNamesAreThoseOfCommands() {
+    @DisplayName("the English window calls a hazard as commands do, with hyphens")
+    void everyHazardHasAnEnglishTitle() {
         TopicNames english = TopicNames.in(Language.ENGLISH);
-        for (Topic<?, ?, ?> topic : Topics.all()) {
-            assertEquals(topic.name(), english.topicAndCommand(topic.name()));
-            for (Hazard<?> hazard : topic.hazards())
-                assertEquals(hazard.name(), english.hazardAndCommand(topic, hazard));
-        }
+        var untitled = new TreeSet<String>();
+        for (Topic<?, ?, ?> topic : Topics.all())
+            for (Hazard<?> hazard : topic.hazards()) {
+                String title = english.hazard(topic, hazard);
+                if (title.equals(hazard.name())
+                        || !title.equals(title.strip())
+                        || Character.isLowerCase(title.charAt(0)) && !title.startsWith("cos"))
+                    untitled.add(topic.name() + " " + title);
+            }
+        assertEquals(new TreeSet<>(), untitled);
     }
 
     @Test
-    @DisplayName("the Russian table has the commands' names, or nothing tells them")
-    void tableHasRussianNamesAndTipsTheCommands() {
+    @DisplayName("a hazard has another title than in the tab that shows it")
+    void titlesAreThoseOfTheTab() {
+        TopicNames english = TopicNames.in(Language.ENGLISH);
+        var line = new LineTopic();
+        Texts lines = Texts.of("line", Language.ENGLISH);
+        for (Hazard<?> hazard : line.hazards())
+            assertEquals(lines.text("hazard." + hazard.name()), english.hazard(line, hazard));
+    }
+
+    @Test
+    @DisplayName("the table has the commands' names, or nothing tells them")
+    void tableHasTitlesAndTipsTheCommands() {
         List<Throwable> failures = new ArrayList<>();
         try (var model = new StudyLabModel(Topics.all(), Runnable::run, failures::add)) {
-            var table = new HazardTable(model, Texts.of("study", Language.RUSSIAN), () -> {});
-            var names = (JTable) table.scroll().getRowHeader().getView();
             model.choose("triangulate");
-            table.refresh();
-            assertEquals("Треугольник", names.getValueAt(0, 0));
-            var cell = names.prepareRenderer(names.getCellRenderer(0, 0), 0, 0);
-            assertEquals("Треугольник (one-triangle)", ((JComponent) cell).getToolTipText());
-            var verdict = table.prepareRenderer(table.getCellRenderer(0, 0), 0, 0);
-            String tip = ((JComponent) verdict).getToolTipText();
-            assertTrue(tip.contains("Треугольник (one-triangle)"), tip);
+            Map.of(Language.RUSSIAN, "Треугольник", Language.ENGLISH, "Triangle")
+                    .forEach((language, title) -> isTitled(model, language, title));
         }
         assertEquals(List.of(), failures);
+    }
+
+    private static void isTitled(StudyLabModel model, Language language, String title) {
+        var table = new HazardTable(model, Texts.of("study", language), () -> {});
+        var names = (JTable) table.scroll().getRowHeader().getView();
+        table.refresh();
+        assertEquals(title, names.getValueAt(0, 0));
+        var cell = names.prepareRenderer(names.getCellRenderer(0, 0), 0, 0);
+        assertEquals(title + " (one-triangle)", ((JComponent) cell).getToolTipText());
+        var verdict = table.prepareRenderer(table.getCellRenderer(0, 0), 0, 0);
+        String tip = ((JComponent) verdict).getToolTipText();
+        assertTrue(tip.contains(title + " (one-triangle)"), tip);
     }
 }

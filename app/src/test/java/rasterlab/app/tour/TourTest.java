@@ -39,7 +39,7 @@ class TourTest {
         assertFalse(tour.make(parts), "the server cannot be found");
         String html = Files.readString(tour.index());
         assertTrue(html.contains("<p class=\"failure\">"), html);
-        assertTrue(html.contains("Опасные случаи"), html);
+        assertTrue(html.contains("Трудные случаи"), html);
         assertTrue(log.toString(StandardCharsets.UTF_8).contains("vase: painter"));
         assertEquals("mine", Files.readString(foreign));
         assertEveryPictureIsThere(html);

@@ -2,6 +2,7 @@ package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
@@ -134,17 +135,38 @@ class VisibilityCommandTest {
     }
 
     @Test
-    void fileThatIsNotThereYetIsNamed() {
+    void sceneThatIsInNoFileIsDrawnFromTheFileItIsSavedIn() throws Exception {
+        var thread = new ModelThread();
+        var failures = new CopyOnWriteArrayList<Throwable>();
+        try (var model = new VisibilityLabModel(new Renderer()::render, thread, failures::add)) {
+            model.resize(211, 97);
+            assertFalse(VisibilityCommand.needsFile(model));
+            var body = new VisibleFacesTopic().hazards().get(0).input();
+            model.choose(TopicView.of("visible-faces-cube", body, "back-face", "back-face")::shown);
+            assertTrue(VisibilityCommand.needsFile(model));
+            model.keep(SceneFiles.save(folder.resolve("a.scene.json"), model.state().choice()));
+            model.choose(choice -> choice.withVisibility("z32"));
+            model.turn(0.3, 0.1);
+            thread.settle(model::settle);
+            assertFalse(VisibilityCommand.needsFile(model));
+            assertDrawsTheSame(model);
+            model.choose(choice -> choice.withView(StageView.GROWTH));
+            assertFalse(VisibilityCommand.needsFile(model));
+            assertEquals(List.of(), failures);
+        }
+    }
+
+    @Test
+    void anotherSceneIsNotDrawnFromTheFileOfTheLast() {
         try (var model =
                 new VisibilityLabModel(
                         new Renderer()::render, Runnable::run, Throwable::printStackTrace)) {
-            assertEquals(Optional.empty(), VisibilityCommand.unsaved(model));
-            var body = new VisibleFacesTopic().hazards().get(0).input();
-            model.choose(TopicView.of("visible-faces-cube", body, "back-face", "back-face")::shown);
-            String file = VisibilityCommand.unsaved(model).orElseThrow();
-            assertTrue(VisibilityCommand.of(model).contains("render " + file + " "), file);
-            model.choose(choice -> choice.withView(StageView.GROWTH));
-            assertEquals(Optional.empty(), VisibilityCommand.unsaved(model));
+            var bodies = new VisibleFacesTopic().hazards();
+            model.choose(TopicView.of("a", bodies.get(0).input(), "back-face", "back-face")::shown);
+            model.keep(new SavedScene(folder.resolve("a.json"), model.state().choice().shown()));
+            assertFalse(VisibilityCommand.needsFile(model));
+            model.choose(TopicView.of("b", bodies.get(3).input(), "back-face", "back-face")::shown);
+            assertTrue(VisibilityCommand.needsFile(model));
         }
     }
 
@@ -162,11 +184,15 @@ class VisibilityCommandTest {
             model.choose(change);
             thread.settle(model::settle);
             assertEquals(List.of(), failures);
-            BufferedImage drawn = drawn(VisibilityCommand.of(model));
-            assertArrayEquals(
-                    model.state().picture().orElseThrow().raster().argb(),
-                    drawn.getRGB(0, 0, drawn.getWidth(), drawn.getHeight(), null, 0, 211));
+            assertDrawsTheSame(model);
         }
+    }
+
+    private void assertDrawsTheSame(VisibilityLabModel model) throws Exception {
+        BufferedImage drawn = drawn(VisibilityCommand.of(model));
+        assertArrayEquals(
+                model.state().picture().orElseThrow().raster().argb(),
+                drawn.getRGB(0, 0, drawn.getWidth(), drawn.getHeight(), null, 0, 211));
     }
 
     /** What the command writes, into a folder of the test's own. */

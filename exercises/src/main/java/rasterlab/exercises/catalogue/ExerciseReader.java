@@ -24,7 +24,7 @@ import rasterlab.exercises.topic.TopicGradings;
 final class ExerciseReader {
     private static final List<String> LANGUAGES = List.of("en", "ru");
     private static final String[] CASE_FIELDS = {
-        "name", "kind", "visibility", "points", "input", "generate"
+        "name", "title", "kind", "visibility", "points", "input", "generate"
     };
 
     private final ExerciseFolder folder;
@@ -131,6 +131,7 @@ final class ExerciseReader {
             throw fields.wrong("visibility", "must not be open where the case is generated");
         return new Case(
                 name,
+                fields.has("title") ? titles(fields.object("title", "en", "ru")) : Map.of(),
                 Kind.valueOf(constant(fields.word("kind", List.of("accuracy", "stability")))),
                 visibility,
                 fields.integer("points", 0, Exercise.MOST_POINTS),

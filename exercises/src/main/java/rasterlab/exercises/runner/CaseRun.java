@@ -88,7 +88,10 @@ final class CaseRun {
                                 0,
                                 0,
                                 Message.of(
-                                        "printed", one.name(), answer.printed().stripTrailing())));
+                                        "printed.case",
+                                        one.title("en"),
+                                        one.title("ru"),
+                                        answer.printed().stripTrailing())));
             Finding finding = call.judge(answer);
             if (run.over()) stopped = Optional.of(finding);
             return finding;

@@ -20,6 +20,19 @@ public record CaseReport(
         Message said,
         Optional<CasePictures> pictures,
         String scene) {
+    /** The name of a case whose own is kept from the student. */
+    static final String HIDDEN = "hidden";
+
+    /** The name of the line on speed, which is no case of the exercise. */
+    static final String SPEED = "speed";
+
+    /** What is called so in every exercise, in that language; empty for a case's name. */
+    public static Optional<String> ownTitle(String name, String language) {
+        return name.equals(HIDDEN) || name.equals(SPEED)
+                ? Optional.of(Message.of("case." + name).in(language))
+                : Optional.empty();
+    }
+
     /** Why points were lost, one line in English. */
     public String message() {
         return message("en");
@@ -34,7 +47,7 @@ public record CaseReport(
     public CaseReport forStudent(boolean afterDeadline) {
         if (visibility == Disclosure.OPEN
                 || visibility == Disclosure.AFTER_DEADLINE && afterDeadline) return this;
-        String shown = visibility == Disclosure.NEVER ? "hidden" : name;
+        String shown = visibility == Disclosure.NEVER ? HIDDEN : name;
         return new CaseReport(
                 shown, visibility, verdict, points, of, verdict.hint(), Optional.empty(), "");
     }

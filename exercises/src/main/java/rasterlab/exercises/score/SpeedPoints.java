@@ -58,6 +58,6 @@ public final class SpeedPoints {
 
     private static CaseReport report(GradingVerdict verdict, int points, int of, Message said) {
         return new CaseReport(
-                "speed", Disclosure.OPEN, verdict, points, of, said, Optional.empty(), "");
+                CaseReport.SPEED, Disclosure.OPEN, verdict, points, of, said, Optional.empty(), "");
     }
 }

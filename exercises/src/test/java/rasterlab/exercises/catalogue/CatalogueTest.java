@@ -13,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -25,6 +26,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Grading;
 import rasterlab.exercises.Picture;
 
@@ -84,6 +86,43 @@ class CatalogueTest {
         assertEquals(Catalogue.builtIn().named("line-bresenham").revision(), before);
         change("Starter.java", "So far", "As yet");
         assertNotEquals(before, Catalogue.builtIn().withFolder(folder).named("my-line").revision());
+    }
+
+    @Test
+    void everyCaseHasATitleOfItsOwnInBothLanguages() {
+        for (Exercise exercise : Catalogue.builtIn().all())
+            for (String language : List.of("en", "ru")) {
+                Set<String> titles = new HashSet<>();
+                for (Case one : exercise.cases()) {
+                    assertTrue(one.title().containsKey(language), one.name() + " in " + language);
+                    assertTrue(titles.add(one.title(language)), one.title(language));
+                }
+            }
+        assertTrue(
+                Catalogue.builtIn().named("line-bresenham").cases().stream()
+                        .allMatch(one -> one.title("ru").matches(".*[а-яё]{3}.*")));
+    }
+
+    @Test
+    void casesWithoutTitlesAreReadAndCalledByTheirNames() throws IOException {
+        for (String file : List.of("cases.json", "hidden-cases.json")) {
+            Path path = mine.resolve(file);
+            String text = Files.readString(path, StandardCharsets.UTF_8);
+            Files.writeString(path, text.replaceAll("\"title\": \\{[^}]*},", ""));
+        }
+        Exercise old = Catalogue.builtIn().withFolder(folder).named("my-line");
+        assertEquals("octant-1", old.caseTitle("octant-1", "ru"));
+        for (Case one : old.cases()) assertEquals(one.name(), one.title("ru"));
+    }
+
+    @Test
+    void whatAReportNamesIsCalledInTheReadersLanguage() {
+        Exercise exercise = Catalogue.builtIn().named("line-bresenham");
+        assertEquals("октант 1", exercise.caseTitle("octant-1", "ru"));
+        assertEquals("octant 1", exercise.caseTitle("octant-1", "de"), "no such language");
+        assertEquals("скорость", exercise.caseTitle("speed", "ru"));
+        assertEquals("скрытый", exercise.caseTitle("hidden", "ru"));
+        assertEquals("case-of-a-server", exercise.caseTitle("case-of-a-server", "ru"));
     }
 
     @ParameterizedTest(name = "statement promises another longest source than is accepted: {0}")
@@ -157,6 +196,12 @@ class CatalogueTest {
                         ",\n    \"ru\": \"Отрезок по Брезенхему\"",
                         "",
                         "field 'title', field 'ru' is missing"),
+                argumentSet(
+                        "case's title without Russian",
+                        cases,
+                        ", \"ru\": \"потерян последний пиксель\"",
+                        "",
+                        "cases.json[0], field 'title', field 'ru' is missing"),
                 argumentSet(
                         "points beyond 100",
                         json,

@@ -338,7 +338,7 @@ class HostileSourcesTest {
                 argumentSet(
                         "a little print",
                         "wrong",
-                        "printed in last-pixel-is-dropped: to (7, 3)",
+                        "printed in “last pixel is dropped”: to (7, 3)",
                         method("System.out.println(\"to (\" + x1 + \", \" + y1 + \")\");\n")));
     }
 

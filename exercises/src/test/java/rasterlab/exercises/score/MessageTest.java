@@ -21,6 +21,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** A report's sentences survive storing and are there in both languages. */
 class MessageTest {
     private static final Pattern PLACE = Pattern.compile("\\{(\\d+)}");
+
+    /** Its first place is that of an English title, its second that of a Russian one. */
+    private static final String TITLED = "printed.case";
+
     private static final Message TWO =
             Message.of("pixel.missing", "(1, 2)").and(Message.of("known-fault", "naive"));
 
@@ -67,6 +71,13 @@ class MessageTest {
     }
 
     @Test
+    void aCaseIsCalledByItsTitleInTheReadersLanguage() {
+        Message said = Message.of(TITLED, "single point", "одна точка", "x = 1");
+        assertEquals("printed in “single point”: x = 1", said.in("en"));
+        assertEquals("напечатано в тесте «одна точка»: x = 1", said.in("ru"));
+    }
+
+    @Test
     void nothingIsLeftInEnglish() throws IOException {
         Properties english = texts("messages.properties");
         Properties russian = texts("messages_ru.properties");
@@ -79,7 +90,7 @@ class MessageTest {
     void noTextShowsAPlaceUnfilled() throws IOException {
         for (String name : new String[] {"en", "ru"})
             for (String key : texts("messages.properties").stringPropertyNames()) {
-                String said = Message.of(key, "A", "B").in(name);
+                String said = Message.of(key, "A", "B", "C").in(name);
                 assertFalse(said.contains("{") || said.contains("''"), said);
             }
     }
@@ -93,7 +104,7 @@ class MessageTest {
                             PLACE.matcher((String) text)
                                     .results()
                                     .forEach(one -> found.add(one.group(1)));
-                            places.put((String) key, found);
+                            if (!key.equals(TITLED)) places.put((String) key, found);
                         });
         return places;
     }

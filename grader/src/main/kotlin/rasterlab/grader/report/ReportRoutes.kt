@@ -10,6 +10,7 @@ import io.ktor.server.routing.get
 import io.ktor.server.util.getOrFail
 import rasterlab.grader.course.Identity
 import rasterlab.grader.course.identity
+import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.exercise.language
 import rasterlab.grader.problem.Rejection
 import rasterlab.grader.problem.respondJson
@@ -23,14 +24,20 @@ class Results(
     private val submissions: Submissions,
     private val reports: Reports,
     private val live: Live,
+    private val exercises: Exercises,
 ) {
-    /** @param language of the messages, "en" or "ru" */
+    /** @param language of the messages and of the cases' titles, "en" or "ru" */
     fun view(
         who: Identity,
         id: String,
         language: String = "en",
-    ): SubmissionView =
-        submissions.seenBy(who, id).view(who, submissions.position(id), live.casesOf(id), reports.of(id), language)
+    ): SubmissionView {
+        val submission = submissions.seenBy(who, id)
+        val exercise = exercises.find(submission.exercise)
+        return submission.view(who, submissions.position(id), live.casesOf(id), reports.of(id), language) { name ->
+            exercise?.caseTitle(name, language) ?: name
+        }
+    }
 
     /** @param picture "expected.png", "actual.png" or "difference.png" */
     fun picture(

@@ -44,6 +44,7 @@ data class PointsView(
 @Serializable
 data class CaseView(
     val name: String,
+    val title: String,
     val visibility: String,
     val verdict: String,
     val points: Int,
@@ -77,6 +78,7 @@ fun CaseReport.seenBy(who: Identity): CaseReport = if (who is Identity.Student) 
 /**
  * @param recorded with nothing hidden; null as long as there is no result
  * @param language of the messages
+ * @param title of a case in that language, by its name
  */
 fun Submission.view(
     who: Identity,
@@ -84,6 +86,7 @@ fun Submission.view(
     running: List<CaseReport>,
     recorded: Recorded?,
     language: String,
+    title: (String) -> String,
 ): SubmissionView {
     // Row and result are read one after the other, so a result may be there that the row does not know of yet.
     val report = recorded?.report?.seenBy(who)
@@ -96,7 +99,7 @@ fun Submission.view(
         if (report == null) position else 0,
         report?.verdict()?.code(),
         report?.points()?.let { PointsView(it.accuracy(), it.stability(), it.speed(), it.total(), it.of()) },
-        cases.map { it.view(id, language) },
+        cases.map { it.view(id, language, title(it.name())) },
         report?.diagnostics().orEmpty().map { DiagnosticView(it.line(), it.column(), it.message(language)) },
         report?.isolation(),
         receivedAt.text(),
@@ -107,6 +110,7 @@ fun Submission.view(
 fun CaseReport.view(
     submission: String,
     language: String,
+    title: String,
 ): CaseView {
     val folder = "/api/v1/submissions/$submission/cases/${name()}"
     val pictures =
@@ -114,5 +118,15 @@ fun CaseReport.view(
             PicturesView("$folder/expected.png", "$folder/actual.png", "$folder/difference.png", it.text())
         }
     val scene = scene().takeIf { it.isNotEmpty() }?.let(Json::parseToJsonElement)
-    return CaseView(name(), visibility().code(), verdict().code(), points(), of(), message(language), pictures, scene)
+    return CaseView(
+        name(),
+        title,
+        visibility().code(),
+        verdict().code(),
+        points(),
+        of(),
+        message(language),
+        pictures,
+        scene,
+    )
 }

@@ -120,12 +120,12 @@ private fun FlowContent.case(
 ) = article("case card") {
     div("row") {
         status(texts, case.verdict, "")
-        h3 { +case.name }
+        h3 { +case.title }
         if (case.visibility != Disclosure.OPEN.code()) span("hidden-case") { +texts.say("result.hidden") }
         span("earned") { +texts.say("result.case.points", case.points, case.of) }
     }
     if (case.message.isNotEmpty()) p { +case.message }
-    case.pictures?.let { pictures(texts, case.name, it) }
+    case.pictures?.let { pictures(texts, case.title, it) }
 }
 
 private fun FlowContent.pictures(

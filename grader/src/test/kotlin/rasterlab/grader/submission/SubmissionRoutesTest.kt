@@ -196,7 +196,8 @@ class SubmissionRoutesTest {
                 "receivedAt",
                 "gradedAt",
             )
-        val CASE_FIELDS = setOf("name", "visibility", "verdict", "points", "of", "message", "pictures", "scene")
+        val CASE_FIELDS =
+            setOf("name", "title", "visibility", "verdict", "points", "of", "message", "pictures", "scene")
 
         /** Through a connection of its own, as another process would read it. */
         fun query(

@@ -178,10 +178,12 @@ class PagesTest {
             assertTrue("нет пикселя (1; 2)" in russian && "неверные пиксели на скрытых данных" in russian, russian)
             val fragment = page("$result/fragment?lang=ru", cookie)
             assertTrue("нет пикселя (1; 2)" in fragment, fragment)
+            assertTrue("<h3>один пиксель</h3>" in russian && "<h3>hidden-case</h3>" in russian, russian)
             assertTrue("pixel (1, 2) is missing" in page("$result?lang=en", cookie))
             val api = "/api/v1/submissions/${idOf(result)}"
             assertTrue("pixel (1, 2) is missing" in client.get(api) { bearer(token(joined)) }.bodyAsText())
-            assertTrue("нет пикселя (1; 2)" in client.get("$api?lang=ru") { bearer(token(joined)) }.bodyAsText())
+            val told = client.get("$api?lang=ru") { bearer(token(joined)) }.bodyAsText()
+            assertTrue("нет пикселя (1; 2)" in told && "\"title\":\"один пиксель\"" in told, told)
         }
 
     @Test

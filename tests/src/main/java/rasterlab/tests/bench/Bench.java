@@ -13,7 +13,6 @@ import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.runner.Runner;
 import org.openjdk.jmh.runner.RunnerException;
@@ -72,6 +71,12 @@ public final class Bench implements Callable<Integer> {
             description = "window only: also N minutes of use, and what memory they left behind")
     private int minutes;
 
+    @Option(
+            names = "--arguments-only",
+            hidden = true,
+            description = "only says what is wrong with the others: before Java warns of vectors")
+    private boolean argumentsOnly;
+
     public static void main(String[] arguments) {
         System.exit(commandLine(System.err).execute(arguments));
     }
@@ -95,7 +100,8 @@ public final class Bench implements Callable<Integer> {
 
     @Override
     public Integer call() throws RunnerException, IOException, InterruptedException {
-        if (minutes < 0) throw wrong("--minutes must be at least 0, got " + minutes);
+        requireSense();
+        if (argumentsOnly) return 0;
         if (group.equals(WINDOW)) {
             new WindowBench(quick ? 1 : 5, quick ? 5 : 60, minutes, System.out).run();
             return 0;
@@ -113,19 +119,33 @@ public final class Bench implements Callable<Integer> {
         return 0;
     }
 
-    private List<Goal> goals() {
-        if (!GROUPS.containsKey(group))
+    private void requireSense() {
+        if (!groups().contains(group))
             throw wrong(
                     "unknown group '" + group + "'; allowed are " + String.join(", ", groups()));
-        List<Goal> all = GROUPS.get(group).get();
-        List<Goal> goals = all.stream().filter(goal -> goal.work().contains(only)).toList();
-        if (goals.isEmpty())
+        if (minutes < 0) throw wrong("--minutes must be at least 0, got " + minutes);
+        if (minutes > 0 && !group.equals(WINDOW))
+            throw wrong("--minutes goes with the group window, not with " + group);
+        if (!only.isEmpty() && group.equals(WINDOW))
+            throw wrong("--only goes with the groups raster and pipeline, not with window");
+        List<String> works = works();
+        if (works.stream().noneMatch(work -> work.contains(only)))
             throw wrong(
                     "no goal has '"
                             + only
                             + "' in its work; there are "
-                            + all.stream().map(Goal::work).collect(Collectors.joining("; ")));
-        return goals;
+                            + String.join("; ", works));
+    }
+
+    /** What {@code --only} chooses from; empty text alone for the group that has no choice. */
+    private List<String> works() {
+        if (group.equals(WINDOW)) return List.of("");
+        if (group.equals(PIPELINE)) return PipelineBench.works();
+        return GROUPS.get(group).get().stream().map(Goal::work).toList();
+    }
+
+    private List<Goal> goals() {
+        return GROUPS.get(group).get().stream().filter(goal -> goal.work().contains(only)).toList();
     }
 
     private ParameterException wrong(String message) {

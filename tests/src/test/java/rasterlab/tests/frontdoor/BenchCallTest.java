@@ -1,6 +1,7 @@
 package rasterlab.tests.frontdoor;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -12,6 +13,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,6 +27,8 @@ import rasterlab.tests.bench.Bench;
 /** Java warns of the Vector API on the error stream, so only what measures may ask for it. */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "a POSIX shell runs the script under test")
 class BenchCallTest {
+    private static final String REFUSED = "no-such-work";
+
     @TempDir Path folder;
 
     @ParameterizedTest(name = "{0} is measured without the Vector API")
@@ -42,20 +47,32 @@ class BenchCallTest {
         assertEquals(false, asksForVectors(arguments.split(" ")), arguments);
     }
 
+    @Test
+    @DisplayName("Java warns before what is wrong with the arguments is told")
+    void wrongArgumentsAreToldWithoutTheVectorApi() throws IOException {
+        var run = called("raster", "--only", REFUSED);
+        assertEquals(2, run.exit(), run.err());
+        assertFalse(run.out().contains("/engine/vector-options"), run.out());
+    }
+
     private boolean asksForVectors(String... arguments) throws IOException {
+        var run = called(arguments);
+        assertEquals(0, run.exit(), run.err());
+        assertTrue(run.out().contains(Bench.class.getName()), run.out());
+        return run.out().contains("/engine/vector-options");
+    }
+
+    private ChildProcess called(String... arguments) throws IOException {
         FreshCopy.copySources(folder);
         var stamp = Files.createDirectories(folder.resolve("target/lab")).resolve("built-bench");
         Files.writeString(stamp, "");
         var command = new ArrayList<>(List.of(folder.resolve("lab").toString(), "bench"));
         command.addAll(List.of(arguments));
         var home = Map.of("JAVA_HOME", sayingJava().toString());
-        var run = ChildProcess.run(folder, home, Duration.ofMinutes(1), command);
-        assertEquals(0, run.exit(), run.err());
-        assertTrue(run.out().contains(Bench.class.getName()), run.out());
-        return run.out().contains("/engine/vector-options");
+        return ChildProcess.run(folder, home, Duration.ofMinutes(1), command);
     }
 
-    /** A Java that says what it is called with. */
+    /** A Java that says what it is called with, and refuses one work when only asked about it. */
     private Path sayingJava() throws IOException {
         var home = Files.createDirectories(folder.resolve("java/bin")).getParent();
         for (var program : List.of("java", "javac")) {
@@ -64,12 +81,13 @@ class BenchCallTest {
                     file,
                     """
                     #!/bin/sh
+                    echo "$*" | grep -q -e '--arguments-only .*%s' && exit 2
                     case $1 in
                         -XshowSettings*) printf '    java.%%s = %%s\\n' specification.version 17 home '%s' ;;
                         *) echo "$@" ;;
                     esac
                     """
-                            .formatted(home));
+                            .formatted(REFUSED, home));
             Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
         }
         return home;

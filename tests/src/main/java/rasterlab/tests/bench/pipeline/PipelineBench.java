@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import rasterlab.app.opengl.context.NoOpenGl;
 import rasterlab.app.opengl.context.OffscreenContext;
 import rasterlab.engine.lanes.Lanes;
@@ -46,14 +47,15 @@ public final class PipelineBench {
             String missing = "";
             try (var gl = OffscreenContext.open(OffscreenContext.Profile.CORE)) {
                 out.println(machine(cores) + "; OpenGL: " + gl.renderer());
-                print(openGlJobs(ways, cores));
+                print(wanted(openGlJobs(quick, ways, cores)));
             } catch (NoOpenGl e) {
                 missing = "no OpenGL here: " + e.getMessage();
                 out.println(machine(cores) + "; " + missing);
                 out.println(Row.HEAD);
-                for (Job job : openGlJobs(ways, cores)) out.println(Row.without(job.work, missing));
+                for (Job job : wanted(openGlJobs(quick, ways, cores)))
+                    out.println(Row.without(job.work, missing));
             }
-            printRows(ownJobs(ways.get(0).pipeline()));
+            printRows(wanted(ownJobs(quick, ways)));
         } finally {
             ways.forEach(Way::close);
         }
@@ -68,7 +70,15 @@ public final class PipelineBench {
                         Runtime.version());
     }
 
-    private List<Job> openGlJobs(List<Way> ways, int cores) {
+    /** What there is to measure, in the table's order. */
+    public static List<String> works() {
+        List<Way> none = List.of();
+        return Stream.concat(openGlJobs(true, none, 1).stream(), ownJobs(true, none).stream())
+                .map(Job::work)
+                .toList();
+    }
+
+    private static List<Job> openGlJobs(boolean quick, List<Way> ways, int cores) {
         var torus = new TorusBench(quick);
         var fill = new FillBench(quick);
         var jobs = new ArrayList<Job>();
@@ -90,19 +100,19 @@ public final class PipelineBench {
                             "triangles of " + (int) each[0] + " px with depth",
                             () -> fill.run((int) each[0], goals, ways)));
         }
-        return wanted(jobs);
+        return jobs;
     }
 
-    private List<Job> ownJobs(TrianglePipeline pipeline) {
+    private static List<Job> ownJobs(boolean quick, List<Way> ways) {
         var own = new OwnBench(quick);
-        return wanted(
-                List.of(
-                        new Job("threads", () -> List.of(own.threads(pipeline))),
-                        new Job("clear", () -> List.of(own.clear(pipeline))),
-                        new Job("present a frame", () -> List.of(own.present())),
-                        new Job("memory limit", () -> List.of(own.memory(pipeline))),
-                        new Job("heap", () -> List.of(HeapBench.run())),
-                        new Job("Java2D", () -> List.of(own.java2d(pipeline)))));
+        Supplier<TrianglePipeline> pipeline = () -> ways.get(0).pipeline();
+        return List.of(
+                new Job("threads", () -> List.of(own.threads(pipeline.get()))),
+                new Job("clear", () -> List.of(own.clear(pipeline.get()))),
+                new Job("present a frame", () -> List.of(own.present())),
+                new Job("memory limit", () -> List.of(own.memory(pipeline.get()))),
+                new Job("heap", () -> List.of(HeapBench.run())),
+                new Job("Java2D", () -> List.of(own.java2d(pipeline.get()))));
     }
 
     private List<Job> wanted(List<Job> jobs) {

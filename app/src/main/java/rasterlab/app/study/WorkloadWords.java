@@ -1,0 +1,45 @@
+package rasterlab.app.study;
+
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import rasterlab.app.language.Texts;
+
+/**
+ * What workloads and their sizes are called. A workload's name without its numbers is its kind,
+ * such as {@code side-corners} for {@code side-64-corners-20}; where a topic means something else
+ * by it, the topic's name stands before it in the key.
+ */
+record WorkloadWords(Texts texts) {
+    private static final Pattern NUMBER = Pattern.compile("-(\\d{1,9})(?=-|$)");
+
+    /** What methods were given; the name itself where it has no words. */
+    String workload(String topic, String name) {
+        return said("workload", topic, name);
+    }
+
+    /** The size with what it counts, short enough to stand beside a point of a chart. */
+    String size(String topic, String name, int size) {
+        String said = said("size", topic, name);
+        return said.equals(name) ? LogTicks.size(size) : said;
+    }
+
+    private String said(String what, String topic, String name) {
+        String kind = NUMBER.matcher(name).replaceAll("");
+        return Stream.of(what + "." + topic + "." + kind, what + "." + kind)
+                .filter(texts::has)
+                .findFirst()
+                .map(key -> texts.text(key, arguments(name)))
+                .orElse(name);
+    }
+
+    /** The numbers, for the form of words; then the same as they are written on a chart. */
+    private static Object[] arguments(String name) {
+        List<Integer> numbers =
+                NUMBER.matcher(name)
+                        .results()
+                        .map(found -> Integer.valueOf(found.group(1)))
+                        .toList();
+        return Stream.concat(numbers.stream(), numbers.stream().map(LogTicks::size)).toArray();
+    }
+}

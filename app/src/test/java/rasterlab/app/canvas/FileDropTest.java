@@ -1,0 +1,107 @@
+package rasterlab.app.canvas;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.EventQueue;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.Transferable;
+import java.awt.datatransfer.UnsupportedFlavorException;
+import java.io.File;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JPanel;
+import javax.swing.TransferHandler.TransferSupport;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import rasterlab.app.language.Language;
+
+class FileDropTest {
+    private final List<Path> taken = new ArrayList<>();
+    private final List<String> told = new ArrayList<>();
+    private final FileDrop drop = new FileDrop(Language.ENGLISH, taken::add, told::add);
+
+    @Test
+    @DisplayName("a dropped file is not taken, or while the drop still goes on")
+    void takesTheFileAfterTheDrop() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    assertTrue(dropped(new File("a.scene.json")));
+                    assertEquals(List.of(), taken);
+                });
+        EventQueue.invokeAndWait(() -> {});
+        assertEquals(List.of(Path.of("a.scene.json")), taken);
+        assertEquals(List.of(), told);
+    }
+
+    @Test
+    @DisplayName("of two files one is taken without a word")
+    void takesNoneOfSeveralAndTellsHowMany() throws Exception {
+        EventQueue.invokeAndWait(() -> assertFalse(dropped(new File("a.obj"), new File("b.obj"))));
+        EventQueue.invokeAndWait(() -> {});
+        assertEquals(List.of(), taken);
+        assertEquals(
+                List.of("2 files were dropped: one is opened at a time. Nothing was changed."),
+                told);
+    }
+
+    @Test
+    @DisplayName("a name that the system refuses is thrown out of the drop")
+    void tellsANameThatCannotBeUsed() throws Exception {
+        EventQueue.invokeAndWait(() -> assertFalse(dropped(new File("a\0b.png"))));
+        EventQueue.invokeAndWait(() -> {});
+        assertEquals(List.of(), taken);
+        assertEquals(1, told.size());
+        assertTrue(told.get(0).contains("cannot be used on this computer"), told.get(0));
+    }
+
+    @Test
+    @DisplayName("files that are gone are thrown out of the drop")
+    void tellsFilesThatCannotBeHad() throws Exception {
+        Transferable gone = files(List.of(), new IOException("it is gone"));
+        EventQueue.invokeAndWait(() -> assertFalse(drop.importData(onto(gone))));
+        EventQueue.invokeAndWait(() -> {});
+        assertEquals(List.of("The dropped file could not be had: it is gone."), told);
+    }
+
+    @Test
+    @DisplayName("text is taken for a file")
+    void takesNoText() {
+        assertFalse(drop.canImport(onto(new StringSelection("/tmp/a.obj"))));
+        assertFalse(drop.importData(onto(new StringSelection("/tmp/a.obj"))));
+        assertEquals(List.of(), told);
+    }
+
+    private boolean dropped(File... files) {
+        return drop.importData(onto(files(List.of(files), null)));
+    }
+
+    private static TransferSupport onto(Transferable files) {
+        return new TransferSupport(new JPanel(), files);
+    }
+
+    private static Transferable files(List<File> files, IOException failure) {
+        return new Transferable() {
+            @Override
+            public DataFlavor[] getTransferDataFlavors() {
+                return new DataFlavor[] {DataFlavor.javaFileListFlavor};
+            }
+
+            @Override
+            public boolean isDataFlavorSupported(DataFlavor flavor) {
+                return flavor.equals(DataFlavor.javaFileListFlavor);
+            }
+
+            @Override
+            public Object getTransferData(DataFlavor flavor)
+                    throws UnsupportedFlavorException, IOException {
+                if (failure != null) throw failure;
+                return files;
+            }
+        };
+    }
+}
