@@ -70,18 +70,17 @@ final class CaseTable extends JTable {
         if (getTableHeader() != null) getTableHeader().setFont(type);
     }
 
-    /**
-     * Without the verdict in words where there is no room for the shortest: the sign tells it too.
-     */
+    /** Without verdicts in words where one would be cut off: the signs tell them too. */
     @Override
     public void doLayout() {
         int rest = getWidth() - least();
-        boolean roomy = rest >= said(List.of(GradingVerdict.OK, GradingVerdict.WRONG));
+        int usual = said(List.of(GradingVerdict.OK, GradingVerdict.WRONG));
+        boolean roomy = rest >= Math.max(usual, widest(3));
         if (roomy && getColumnCount() < COLUMNS.size()) addColumn(verdict);
         if (!roomy && getColumnCount() == COLUMNS.size()) removeColumn(verdict);
         width(0, widest(0));
         width(2, widest(2));
-        if (roomy) width(3, Math.min(rest, widest(3)));
+        if (roomy) width(3, widest(3));
         super.doLayout();
     }
 

@@ -81,13 +81,8 @@ class ResultPlacesTest {
         EventQueue.invokeAndWait(
                 () -> {
                     LabTheme.PROJECTOR.install(percent);
-                    made.set(
-                            new ResultPane(
-                                    Texts.of("exercise", language),
-                                    ExerciseRoomsTest.NOWHERE,
-                                    remark -> {},
-                                    FAILURES::add));
-                    show(made.get(), Optional.of(outcome(GradingVerdict.WRONG)));
+                    made.set(pane(language, FAILURES::add));
+                    show(made.get(), Work.NONE, Optional.of(outcome(GradingVerdict.WRONG)));
                 });
         ResultPane pane = made.get();
         for (int round = 0; round < 2; round++) OffscreenPainter.paint(pane, width, height);
