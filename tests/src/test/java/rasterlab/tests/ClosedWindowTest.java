@@ -2,13 +2,17 @@ package rasterlab.tests;
 
 import static org.assertj.swing.timing.Pause.pause;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.awt.GraphicsEnvironment;
+import java.awt.event.WindowEvent;
 import java.lang.ref.WeakReference;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.timing.Condition;
 import org.junit.jupiter.api.Test;
@@ -52,12 +56,51 @@ class ClosedWindowTest {
         assertEquals(List.of(), problems);
     }
 
+    @Test
+    void closedWindowGivesUpTheStudyThatRuns() {
+        assumeFalse(GraphicsEnvironment.isHeadless(), "no display");
+        LabModels models = GuiActionRunner.execute(() -> LabModels.first(failures::add));
+        LabFrame frame = GuiActionRunner.execute(() -> opened("measuring", models));
+        GuiActionRunner.execute(() -> models.study().takeTime(true));
+        GuiActionRunner.execute(() -> models.study().measure());
+        await("the study has begun", () -> isIn("StudyRunner"));
+        GuiActionRunner.execute(
+                () -> frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING)));
+        await("the window is closed", () -> !frame.isDisplayable());
+        await("the study has ended", () -> !isIn("StudyRunner"));
+        GuiActionRunner.execute(() -> {});
+        assertTrue(models.study().state().study().isEmpty(), "measured to its end");
+        assertEquals(List.of(), failures);
+        assertEquals(List.of(), problems);
+    }
+
+    /** Whether any thread is at work in that class. */
+    private static boolean isIn(String className) {
+        return Thread.getAllStackTraces().values().stream()
+                .flatMap(Stream::of)
+                .anyMatch(frame -> frame.getClassName().endsWith("." + className));
+    }
+
+    private static void await(String what, BooleanSupplier reached) {
+        pause(
+                new Condition(what) {
+                    @Override
+                    public boolean test() {
+                        return reached.getAsBoolean();
+                    }
+                });
+    }
+
     private LabFrame opened(String name) {
+        return opened(name, LabModels.first(failures::add));
+    }
+
+    private LabFrame opened(String name, LabModels models) {
         Path settings = folder.resolve(name).resolve("window.properties");
         LabTheme.LIGHT.install();
         var frame =
                 new LabFrame(
-                        LabModels.first(failures::add),
+                        models,
                         LabSettings.first(Language.ENGLISH).with(LabLook.first(Language.ENGLISH)),
                         new SettingsFile(settings, each -> problems.add(each.toString())),
                         LabsFile.beside(settings, each -> problems.add(each.toString())),
