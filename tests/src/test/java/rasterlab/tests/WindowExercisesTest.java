@@ -99,7 +99,7 @@ class WindowExercisesTest extends WindowHarness {
     @Test
     void sourceIsMeasuredInTheTypeThatItIsShownIn() {
         show("line");
-        GuiActionRunner.execute(() -> frame.wear(frame.look().larger().larger()));
+        GuiActionRunner.execute(() -> frame.wear(frame.look().larger()));
         show("exercises");
         var editor = window.textBox("source").targetCastedTo(RSyntaxTextArea.class);
         int shown = GuiActionRunner.execute(() -> editor.getFont().getSize());

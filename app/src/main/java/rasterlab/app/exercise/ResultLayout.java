@@ -10,6 +10,7 @@ import java.awt.LayoutManager;
 import java.util.function.Supplier;
 import javax.swing.JScrollPane;
 import javax.swing.UIManager;
+import rasterlab.app.canvas.LargeType;
 
 /**
  * The cases with the chosen one's reason and pictures beside them, or below them where the cases'
@@ -20,6 +21,9 @@ final class ResultLayout implements LayoutManager {
 
     /** The least width of reason and pictures beside the cases, in sizes of the type. */
     private static final int BESIDE = 18;
+
+    /** The same in large type, which is smaller already than that of labels. */
+    private static final int BESIDE_LARGE = 15;
 
     /** From so much height on the cases can stand above the pictures, in sizes of the type. */
     private static final int ABOVE = 16;
@@ -63,7 +67,7 @@ final class ResultLayout implements LayoutManager {
         int gap = UIScale.scale(GAP);
         int bar = UIScale.scale(UIManager.getInt("ScrollBar.width")) + 2;
         int needed = table.needed() + bar;
-        int most = width - gap - BESIDE * size;
+        int most = width - gap - (LargeType.now() ? BESIDE_LARGE : BESIDE) * size;
         if (table.least() + bar > most && height >= ABOVE * size) {
             int left = (width - gap) * 2 / 5;
             int top = Math.min((height - gap) / 2, height - gap - heightOfWords(left));

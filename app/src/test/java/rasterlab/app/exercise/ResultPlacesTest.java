@@ -67,20 +67,20 @@ class ResultPlacesTest {
         EventQueue.invokeAndWait(pane::close);
     }
 
-    /** The sizes are those of a window of 1280×800. */
-    @ParameterizedTest(name = "verdicts or pictures have no room: {0}, projector at {1} %")
+    /** The sizes are those of a window of 1280×800 at 150 and 200 %. */
+    @ParameterizedTest(name = "verdicts or pictures have no room: {0}, projector, type of {1}")
     @CsvSource({
-        "ENGLISH, 150, 1250, 590",
-        "RUSSIAN, 150, 1250, 590",
-        "ENGLISH, 200, 1250, 500",
-        "RUSSIAN, 200, 1250, 500"
+        "ENGLISH, 28, 1250, 590",
+        "RUSSIAN, 28, 1250, 590",
+        "ENGLISH, 38, 1250, 500",
+        "RUSSIAN, 38, 1250, 500"
     })
-    void projectorShowsVerdictsAndPictures(Language language, int percent, int width, int height)
+    void projectorShowsVerdictsAndPictures(Language language, double type, int width, int height)
             throws Exception {
         var made = new AtomicReference<ResultPane>();
         EventQueue.invokeAndWait(
                 () -> {
-                    LabTheme.PROJECTOR.install(percent);
+                    ShownResult.install(LabTheme.PROJECTOR, type);
                     made.set(pane(language, FAILURES::add));
                     show(made.get(), Work.NONE, Optional.of(outcome(GradingVerdict.WRONG)));
                 });
