@@ -13,16 +13,12 @@ import javax.swing.JPopupMenu;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
-import rasterlab.app.canvas.LargeType;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /** The choice of language, theme and size of type, at the end of the strip of tabs. */
 final class LookControls extends JPanel {
     private static final long serialVersionUID = 1L;
-
-    /** Of labels in large type, whose room the titles of the tabs need. */
-    private static final float SMALLER = 0.6f;
 
     private final transient Texts texts;
     private final transient LabLook look;
@@ -52,9 +48,6 @@ final class LookControls extends JPanel {
         for (Language each : Language.values()) language.addItem(each.ownName());
         language.setSelectedIndex(look.language().ordinal());
         language.setName("language");
-        if (LargeType.now())
-            language.setFont(
-                    language.getFont().deriveFont(SMALLER * language.getFont().getSize2D()));
         language.getAccessibleContext().setAccessibleName(texts.text("language"));
         language.setToolTipText(texts.text("language"));
         language.addActionListener(
