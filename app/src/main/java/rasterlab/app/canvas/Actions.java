@@ -25,6 +25,9 @@ public final class Actions extends JPanel {
 
     private static final String HALF = "wmin pref";
 
+    /** What the names of buttons begin with that write to the clipboard. */
+    private static final String COPYING = "copy";
+
     private final transient Texts texts;
     private final transient MigLayout grid;
     private final Map<String, JButton> buttons = new HashMap<>();
@@ -33,6 +36,7 @@ public final class Actions extends JPanel {
     private final WrappedText status = new WrappedText("status");
 
     private transient Optional<History<?>> history = Optional.empty();
+    private transient Optional<SvgCopying> drawing = Optional.empty();
 
     public Actions(Texts texts) {
         grid = new MigLayout("insets 0 2 0 10, gap 6, wrap 2", "[grow,fill,50%][grow,fill,50%]");
@@ -56,6 +60,7 @@ public final class Actions extends JPanel {
         button.addActionListener(
                 e -> {
                     status.setVisible(false);
+                    if (key.startsWith(COPYING)) drawing.ifPresent(SvgCopying::cancel);
                     action.run();
                 });
         buttons.put(key, button);
@@ -77,16 +82,15 @@ public final class Actions extends JPanel {
      */
     public void addPicture(ShownPicture picture, Consumer<Throwable> onFailure) {
         var saving = new PictureSaving(picture, this, texts.language(), this::saved, onFailure);
-        var drawing = new SvgCopying(picture, onFailure);
+        var copying = new SvgCopying(picture, onFailure);
+        drawing = Optional.of(copying);
         add("savePicture", saving::ask);
         add(
                 "copyPicture",
-                () -> {
-                    drawing.cancel();
-                    picture.whenDrawn()
-                            .accept(() -> Copying.picture(picture.dots().get(), onFailure));
-                });
-        add("copySvg", drawing::copy);
+                () ->
+                        picture.whenDrawn()
+                                .accept(() -> Copying.picture(picture.dots().get(), onFailure)));
+        add("copySvg", copying::copy);
     }
 
     private void saved(Path file) {

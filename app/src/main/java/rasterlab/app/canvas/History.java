@@ -72,6 +72,13 @@ public final class History<T> {
         step(takenBack, earlier);
     }
 
+    /** Lets nothing be undone or redone any more. */
+    public void forget() {
+        earlier.clear();
+        takenBack.clear();
+        dragStart = dragStart.map(start -> present.get());
+    }
+
     private void step(Deque<T> from, Deque<T> to) {
         boolean dragging = dragStart.isPresent();
         endDrag();

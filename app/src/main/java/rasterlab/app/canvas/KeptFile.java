@@ -50,6 +50,11 @@ public final class KeptFile<K> implements Kept<K> {
         if (!reading.test(files)) coming = Optional.empty();
     }
 
+    /** Files that the user opened stand in their place: these are not awaited any more. */
+    public void forget() {
+        coming = Optional.empty();
+    }
+
     private Optional<Coming<K>> coming() {
         return coming.filter(one -> one.inTheirPlace().equals(standing.get()));
     }

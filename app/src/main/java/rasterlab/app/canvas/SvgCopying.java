@@ -11,6 +11,9 @@ final class SvgCopying {
     private final Consumer<Throwable> onFailure;
     private SwingWorker<?, Void> running;
 
+    /** Raised when what was asked for before is no longer wanted. */
+    private int request;
+
     /**
      * @param onFailure told what could not be copied, on any thread
      */
@@ -21,15 +24,17 @@ final class SvgCopying {
 
     void copy() {
         cancel();
+        int asked = request;
         inBackground(
                 () -> {
                     SvgPicture.prepare();
                     return picture.whenDrawn();
                 },
-                whenDrawn -> whenDrawn.accept(this::take));
+                whenDrawn -> whenDrawn.accept(() -> take(asked)));
     }
 
-    private void take() {
+    private void take(int asked) {
+        if (asked != request) return;
         SvgDrawing drawing = picture.svg().get();
         inBackground(drawing::document, this::put);
     }
@@ -46,6 +51,7 @@ final class SvgCopying {
 
     /** What is copied after it stays on the clipboard. */
     void cancel() {
+        request++;
         if (running != null) running.cancel(false);
     }
 

@@ -362,6 +362,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         OpenedLitScene scene = answer.opened().get();
         if (scene.whole())
             saved = Optional.of(new LitSceneFile(answer.asked().file(), scene.choice()));
+        keptFile.forget();
         history.remember();
         show(new Chosen(scene.choice(), false, state.colour()));
         String notes = String.join("; ", scene.notes());
@@ -372,6 +373,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private void bringBack(LitFile kept, Answer answer) {
         if (answer.opened().isPresent()) {
             Body body = answer.opened().get().choice().body().withNormals(kept.normals());
+            history.forget();
             show(new Chosen(state.choice().with(body), state.colours(), state.colour()));
             return;
         }

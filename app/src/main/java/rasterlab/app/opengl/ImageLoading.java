@@ -1,5 +1,6 @@
 package rasterlab.app.opengl;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import rasterlab.app.opengl.state.GlChoice.ImageTexture;
@@ -30,6 +31,10 @@ record ImageLoading(Optional<ImageTexture> image, Optional<String> problem) {
      */
     static ImageTexture image(Path file, int limit) {
         Texture texture = PictureFile.rgba(file, Math.min(limit, Texture.LARGEST));
-        return new ImageTexture(file.toAbsolutePath(), texture);
+        try {
+            return new ImageTexture(file.toRealPath(), texture);
+        } catch (IOException e) {
+            throw Complaint.badInput(file + ": " + e);
+        }
     }
 }

@@ -314,6 +314,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
             return;
         }
         if (loading.image().isPresent()) {
+            keptImage.forget();
             change(state.choice().withFile(loading.image().get()), Setting.IMAGE);
             return;
         }
@@ -324,6 +325,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     private void bringBack(KeptImage kept, ImageLoading loading) {
         GlChoice choice = state.choice();
         if (loading.image().isPresent()) {
+            history.forget();
             draw(choice.withFile(loading.image().get(), kept.shown()), state.touched());
             return;
         }

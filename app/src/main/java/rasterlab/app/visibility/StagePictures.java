@@ -51,14 +51,14 @@ record StagePictures(List<Method<Visibility>> methods, int width, int height) {
 
     /**
      * The choice with a scene as large as it is shown: of two pictures that are higher than wide,
-     * each is filled by what, however it is turned, has room there.
+     * each is filled at the scene's usual zoom by what, however it is turned, has room there.
      */
     VisibilityChoice filling(VisibilityChoice choice) {
         int wide = pictureWidth(choice);
         double usual = PictureFit.of(wide, height, 1).pixelsPerUnit();
         double most = (double) height / PictureFit.NATURAL_HEIGHT / usual;
         if (choice.comparison().isEmpty() || most <= 1) return choice;
-        double reach = usual * choice.zoom() * SceneReach.of(choice);
+        double reach = usual * choice.usualZoom() * SceneReach.of(choice);
         double room = FILLED * Math.min(wide, height) / 2 / reach;
         return room <= 1 ? choice : choice.zoomed(Math.min(most, room));
     }

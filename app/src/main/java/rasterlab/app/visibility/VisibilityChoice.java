@@ -46,7 +46,6 @@ public record VisibilityChoice(
     private static final String VASE_TONES = "tone";
 
     private static final double FIRST_ZOOM = 1.6;
-    private static final double BESIDE_ZOOM = 1.3;
 
     public VisibilityChoice {
         if (!(zoom >= SMALLEST && zoom <= LARGEST))
@@ -123,6 +122,11 @@ public record VisibilityChoice(
     }
 
     /** The vase's own scale leaves room for every view; others fill the picture. */
+    /** By which the scene is first shown. */
+    double usualZoom() {
+        return usualZoom(shown);
+    }
+
     private static double usualZoom(SceneChoice scene) {
         return scene.name().equals("vase") ? FIRST_ZOOM : 1;
     }
@@ -146,12 +150,9 @@ public record VisibilityChoice(
         return withScene(scene).withVisibility(method).withComparison(other);
     }
 
-    /**
-     * Two pictures in the scene's own colours, unmarked: a scene's own scale is for a wide picture,
-     * but each of the two is high.
-     */
+    /** In the scene's own colours, unmarked. */
     VisibilityChoice inOwnColours() {
-        return withShading(OWN_COLOURS).withZoom(BESIDE_ZOOM).withDifference(false);
+        return withShading(OWN_COLOURS).withDifference(false);
     }
 
     VisibilityChoice withComparison(String other) {

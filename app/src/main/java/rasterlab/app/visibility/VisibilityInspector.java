@@ -216,7 +216,7 @@ final class VisibilityInspector {
     void refresh() {
         VisibilityLabState state = model.state();
         VisibilityChoice choice = state.choice();
-        var readings = new VisibilityReadings(state, texts);
+        var readings = new VisibilityReadings(model, texts);
         showScene(choice.shown());
         visibility.show(choice.visibility());
         comparison.show(choice.comparison());

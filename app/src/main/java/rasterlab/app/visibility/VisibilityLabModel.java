@@ -180,7 +180,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         choose(choice -> choice.comparing(scene, method, comparison).withDifference(true));
     }
 
-    /** The same in the scene's own colours, unmarked, and larger. */
+    /** The same in the scene's own colours, unmarked. */
     public void compareColours(String scene, String method, String comparison) {
         choose(choice -> choice.comparing(scene, method, comparison).inOwnColours());
     }
@@ -218,7 +218,6 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         publish(state);
     }
 
-    /** What can be undone and redone. */
     public History<VisibilityChoice> history() {
         return history;
     }
@@ -271,7 +270,6 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         saved = Optional.of(scene);
     }
 
-    /** The scene that was saved last. */
     Optional<SavedScene> saved() {
         return saved;
     }
@@ -360,8 +358,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     private void accept(Frame frame, Optional<Differences> found) {
-        boolean due = compared.filter(asked -> asked == frame).isPresent();
-        if (due && found.isPresent())
+        if (compared.filter(asked -> asked == frame).isPresent() && found.isPresent())
             publish(state.withDifferences(found.get().first(), found.get().second()));
     }
 
@@ -385,6 +382,9 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         if (problem.isEmpty())
             task.saved().ifPresent(choice -> keep(new SavedScene(task.file(), choice.shown())));
         publish(state.withProblem(problem.isEmpty() ? "" : problem + instead));
+        if (!problem.isEmpty() || task.saved().isPresent()) return;
+        if (back) history.forget();
+        else keptFiles.forget();
         try {
             if (back) draw(answer.change().apply(state.choice()));
             else choose(answer.change());

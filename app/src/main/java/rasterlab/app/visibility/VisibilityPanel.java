@@ -49,7 +49,7 @@ public final class VisibilityPanel extends LabPanel {
                 new StepPlayer(
                         Texts.of("canvas", language),
                         new DrawingSteps(model),
-                        () -> new VisibilityReadings(model.state(), texts).timeline());
+                        () -> new VisibilityReadings(model, texts).timeline());
         actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());
         actions.add("reset", model::reset);

@@ -10,10 +10,12 @@ import rasterlab.engine.visibility.VisibilityWork;
 /** The live numbers of a state as the inspector writes them. */
 final class VisibilityReadings {
     private final VisibilityLabState state;
+    private final double shownZoom;
     private final Texts texts;
 
-    VisibilityReadings(VisibilityLabState state, Texts texts) {
-        this.state = state;
+    VisibilityReadings(VisibilityLabModel model, Texts texts) {
+        state = model.state();
+        shownZoom = model.shownZoom();
         this.texts = texts;
     }
 
@@ -24,7 +26,7 @@ final class VisibilityReadings {
                 angle(choice.camera().thetaRadians()),
                 angle(choice.camera().phiRadians()),
                 number(choice.camera().rho(), 1),
-                "× " + number(choice.zoom(), 2),
+                "× " + number(shownZoom, 2),
                 frameTime(),
                 size());
     }

@@ -34,6 +34,14 @@ class FilledPicturesTest {
     }
 
     @Test
+    void zoomEnlargesTwoPicturesByAsMuchAsOne() {
+        VisibilityChoice choice = two("cyclic-overlap");
+        double filled = stage.filling(choice).zoom();
+        for (double factor : new double[] {0.5, 0.8, 1.25, 2})
+            assertEquals(filled * factor, stage.filling(choice.zoomed(factor)).zoom(), 1e-9);
+    }
+
+    @Test
     void onePictureIsDrawnByTheChosenZoom() {
         VisibilityChoice one = two("cyclic-overlap").withComparison("");
         assertEquals(one, stage.filling(one));
@@ -43,7 +51,7 @@ class FilledPicturesTest {
     @ValueSource(strings = {"cyclic-overlap", "interpenetrating", "coplanar", "torus"})
     void sceneStaysInItsPictureHoweverItIsTurned(String scene) {
         VisibilityChoice choice = two(scene);
-        if (stage.filling(choice).zoom() == choice.zoom()) return;
+        assertTrue(stage.filling(choice).zoom() > choice.zoom(), "the pictures are not filled");
         double rho = choice.camera().rho();
         for (double theta = 0; theta < 6; theta += 0.7)
             for (double phi = 0.1; phi < 3; phi += 0.5)

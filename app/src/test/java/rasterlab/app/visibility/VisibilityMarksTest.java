@@ -64,8 +64,7 @@ class VisibilityMarksTest {
         model.resize(60, 40);
         settle();
         assertFalse(model.state().choice().difference());
-        var readings =
-                new VisibilityReadings(model.state(), Texts.of("visibility", Language.ENGLISH));
+        var readings = new VisibilityReadings(model, Texts.of("visibility", Language.ENGLISH));
         assertTrue(readings.wrongPixels().matches("[0-9]+ pixels"), readings.wrongPixels());
         assertFalse(model.state().marked());
         model.turn(0.1, 0);
