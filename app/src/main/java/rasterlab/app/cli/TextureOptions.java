@@ -15,7 +15,7 @@ final class TextureOptions {
     @Option(
             names = "--texture-image",
             paramLabel = "FILE",
-            description = "PNG or JPEG to lay on all faces, 1x1 to 8192x8192 pixels")
+            description = "PNG, JPEG, GIF or BMP to lay on all faces, 1x1 to 8192x8192 pixels")
     private Path image;
 
     @Option(

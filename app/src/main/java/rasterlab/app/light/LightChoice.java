@@ -49,7 +49,7 @@ record LightChoice(
 
     /**
      * Places in front of the scene, as {@link MarkPlaces} has them: from 0 to 1 in the frame that
-     * every picture shows, x to the right and y down.
+     * every picture shows, below 0 and above 1 beside it, x to the right and y down.
      *
      * @param fromX of the profile's first end
      * @param toX of its other end

@@ -28,7 +28,7 @@ import rasterlab.exercises.scene.Settings;
 final class SceneFiles {
     /** What is opened by the ends of their names, lower-case. */
     static final List<String> ENDINGS =
-            List.of(SceneText.EXTENSION, ".obj", ".png", ".jpg", ".jpeg");
+            List.of(SceneText.EXTENSION, ".obj", ".png", ".jpg", ".jpeg", ".gif", ".bmp");
 
     private static final String MODEL = ".obj";
 
@@ -86,12 +86,12 @@ final class SceneFiles {
             return choice -> choice.with(model);
         }
         if (Files.isDirectory(file)) FileToRead.require(file, FileKind.SCENE);
-        if (!name.matches(".*\\.(png|jpg|jpeg)"))
+        if (!name.matches(".*\\.(png|jpe?g|gif|bmp)"))
             throw Complaint.badInput(
                     file
                             + ": unknown extension; allowed are .obj, "
                             + SceneText.EXTENSION
-                            + ", .png and .jpg");
+                            + ", .png, .jpg, .gif and .bmp");
         Texture texture = PictureFile.texture(file);
         return choice -> choice.with(choice.shown().covered(file, texture), choice.camera());
     }

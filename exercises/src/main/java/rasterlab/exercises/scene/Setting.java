@@ -71,7 +71,9 @@ public final class Setting<T> {
     public static final Setting<TextureMode> TEXTURE =
             named("texture", List.of(TextureMode.values()), TextureMode::code);
 
-    /** A PNG or JPEG picture to lay on all faces, by its name in the scene file's folder. */
+    /**
+     * A PNG, JPEG, GIF or BMP picture to lay on all faces, by its name in the scene file's folder.
+     */
     public static final Setting<String> TEXTURE_IMAGE =
             new Setting<>("textureImage", Place::text, JSON::textNode);
 
