@@ -10,13 +10,13 @@ import com.fasterxml.jackson.datatype.jdk8.Jdk8Module;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Optional;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.exercises.Exercise;
+import rasterlab.exercises.scene.SceneFile;
 
 /**
  * What was last said to a source, in a file beside it: with the text that was tried, so that it is
@@ -35,18 +35,26 @@ final class OutcomeFile {
                     .build();
 
     /**
-     * @param cases names of the exercise's open cases at that time
+     * @param revision of the exercise at that time
      */
-    private record Content(List<String> cases, Outcome outcome) {}
+    private record Content(String revision, Outcome outcome) {}
 
     private OutcomeFile() {}
 
     /**
-     * @throws Complaint if it cannot be written
+     * @throws Complaint if it cannot be written, or is longer than what is read
      */
     static void write(Path file, Exercise exercise, Outcome outcome) {
         try {
-            byte[] text = MAPPER.writeValueAsBytes(new Content(cases(exercise), outcome));
+            byte[] text = MAPPER.writeValueAsBytes(new Content(exercise.revision(), outcome));
+            if (text.length > FileKind.RESULT.most())
+                throw Complaint.badInput(
+                        "%s: cannot be written: would have %d bytes, %s has at most %d"
+                                .formatted(
+                                        file,
+                                        text.length,
+                                        FileKind.RESULT,
+                                        FileKind.RESULT.most()));
             WholeFile.write(file, text);
         } catch (JsonProcessingException e) {
             throw new AssertionError("a record of texts and numbers", e);
@@ -54,22 +62,31 @@ final class OutcomeFile {
     }
 
     /**
-     * What was kept; empty where that is nothing, nothing that can be used, or of other cases than
-     * the exercise has now: the next check says it anew.
+     * What was kept; empty where that is nothing, nothing that can be used, or of another revision
+     * of the exercise: the next check says it anew.
      */
     static Optional<Outcome> read(Path file, Exercise exercise) {
         if (FileToRead.obstacle(file, FileKind.RESULT).isPresent()) return Optional.empty();
         try {
             Content kept = MAPPER.readValue(Files.readAllBytes(file), Content.class);
             return Optional.ofNullable(kept)
-                    .filter(one -> one.cases().equals(cases(exercise)))
-                    .map(Content::outcome);
+                    .filter(one -> one.revision().equals(exercise.revision()))
+                    .map(Content::outcome)
+                    .filter(OutcomeFile::hasReadableScenes);
         } catch (IOException e) {
             return Optional.empty();
         }
     }
 
-    private static List<String> cases(Exercise exercise) {
-        return TriedCase.untried(exercise).stream().map(TriedCase::name).toList();
+    private static boolean hasReadableScenes(Outcome outcome) {
+        try {
+            outcome.cases().stream()
+                    .map(TriedCase::scene)
+                    .filter(scene -> !scene.isEmpty())
+                    .forEach(SceneFile::read);
+            return true;
+        } catch (IllegalArgumentException e) {
+            return false;
+        }
     }
 }

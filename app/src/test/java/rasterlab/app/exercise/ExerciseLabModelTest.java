@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.canvas.ShellPath;
 import rasterlab.app.language.Language;
+import rasterlab.app.outcome.FileKind;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.GradingVerdict;
@@ -99,24 +100,52 @@ class ExerciseLabModelTest {
     }
 
     @Test
-    void resultThatIsBrokenOrOfOtherCasesIsNotShown() throws Exception {
+    void resultThatIsBrokenOrOfAnotherRevisionIsNotShown() throws Exception {
         Exercise exercise = Catalogue.builtIn().all().get(0);
         Path file = folder.resolve("result.json");
         OutcomeFile.write(file, exercise, ShownResult.outcome(GradingVerdict.WRONG));
         assertTrue(OutcomeFile.read(file, exercise).isPresent());
         String whole = Files.readString(file);
-        String ofOtherCases = whole.replaceFirst("\"cases\":\\[\"", "$0older-");
-        assertNotEquals(whole, ofOtherCases);
+        String ofAnotherRevision = whole.replace(exercise.revision(), "older");
+        String ofABrokenScene = whole.replaceFirst("\"scene\":\"", "$0{");
+        assertNotEquals(whole, ofAnotherRevision);
+        assertNotEquals(whole, ofABrokenScene);
         for (String broken :
                 List.of(
-                        ofOtherCases,
+                        ofAnotherRevision,
+                        ofABrokenScene,
                         "",
                         "{",
                         "null",
                         whole.substring(9),
-                        whole.replace("100", "-1"))) {
+                        whole.replace("\"of\":100", "\"of\":-1"))) {
             Files.writeString(file, broken);
             assertEquals(Optional.empty(), OutcomeFile.read(file, exercise), broken);
+        }
+    }
+
+    @Test
+    void resultThatIsTooLongToBeReadAgainIsLeftOutWithTheOlderOne() throws Exception {
+        Exercise exercise = Catalogue.builtIn().all().get(0);
+        Path file = folder.resolve("result.json");
+        Outcome usual = ShownResult.outcome(GradingVerdict.WRONG);
+        var tooLong =
+                new Outcome(
+                        "x".repeat(FileKind.RESULT.most()),
+                        usual.attempt(),
+                        usual.verdict(),
+                        usual.points(),
+                        usual.cases(),
+                        usual.remarks(),
+                        usual.isolation(),
+                        usual.nanosPerItem());
+        try (var outcomes = new Outcomes(id -> Optional.of(file), Runnable::run)) {
+            outcomes.keep(exercise, usual);
+            outcomes.settle();
+            assertTrue(Files.exists(file));
+            outcomes.keep(exercise, tooLong);
+            outcomes.settle();
+            assertFalse(Files.exists(file));
         }
     }
 
