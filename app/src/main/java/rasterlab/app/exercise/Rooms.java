@@ -37,7 +37,7 @@ final class Rooms extends JPanel {
     private final transient RoomsKept kept;
 
     /**
-     * @param kept how these rooms' like were left, and these are
+     * @param kept how the rooms of an earlier panel were left; takes what changes here
      */
     Rooms(
             Texts texts,
@@ -95,6 +95,7 @@ final class Rooms extends JPanel {
         tabs.addTab(texts.text("room.program"), program);
         tabs.addTab(texts.text("room.result"), result);
         tabs.setSelectedIndex(shown.ordinal());
+        kept.choose(shown);
         add(tabs);
     }
 

@@ -3,6 +3,7 @@ package rasterlab.app.exercise;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.awt.EventQueue;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
@@ -91,5 +92,11 @@ class RoomsTest {
         paintSmall(again);
         int shown = ((JTabbedPane) again.getComponent(0)).getSelectedIndex();
         assertEquals(Rooms.Room.PROGRAM.ordinal(), shown);
+    }
+
+    @Test
+    void firstRoomIsLookedAtWithoutBeingChosen() throws Exception {
+        paintSmall(made(Language.ENGLISH));
+        assertEquals(Optional.of(Rooms.Room.STATEMENT), kept.chosen());
     }
 }
