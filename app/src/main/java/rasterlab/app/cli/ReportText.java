@@ -91,8 +91,9 @@ final class ReportText {
                 .ifPresent(
                         pictures -> {
                             out.println();
-                            String title = exercise.caseTitle(judged.name(), language());
-                            out.println(title + ", " + judged.name());
+                            String name = judged.name();
+                            String title = exercise.caseTitle(name, language());
+                            out.println(title.equals(name) ? name : title + ", " + name);
                             out.println("(" + texts.text("legend") + ")");
                             pictures.text().lines().forEach(row -> out.println("  " + row));
                         });

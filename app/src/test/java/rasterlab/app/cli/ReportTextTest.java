@@ -1,0 +1,82 @@
+package rasterlab.app.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.CaseReport;
+import rasterlab.exercises.score.Disclosure;
+import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
+import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.Report;
+
+class ReportTextTest {
+    private static final String NAME = "steep-line";
+
+    @ParameterizedTest(name = "a picture is not below its case''s title and name once: {0}")
+    @CsvSource({"'', 'steep-line'", "a gap, 'a gap, steep-line'"})
+    void picturesAreBelowTitleAndName(String title, String expected) {
+        var printed = new ByteArrayOutputStream();
+        var out = new PrintStream(printed, false, StandardCharsets.UTF_8);
+        new ReportText(out, Texts.of("cli", "report", Language.ENGLISH), "MyLine.java")
+                .print(exercise(title.isEmpty() ? Map.of() : Map.of("en", title)), report());
+        out.flush();
+        List<String> lines = printed.toString(StandardCharsets.UTF_8).lines().toList();
+        assertEquals(expected, lines.get(lines.indexOf("  #..") - 2));
+    }
+
+    private static Exercise exercise(Map<String, String> caseTitle) {
+        Exercise like = Catalogue.builtIn().named("line-bresenham");
+        return new Exercise(
+                like.id(),
+                like.topic(),
+                like.title(),
+                like.statement(),
+                like.pictures(),
+                like.starter(),
+                like.revision(),
+                like.tolerance(),
+                like.points(),
+                List.of(
+                        new Exercise.Case(
+                                NAME,
+                                caseTitle,
+                                Exercise.Kind.ACCURACY,
+                                Disclosure.OPEN,
+                                1,
+                                "{}",
+                                false)));
+    }
+
+    private static Report report() {
+        var judged =
+                new CaseReport(
+                        NAME,
+                        Disclosure.OPEN,
+                        GradingVerdict.WRONG,
+                        0,
+                        1,
+                        Message.NONE,
+                        Optional.of(new CasePictures("#..", new byte[0], new byte[0], new byte[0])),
+                        "");
+        return new Report(
+                GradingVerdict.WRONG,
+                new Points(0, 0, 0, 1),
+                List.of(judged),
+                List.of(),
+                Report.PROCESS_LIMITS,
+                0);
+    }
+}
