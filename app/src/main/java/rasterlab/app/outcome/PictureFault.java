@@ -15,8 +15,14 @@ final class PictureFault {
     static final String CUT = "the picture is cut off: the file ends too early";
     static final String DAMAGED = "the picture is damaged";
 
-    /** Bytes at a file's end within which its mark of the end is, with a few that may follow. */
-    private static final int TAIL = 16;
+    /** The most bytes at a file's beginning that tell its kind. */
+    private static final int HEAD = 8;
+
+    /** Bytes at a file's end within which its mark of the end is, with what may follow. */
+    private static final int TAIL = 1 << 16;
+
+    private static final String JPEG_SCAN = "\u00FF\u00DA";
+    private static final String JPEG_END = "\u00FF\u00D9";
 
     private PictureFault() {}
 
@@ -29,22 +35,33 @@ final class PictureFault {
         return lacksEnd(file) ? CUT : DAMAGED;
     }
 
-    /** Whether the mark is missing with which a PNG, JPEG or GIF ends; a BMP has none. */
+    /**
+     * Whether the mark is missing with which a PNG, JPEG or GIF ends; a BMP has none. A JPEG's
+     * small picture of itself ends with the same mark, before the scan of the large one.
+     */
     private static boolean lacksEnd(Path file) {
         try (var bytes = new RandomAccessFile(file.toFile(), "r")) {
-            String begin = part(bytes, 0);
-            String end = part(bytes, Math.max(0, bytes.length() - TAIL));
+            String begin = part(bytes, 0, HEAD);
+            String end = part(bytes, Math.max(0, bytes.length() - TAIL), TAIL);
             if (begin.startsWith("\u0089PNG")) return !end.contains("IEND");
-            if (begin.startsWith("\u00FF\u00D8")) return !end.contains("\u00FF\u00D9");
-            return begin.startsWith("GIF") && !end.contains(";");
+            if (begin.startsWith("\u00FF\u00D8"))
+                return end.lastIndexOf(JPEG_END) <= end.lastIndexOf(JPEG_SCAN);
+            return begin.startsWith("GIF") && !withoutZeros(end).endsWith(";");
         } catch (IOException gone) {
             return false;
         }
     }
 
-    private static String part(RandomAccessFile bytes, long from) throws IOException {
+    /** Without those at the end, which some programs fill a file up with. */
+    private static String withoutZeros(String bytes) {
+        int length = bytes.length();
+        while (length > 0 && bytes.charAt(length - 1) == 0) length--;
+        return bytes.substring(0, length);
+    }
+
+    private static String part(RandomAccessFile bytes, long from, int most) throws IOException {
         bytes.seek(from);
-        var part = new byte[(int) Math.min(TAIL, bytes.length() - from)];
+        var part = new byte[(int) Math.min(most, bytes.length() - from)];
         bytes.readFully(part);
         return new String(part, StandardCharsets.ISO_8859_1);
     }

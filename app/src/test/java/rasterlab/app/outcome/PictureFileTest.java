@@ -11,6 +11,9 @@ import java.awt.image.BufferedImage;
 import java.awt.image.ComponentColorModel;
 import java.awt.image.DataBuffer;
 import java.awt.image.WritableRaster;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -148,6 +151,32 @@ class PictureFileTest {
         for (int k = 200; k < 260; k++) bytes[k] ^= 0x55;
         Path damaged = Files.write(folder.resolve("damaged.png"), bytes);
         assertMessage(damaged, damaged + ": the picture is damaged" + ALLOWED);
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("ends")
+    void tellsCutOffFromDamaged(String expected, String format, String bytesAtTheEnd)
+            throws Exception {
+        byte[] whole = Files.readAllBytes(noisy(format));
+        var picture = new ByteArrayOutputStream();
+        picture.write(whole, 0, whole.length - (expected.equals(PictureFault.CUT) ? 300 : 0));
+        picture.writeBytes(bytesAtTheEnd.getBytes(StandardCharsets.ISO_8859_1));
+        Path file = Files.write(folder.resolve("ends"), picture.toByteArray());
+        assertEquals(expected, PictureFault.of(file, new IOException("unreadable")));
+    }
+
+    static Stream<Arguments> ends() {
+        String cut = PictureFault.CUT;
+        String damaged = PictureFault.DAMAGED;
+        return Stream.of(
+                argumentSet("a semicolon near a GIF's end passes for it", cut, "gif", ";12"),
+                argumentSet("zeros behind a GIF make it cut off", damaged, "gif", "\0".repeat(100)),
+                argumentSet("text behind a JPEG makes it cut off", damaged, "jpg", "x".repeat(100)),
+                argumentSet(
+                        "a JPEG's small picture ends the large one",
+                        cut,
+                        "jpg",
+                        "\u00FF\u00D9\u00FF\u00DAcut off"));
     }
 
     @Test
