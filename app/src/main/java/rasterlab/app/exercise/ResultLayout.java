@@ -4,10 +4,8 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
-import java.awt.Font;
 import java.awt.Insets;
 import java.awt.LayoutManager;
-import java.util.function.Supplier;
 import javax.swing.JScrollPane;
 import javax.swing.UIManager;
 import rasterlab.app.canvas.LargeType;
@@ -36,32 +34,29 @@ final class ResultLayout implements LayoutManager {
     private final Container words;
     private final Component picture;
     private final Component guide;
-    private final Supplier<Font> type;
 
     /**
+     * @param table in the type by which the parts are measured
      * @param cases what scrolls the table
      * @param words the chosen case's reason, and the buttons
      * @param guide stands in place of words and picture while it is visible
-     * @param type that cases and words have then
      */
     ResultLayout(
             CaseTable table,
             JScrollPane cases,
             Container words,
             Component picture,
-            Component guide,
-            Supplier<Font> type) {
+            Component guide) {
         this.table = table;
         this.cases = cases;
         this.words = words;
         this.picture = picture;
         this.guide = guide;
-        this.type = type;
     }
 
     @Override
     public void layoutContainer(Container parent) {
-        int size = type.get().getSize();
+        int size = table.getFont().getSize();
         int width = parent.getWidth();
         int height = parent.getHeight();
         int gap = UIScale.scale(GAP);

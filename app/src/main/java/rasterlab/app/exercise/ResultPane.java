@@ -41,6 +41,7 @@ final class ResultPane extends JPanel {
     private final JTextArea reason = Controls.words("reason");
     private final JTextArea guide = Controls.words("guide");
     private final JScrollPane guideScroll = new JScrollPane(guide);
+    private final JLabel viewLabel;
     private final NameChooser view;
     private final JPanel words = new JPanel();
     private final CasePicture picture;
@@ -67,6 +68,7 @@ final class ResultPane extends JPanel {
                         CasePicture.VIEWS,
                         key -> texts.text("view." + key),
                         picture::choose);
+        viewLabel = Controls.label("view", texts, view);
         open = Controls.button("open", texts, () -> openChosen(onFailure));
         reason.getAccessibleContext().setAccessibleName(texts.text("reason"));
         guide.getAccessibleContext().setAccessibleName(texts.text("guide.name"));
@@ -101,17 +103,13 @@ final class ResultPane extends JPanel {
         scroll.setName("cases.scroll");
         words.setLayout(new MigLayout("insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][]"));
         var controls = new JPanel(new FlowRows(6));
-        JLabel label = Controls.label("view", texts, view);
-        controls.add(label);
+        controls.add(viewLabel);
         controls.add(view);
         controls.add(open);
         FlowRows.keepWrapped(controls);
         words.add(reason, "wmin 0");
         words.add(controls, "wmin 0");
-        var all =
-                new JPanel(
-                        new ResultLayout(
-                                table, scroll, words, picture, guideScroll, () -> wear(label)));
+        var all = new JPanel(new ResultLayout(table, scroll, words, picture, guideScroll));
         all.add(scroll);
         all.add(words);
         all.add(picture);
@@ -119,17 +117,22 @@ final class ResultPane extends JPanel {
         return all;
     }
 
+    /** In the type of its size, by which the parts are measured from the head on. */
+    @Override
+    public void doLayout() {
+        wear(ResultType.in(getSize()));
+        super.doLayout();
+    }
+
     /** The label lies in the middle of its row of buttons. */
-    private Font wear(JLabel label) {
-        Font type = ResultType.in(getSize());
-        if (type.equals(table.getFont()) && label.isPreferredSizeSet()) return type;
-        List.of(points, where, table, reason, label, view, open, picture)
+    private void wear(Font type) {
+        if (type.equals(table.getFont()) && viewLabel.isPreferredSizeSet()) return;
+        List.of(points, where, table, reason, viewLabel, view, open, picture)
                 .forEach(part -> part.setFont(type));
         verdict.setFont(type.deriveFont(Font.BOLD));
-        label.setPreferredSize(null);
-        label.setPreferredSize(
-                new Dimension(label.getPreferredSize().width, view.getPreferredSize().height));
-        return type;
+        viewLabel.setPreferredSize(null);
+        viewLabel.setPreferredSize(
+                new Dimension(viewLabel.getPreferredSize().width, view.getPreferredSize().height));
     }
 
     /**

@@ -7,6 +7,8 @@ import static rasterlab.app.exercise.ShownResult.outcome;
 import static rasterlab.app.exercise.ShownResult.pane;
 import static rasterlab.app.exercise.ShownResult.show;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.Rectangle;
 import java.util.List;
@@ -15,6 +17,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JTable;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
@@ -91,6 +95,30 @@ class ResultPlacesTest {
         assertTrue(picture.together(), "no room for three pictures in " + picture.getSize());
         assertTrue(picture.getHeight() >= 120, "pictures are high by " + picture.getHeight());
         EventQueue.invokeAndWait(pane::close);
+    }
+
+    @Test
+    @DisplayName("labels of the head keep the sizes of another type")
+    void headIsPlacedInItsOwnType() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    ShownResult.install(LabTheme.PROJECTOR, 38);
+                    ResultPane pane = pane(Language.ENGLISH, FAILURES::add);
+                    show(pane, Work.NONE, Optional.of(outcome(GradingVerdict.WRONG)));
+                    pane.setSize(1250, 500);
+                    layOutOnce(pane);
+                    for (String name : List.of("result.verdict", "result.points")) {
+                        Component label = named(pane, name);
+                        assertEquals(label.getPreferredSize(), label.getSize(), name);
+                    }
+                    pane.close();
+                });
+    }
+
+    private static void layOutOnce(Container container) {
+        container.doLayout();
+        for (Component child : container.getComponents())
+            if (child instanceof Container inner) layOutOnce(inner);
     }
 
     private static void assertUseful(ResultPane pane) {
