@@ -99,7 +99,7 @@ set classes="%root%\%module%\target\classes;%root%\%module%\target\lib\*"
 rem What is wrong with the arguments is told before Java can warn.
 if not defined vector goto measure
 "%java%" -Dfile.encoding=UTF-8 -cp %classes% %main% --arguments-only %arguments%
-if errorlevel 1 exit /b %errorlevel%
+if not "%errorlevel%"=="0" exit /b %errorlevel%
 :measure
 "%java%" %native% %vector% %options% -Dfile.encoding=UTF-8 "-Drasterlab.home=%root%" -cp %classes% %main% %arguments%
 exit /b %errorlevel%
