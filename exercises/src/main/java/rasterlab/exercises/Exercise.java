@@ -68,7 +68,7 @@ public record Exercise(
      * What a case of a report is called in that language; its name where this exercise has no such
      * case.
      *
-     * @param name as in {@link rasterlab.exercises.score.CaseReport}
+     * @param name as in {@link CaseReport}
      */
     public String caseTitle(String name, String language) {
         return CaseReport.ownTitle(name, language)

@@ -69,7 +69,7 @@ class RussianComplaintsTest {
     }
 
     @Test
-    @DisplayName("a language that is not there makes English fall silent, or Russian speak")
+    @DisplayName("an unknown language is answered in another one than English")
     void anUnknownLanguageIsToldInEnglish() {
         Ran ran = Ran.lab("chart", "perspective", "--lang", "de");
         assertTrue(ran.err().contains("expected one of en, ru, got 'de'"), ran.err());
