@@ -1,12 +1,6 @@
 package rasterlab.app.exercise;
 
-import com.fasterxml.jackson.annotation.JsonAutoDetect.Visibility;
-import com.fasterxml.jackson.annotation.PropertyAccessor;
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.DeserializationFeature;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.json.JsonMapper;
-import com.fasterxml.jackson.datatype.jdk8.Jdk8Module;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +8,7 @@ import java.util.Optional;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;
+import rasterlab.app.outcome.KeptJson;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.scene.SceneFile;
@@ -23,17 +18,6 @@ import rasterlab.exercises.scene.SceneFile;
  * told where the text is another one by now.
  */
 final class OutcomeFile {
-    private static final ObjectMapper MAPPER =
-            JsonMapper.builder()
-                    .addModule(new Jdk8Module())
-                    .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
-                    .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
-                    .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
-                    .visibility(PropertyAccessor.GETTER, Visibility.NONE)
-                    .visibility(PropertyAccessor.IS_GETTER, Visibility.NONE)
-                    .visibility(PropertyAccessor.FIELD, Visibility.ANY)
-                    .build();
-
     /**
      * @param revision of the exercise at that time
      */
@@ -46,7 +30,8 @@ final class OutcomeFile {
      */
     static void write(Path file, Exercise exercise, Outcome outcome) {
         try {
-            byte[] text = MAPPER.writeValueAsBytes(new Content(exercise.revision(), outcome));
+            byte[] text =
+                    KeptJson.MAPPER.writeValueAsBytes(new Content(exercise.revision(), outcome));
             if (text.length > FileKind.RESULT.most())
                 throw Complaint.badInput(
                         "%s: cannot be written: would have %d bytes, %s has at most %d"
@@ -68,7 +53,7 @@ final class OutcomeFile {
     static Optional<Outcome> read(Path file, Exercise exercise) {
         if (FileToRead.obstacle(file, FileKind.RESULT).isPresent()) return Optional.empty();
         try {
-            Content kept = MAPPER.readValue(Files.readAllBytes(file), Content.class);
+            Content kept = KeptJson.MAPPER.readValue(Files.readAllBytes(file), Content.class);
             return Optional.ofNullable(kept)
                     .filter(one -> one.revision().equals(exercise.revision()))
                     .map(Content::outcome)

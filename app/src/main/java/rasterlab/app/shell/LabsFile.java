@@ -1,15 +1,9 @@
 package rasterlab.app.shell;
 
-import com.fasterxml.jackson.annotation.JsonAutoDetect.Visibility;
-import com.fasterxml.jackson.annotation.PropertyAccessor;
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonMappingException;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import com.fasterxml.jackson.datatype.jdk8.Jdk8Module;
 import java.io.IOException;
 import java.lang.reflect.RecordComponent;
 import java.nio.file.FileSystemException;
@@ -27,6 +21,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;
+import rasterlab.app.outcome.KeptJson;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.exercises.json.JsonMistake;
 
@@ -37,23 +32,6 @@ import rasterlab.exercises.json.JsonMistake;
  * left. What an older version did not keep of a lab yet is as on the first run.
  */
 public final class LabsFile {
-    /** Takes long to load, and a first run has nothing to read. */
-    private static final class Json {
-        private static final ObjectMapper MAPPER =
-                JsonMapper.builder()
-                        .addModule(new Jdk8Module())
-                        .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
-                        .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
-                        .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
-                        .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
-                        .visibility(PropertyAccessor.GETTER, Visibility.NONE)
-                        .visibility(PropertyAccessor.IS_GETTER, Visibility.NONE)
-                        .visibility(PropertyAccessor.FIELD, Visibility.ANY)
-                        .build();
-
-        private Json() {}
-    }
-
     private final Path file;
     private final Consumer<Problem> problem;
     private volatile boolean refused;
@@ -101,7 +79,8 @@ public final class LabsFile {
 
     private Content content() throws IOException {
         byte[] text = Files.readAllBytes(file);
-        if (Json.MAPPER.readTree(text) instanceof ObjectNode root) return new Content(text, root);
+        if (KeptJson.MAPPER.readTree(text) instanceof ObjectNode root)
+            return new Content(text, root);
         throw new IOException("not a JSON object");
     }
 
@@ -143,8 +122,9 @@ public final class LabsFile {
         JsonNode kept = content.root.path(name);
         if (kept.isMissingNode()) return;
         try {
-            JsonNode whole = completed(kept, Json.MAPPER.valueToTree(lab.kept()), lab.keptType());
-            lab.bringBack(Json.MAPPER.treeToValue(whole, lab.keptType()));
+            JsonNode whole =
+                    completed(kept, KeptJson.MAPPER.valueToTree(lab.kept()), lab.keptType());
+            lab.bringBack(KeptJson.MAPPER.treeToValue(whole, lab.keptType()));
         } catch (JsonProcessingException | RuntimeException e) {
             // A file that was changed by hand can miss more than a lab's own checks look at.
             String reason = e instanceof JsonMappingException part ? reasonOf(part) : reason(e);
@@ -168,7 +148,7 @@ public final class LabsFile {
     /** What was kept, and of the record's components that it has not, the usual ones. */
     private static JsonNode completed(JsonNode kept, JsonNode usual, Class<?> type) {
         if (!type.isRecord() || !kept.isObject() || !usual.isObject()) return kept;
-        ObjectNode whole = Json.MAPPER.createObjectNode().setAll((ObjectNode) kept);
+        ObjectNode whole = KeptJson.MAPPER.createObjectNode().setAll((ObjectNode) kept);
         for (RecordComponent part : type.getRecordComponents()) {
             String name = part.getName();
             whole.set(
@@ -215,16 +195,17 @@ public final class LabsFile {
         Optional<Content> held = held();
         if (inTheWay) return false;
         ObjectNode root =
-                held.map(content -> content.root).orElseGet(Json.MAPPER::createObjectNode);
+                held.map(content -> content.root).orElseGet(KeptJson.MAPPER::createObjectNode);
         choices.forEach(
                 (name, choice) -> {
                     boolean written = changed.contains(name) && !uncopied.contains(name);
-                    if (written || !root.has(name)) root.set(name, Json.MAPPER.valueToTree(choice));
+                    if (written || !root.has(name))
+                        root.set(name, KeptJson.MAPPER.valueToTree(choice));
                 });
         try {
             WholeFile.requireFolder(file.toAbsolutePath().getParent());
             WholeFile.write(
-                    file, Json.MAPPER.writerWithDefaultPrettyPrinter().writeValueAsBytes(root));
+                    file, KeptJson.MAPPER.writerWithDefaultPrettyPrinter().writeValueAsBytes(root));
             return true;
         } catch (IOException | Complaint e) {
             problem.accept(Problem.of("labs.notKept", reason(e)));
