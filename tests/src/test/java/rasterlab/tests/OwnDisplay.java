@@ -9,6 +9,7 @@ import java.nio.file.StandardOpenOption;
 import org.junit.jupiter.api.extension.BeforeAllCallback;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.jupiter.api.extension.ExtensionContext.Namespace;
+import rasterlab.tests.bench.window.DisplayAtRest;
 
 /**
  * Lets the tests of a class open windows while no other process of tests does so on the same
@@ -43,6 +44,7 @@ public final class OwnDisplay implements BeforeAllCallback {
 
         @Override
         public void close() throws IOException {
+            DisplayAtRest.await(); // This class may be the last.
             channel.close();
         }
     }

@@ -151,6 +151,7 @@ public final class WindowBench {
                     });
             // The closed window keeps its settings in an event of its own.
             onEventThread(() -> null);
+            DisplayAtRest.await();
         }
         if (failure.get() != null)
             throw new IllegalStateException("the lab reported a failure", failure.get());
