@@ -61,7 +61,7 @@ if exist "%root%\grader\target\lib" rmdir /s /q "%root%\grader\target\lib"
 if "%parts%"=="tests" if exist "%root%\tests\target\lib" rmdir /s /q "%root%\tests\target\lib"
 set "JAVA_HOME=%home%"
 call "%root%\mvnw.cmd" -B -f "%root%\pom.xml" -pl %parts% -am -Dmaven.test.skip=true package > "%log%" 2>&1 < nul
-if errorlevel 1 (
+if not "%errorlevel%"=="0" (
     findstr /b /c:"[ERROR] " "%log%" 1>&2
     echo lab: the build failed; its whole log is in "%log%" 1>&2
     exit /b 1
