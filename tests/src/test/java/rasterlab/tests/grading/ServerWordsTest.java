@@ -1,0 +1,44 @@
+package rasterlab.tests.grading;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
+import rasterlab.grader.problem.Rejection;
+
+/** The server says no in English; the window says it in its own language. */
+class ServerWordsTest {
+    private static final Pattern ENGLISH =
+            Pattern.compile("\\b(the|no|of|at|you|only|must|this)\\b");
+
+    /** What a student can bring about by what the window sends. */
+    static Stream<Rejection> rejections() {
+        return Stream.of(
+                new Rejection.UnknownExercise("circle"),
+                new Rejection.UnknownSubmission("7"),
+                new Rejection.UnknownPicture("steep", "actual"),
+                new Rejection.UnknownCourse("XWS74GKU"),
+                new Rejection.WrongRole("student"),
+                new Rejection.BadName("name", 80),
+                new Rejection.KeyReused(),
+                new Rejection.EmptySource(),
+                new Rejection.NotUtf8("byte 3"),
+                new Rejection.TooLarge(65536),
+                new Rejection.TooManyQueued(5, 10),
+                new Rejection.TooFast(6, 10),
+                new Rejection.NoRoom());
+    }
+
+    @ParameterizedTest
+    @MethodSource("rejections")
+    void refusalIsSaidInRussian(Rejection rejection) {
+        assertTrue(ENGLISH.matcher(rejection.getMessage()).find(), "looks for what is not said");
+        String said = Complaints.said(Language.RUSSIAN, rejection.getMessage());
+        assertFalse(ENGLISH.matcher(said).find(), said);
+    }
+}
