@@ -22,8 +22,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.engine.line.Segment;
-import rasterlab.tests.grading.GraderClient;
-import rasterlab.tests.grading.ServerProcess;
 import rasterlab.tests.grading.Solutions;
 
 /** The tab of exercises under a real display, by mouse and keyboard. */
@@ -337,58 +335,5 @@ class WindowExercisesTest extends WindowHarness {
 
     private static String messageOf(JOptionPaneFixture question) {
         return GuiActionRunner.execute(() -> question.target().getMessage().toString());
-    }
-
-    @Test
-    void serverThatIsDownIsToldAndNothingIsLost() {
-        type("class A {}");
-        join("http://127.0.0.1:1", "CODE");
-        await("it is told", () -> noticed("no answer"));
-        await("the keyboard is back where it was asked for", () -> hasKeyboard("server"));
-        assertEquals("class A {}", source());
-    }
-
-    @Test
-    void submissionIsFollowedToItsResult() throws Exception {
-        try (var server = ServerProcess.start(folder.resolve("course"))) {
-            String code =
-                    GraderClient.of(server.address(), server.token())
-                            .post("/courses", "{\"name\":\"Computer graphics\"}")
-                            .path("code")
-                            .asText();
-            type(Solutions.source(Solutions.WRONG));
-            join(server.address().toString(), code);
-            await("joined", () -> noticed("Submissions now go to"));
-            window.button("submit").click();
-            awaitVerdict("wrong");
-            assertTrue(window.textBox("reason").text().contains("(4, 3)"));
-            assertTrue(window.button("open").isEnabled());
-        }
-    }
-
-    /**
-     * Answers by the keyboard: where no window manager places dialogs, AWT now and then takes one
-     * to be in the screen's corner, and a mouse that goes by that misses its buttons.
-     */
-    private void join(String address, String code) {
-        window.button("server").click();
-        JOptionPaneFixture form = window.optionPane();
-        form.textBox("join.address").setText(address);
-        form.textBox("join.code").setText(code);
-        form.textBox("join.name").setText("Ada");
-        form.textBox("join.name").pressAndReleaseKeys(KeyEvent.VK_ENTER);
-    }
-
-    private boolean noticed(String words) {
-        return !window.robot()
-                .finder()
-                .findAll(
-                        frame,
-                        found ->
-                                "notice".equals(found.getName())
-                                        && found.isShowing()
-                                        && found instanceof javax.swing.JTextArea area
-                                        && area.getText().contains(words))
-                .isEmpty();
     }
 }

@@ -5,6 +5,7 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.time.format.FormatStyle;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JOptionPane;
@@ -30,6 +31,7 @@ final class EditorBar extends JPanel {
     private final JButton redo;
     private final JButton draft;
     private final JButton copy;
+    private transient Optional<JoinForm> joinForm = Optional.empty();
 
     /**
      * @param onFailure told when there is no clipboard
@@ -141,6 +143,8 @@ final class EditorBar extends JPanel {
     }
 
     private void askServer() {
-        new JoinForm(texts, model.state().account()).ask(this, model);
+        if (joinForm.isEmpty())
+            joinForm = Optional.of(new JoinForm(texts, model.state().account()));
+        joinForm.get().ask(this, model);
     }
 }

@@ -2,15 +2,24 @@ package rasterlab.app.exercise;
 
 import java.awt.Component;
 import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JCheckBox;
+import javax.swing.JDialog;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JPasswordField;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Texts;
 
-/** Asks for a server and a course on it, or for a token that the student has already. */
+/**
+ * Asks for a server and a course on it, or for a token that the student has already. What was typed
+ * stands there again the next time, for the server may have refused it.
+ */
 final class JoinForm extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -20,10 +29,53 @@ final class JoinForm extends JPanel {
     private final JTextField student = new JTextField(24);
     private final JCheckBox known;
     private final JPasswordField token = new JPasswordField(24);
+    private final JButton join;
+    private final JButton cancel;
+
+    /** The answers below the form; the first empty field is what is typed in. */
+    private final class Question extends JOptionPane {
+        private static final long serialVersionUID = 1L;
+
+        Question() {
+            super(
+                    JoinForm.this,
+                    PLAIN_MESSAGE,
+                    OK_CANCEL_OPTION,
+                    null,
+                    new Object[] {join, cancel},
+                    join);
+        }
+
+        @Override
+        public void selectInitialValue() {
+            super.selectInitialValue();
+            needed().filter(JoinForm::isEmpty).findFirst().orElse(address).requestFocusInWindow();
+        }
+    }
+
+    /** Tells of any change of a field. */
+    private record Change(Runnable told) implements DocumentListener {
+        @Override
+        public void insertUpdate(DocumentEvent e) {
+            told.run();
+        }
+
+        @Override
+        public void removeUpdate(DocumentEvent e) {
+            told.run();
+        }
+
+        @Override
+        public void changedUpdate(DocumentEvent e) {
+            told.run();
+        }
+    }
 
     JoinForm(Texts texts, Optional<Account> account) {
         super(new MigLayout("insets 0, gap 8 8, wrap 2", "[][grow,fill]"));
         this.texts = texts;
+        join = button("join.ok");
+        cancel = button("join.cancel");
         known = new JCheckBox(texts.label("join.known"));
         known.setName("join.known");
         known.setMnemonic(texts.mnemonic("join.known"));
@@ -38,8 +90,19 @@ final class JoinForm extends JPanel {
         enableFields();
     }
 
+    private JButton button(String key) {
+        var button = new JButton(texts.text(key));
+        button.setName(key);
+        button.addActionListener(
+                e ->
+                        ((JOptionPane) SwingUtilities.getAncestorOfClass(JOptionPane.class, button))
+                                .setValue(button));
+        return button;
+    }
+
     private void row(String key, JTextField field) {
         field.setName(key);
+        field.getDocument().addDocumentListener(new Change(this::enableFields));
         add(Controls.label(key, texts, field));
         add(field);
     }
@@ -48,22 +111,28 @@ final class JoinForm extends JPanel {
         code.setEnabled(!known.isSelected());
         student.setEnabled(!known.isSelected());
         token.setEnabled(known.isSelected());
+        join.setEnabled(needed().noneMatch(JoinForm::isEmpty));
+    }
+
+    /** In their order in the form. */
+    private Stream<JTextField> needed() {
+        return known.isSelected() ? Stream.of(address, token) : Stream.of(address, code, student);
+    }
+
+    private static boolean isEmpty(JTextField field) {
+        return field.getDocument().getLength() == 0 || field.getText().isBlank();
     }
 
     /** Shows the form until it is answered; the model is told a whole answer. */
     void ask(Component parent, ExerciseLabModel model) {
-        String[] answers = {texts.text("join.ok"), texts.text("join.cancel")};
-        int answer =
-                JOptionPane.showOptionDialog(
-                        parent,
-                        this,
-                        texts.text("join.title"),
-                        JOptionPane.OK_CANCEL_OPTION,
-                        JOptionPane.PLAIN_MESSAGE,
-                        null,
-                        answers,
-                        answers[0]);
-        if (answer != JOptionPane.OK_OPTION) return;
+        // The theme may have changed since it was shown last.
+        Stream.of(this, join, cancel).forEach(SwingUtilities::updateComponentTreeUI);
+        var question = new Question();
+        JDialog dialog =
+                question.createDialog(SwingUtilities.getRoot(parent), texts.text("join.title"));
+        dialog.setVisible(true);
+        dialog.dispose();
+        if (question.getValue() != join) return;
         if (known.isSelected())
             model.signIn(address.getText(), String.valueOf(token.getPassword()));
         else model.join(address.getText(), code.getText().strip(), student.getText().strip());
