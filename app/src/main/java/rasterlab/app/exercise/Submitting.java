@@ -19,7 +19,7 @@ final class Submitting {
     /** Told how a submission gets on, on the thread that follows it. */
     interface Follower {
         /**
-         * @param position in the queue, 1 being the next
+         * @param position in the queue, 1 being the next, 0 when its turn has come
          */
         void waits(int position);
 

@@ -5,7 +5,8 @@ import java.util.List;
 /**
  * What runs in the background.
  *
- * @param done cases judged so far; in the queue of a server, the place in it
+ * @param done cases judged so far; in the queue of a server, the place in it, 0 when its turn has
+ *     come
  * @param of cases in all; 0 where that is not known
  * @param cases those judged so far
  */
