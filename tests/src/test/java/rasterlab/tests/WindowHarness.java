@@ -18,6 +18,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
+import javax.swing.JTextArea;
 import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.ComponentLookupScope;
 import org.assertj.swing.core.Robot;
@@ -171,5 +172,17 @@ abstract class WindowHarness {
         } catch (java.awt.AWTException e) {
             throw new AssertionError("this display cannot be captured", e);
         }
+    }
+
+    /** What is said below the buttons of the shown tab, "" where nothing is. */
+    String status() {
+        return window
+                .robot()
+                .finder()
+                .findAll(frame, part -> "status".equals(part.getName()) && part.isShowing())
+                .stream()
+                .map(part -> ((JTextArea) part).getText())
+                .findFirst()
+                .orElse("");
     }
 }

@@ -15,7 +15,6 @@ import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
-import javax.swing.JTextArea;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JFileChooserFixture;
@@ -44,17 +43,6 @@ class WindowPicturesTest extends WindowHarness {
         await("where it is", () -> status().endsWith(file.toString()));
         robot.waitForIdle();
         return file;
-    }
-
-    /** What came of the button, "" where nothing is said. */
-    private String status() {
-        return robot
-                .finder()
-                .findAll(frame, part -> "status".equals(part.getName()) && part.isShowing())
-                .stream()
-                .map(part -> ((JTextArea) part).getText())
-                .findFirst()
-                .orElse("");
     }
 
     private Collection<Component> modes() {

@@ -169,7 +169,7 @@ class WindowVisibilityTest extends WindowHarness {
         saveTo(file);
         window.optionPane().buttonWithText("Replace").pressAndReleaseKeys(KeyEvent.VK_SPACE);
         await("the scene is in the file", () -> text(file).contains("\"vase\""));
-        assertEquals("", state().problem());
+        await("where it is", () -> status().endsWith(file.toString()));
     }
 
     /** By the keyboard, for dialogs are not where a mouse would look for them. */

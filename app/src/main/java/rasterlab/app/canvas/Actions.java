@@ -93,8 +93,9 @@ public final class Actions extends JPanel {
         add("copySvg", copying::copy);
     }
 
-    private void saved(Path file) {
-        tell(texts.text("picture.saved", file.toAbsolutePath().toString()));
+    /** Says below the buttons which file is written. */
+    public void saved(Path file) {
+        tell(texts.text("saved", file.toAbsolutePath().toString()));
     }
 
     /** Says below the buttons what came of one, until another is pressed. */

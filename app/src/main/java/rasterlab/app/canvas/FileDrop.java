@@ -6,14 +6,15 @@ import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
 import java.io.IOException;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JOptionPane;
 import javax.swing.TransferHandler;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.outcome.Complaint;
 
 /** Lets a file be dropped on a component; of several none is taken, and that is told. */
 public final class FileDrop extends TransferHandler {
@@ -72,11 +73,11 @@ public final class FileDrop extends TransferHandler {
 
     private boolean taken(File file) {
         try {
-            Path path = file.toPath();
+            Path path = LastFolderChooser.path(file);
             EventQueue.invokeLater(() -> dropped.accept(path));
             return true;
-        } catch (InvalidPathException e) {
-            return refuse(texts.text("drop.name", e.getInput()));
+        } catch (Complaint complaint) {
+            return refuse(Complaints.said(texts.language(), complaint.getMessage()));
         }
     }
 

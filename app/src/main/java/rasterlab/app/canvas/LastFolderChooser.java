@@ -39,7 +39,15 @@ public class LastFolderChooser extends JFileChooser {
      * @throws Complaint if the system has no file of such a name
      */
     public final Path chosen() {
-        File file = getSelectedFile();
+        return path(getSelectedFile());
+    }
+
+    /**
+     * The path of a file.
+     *
+     * @throws Complaint if the system has no file of such a name
+     */
+    static Path path(File file) {
         try {
             return file.toPath();
         } catch (InvalidPathException e) {

@@ -13,14 +13,21 @@ public final class SceneWriting {
     private final Component parent;
     private final Language language;
     private final FileWriting writing;
+    private final Consumer<Path> onSaved;
 
     /**
      * @param parent of the dialogs
+     * @param onSaved told on the event thread which file is written
      * @param onFailure told what writing threw that no dialog explains
      */
-    public SceneWriting(Component parent, Language language, Consumer<Throwable> onFailure) {
+    public SceneWriting(
+            Component parent,
+            Language language,
+            Consumer<Path> onSaved,
+            Consumer<Throwable> onFailure) {
         this.parent = parent;
         this.language = language;
+        this.onSaved = onSaved;
         writing = new FileWriting(parent, language, onFailure);
     }
 
@@ -32,9 +39,17 @@ public final class SceneWriting {
      */
     public <T> void ask(
             String title, String stem, Function<Path, Callable<T>> write, Consumer<T> written) {
-        var chooser = new SaveChooser(language, SceneText::named);
+        var chooser = new SceneChooser(language);
         chooser.setDialogTitle(title);
         chooser.toSave(parent, stem + SceneText.EXTENSION)
-                .ifPresent(file -> writing.write(title, write.apply(file), written));
+                .ifPresent(
+                        file ->
+                                writing.write(
+                                        title,
+                                        write.apply(file),
+                                        answer -> {
+                                            onSaved.accept(file);
+                                            written.accept(answer);
+                                        }));
     }
 }

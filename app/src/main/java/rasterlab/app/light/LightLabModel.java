@@ -57,7 +57,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private final PictureMaker maker;
     private final History<Chosen> history = new History<>(this::chosen, this::show);
     private final List<Consumer<LightLabState>> listeners = new ArrayList<>();
-    private final KeptFile<LitFile> keptFile;
+    private final KeptFile<LitFile, Body> keptFile;
     private final RowLabModel rows;
     private Optional<Made> made = Optional.empty();
     private Optional<LitSceneFile> saved = Optional.empty();
@@ -101,9 +101,10 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         keptFile =
                 new KeptFile<>(
                         LitFile.class,
-                        () -> LitFile.of(state().choice().body()),
                         () -> state().choice().body(),
-                        this::read);
+                        LitFile::of,
+                        body -> body,
+                        (kept, before) -> read(kept));
     }
 
     private static Answer opened(Asked asked) {
@@ -357,6 +358,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         }
         if (answer.opened().isEmpty()) {
             publish(state.choice(), state.drawn(), answer.problem());
+            keptFile.again();
             return;
         }
         OpenedLitScene scene = answer.opened().get();
@@ -373,8 +375,10 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private void bringBack(LitFile kept, Answer answer) {
         if (answer.opened().isPresent()) {
             Body body = answer.opened().get().choice().body().withNormals(kept.normals());
+            String told = state.problem();
             history.forget();
             show(new Chosen(state.choice().with(body), state.colours(), state.colour()));
+            publish(state.choice(), state.drawn(), told);
             return;
         }
         String instead = "; the scene " + state.choice().body().name() + " is shown instead";

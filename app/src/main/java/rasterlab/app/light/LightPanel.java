@@ -11,6 +11,7 @@ import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.FileDrop;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
+import rasterlab.app.canvas.SceneWriting;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StepPlayer;
@@ -58,7 +59,8 @@ public final class LightPanel extends LabPanel {
         turning = new StepPlayer(canvas, new CubeTurning(model), this::turningReading);
         lightActions = actions(canvas, new ShownPicture("lighting", stage, stage::svg));
         colourActions = actions(canvas, new ShownPicture("colours", cube, cube::svg));
-        saving = new LitSceneSaving(model, texts, this, onFailure);
+        var writing = new SceneWriting(this, language, lightActions::saved, onFailure);
+        saving = new LitSceneSaving(model, texts, this, writing);
         lightActions.add("openScene", saving::open);
         lightActions.add("saveScene", saving::ask);
         stage.setTransferHandler(new FileDrop(this, language, model::open));

@@ -3,8 +3,7 @@ package rasterlab.app.light;
 import java.awt.Component;
 import java.util.Optional;
 import java.util.function.Consumer;
-import javax.swing.filechooser.FileNameExtensionFilter;
-import rasterlab.app.canvas.LastFolderChooser;
+import rasterlab.app.canvas.SceneChooser;
 import rasterlab.app.canvas.SceneWriting;
 import rasterlab.app.language.Texts;
 
@@ -17,14 +16,12 @@ final class LitSceneSaving {
 
     /**
      * @param parent of the dialogs
-     * @param onFailure told what saving threw that no dialog explains
      */
-    LitSceneSaving(
-            LightLabModel model, Texts texts, Component parent, Consumer<Throwable> onFailure) {
+    LitSceneSaving(LightLabModel model, Texts texts, Component parent, SceneWriting writing) {
         this.model = model;
         this.texts = texts;
         this.parent = parent;
-        writing = new SceneWriting(parent, texts.language(), onFailure);
+        this.writing = writing;
     }
 
     /** The commands for the three pictures; empty where no file holds the scene. */
@@ -76,10 +73,8 @@ final class LitSceneSaving {
 
     /** Asks for a file and opens it. */
     void open() {
-        var chooser = new LastFolderChooser(texts.language());
-        chooser.setName("open.dialog");
+        var chooser = new SceneChooser(texts.language());
         chooser.setDialogTitle(texts.text("scene.open.title"));
-        chooser.setFileFilter(new FileNameExtensionFilter(texts.text("scene.files"), "json"));
         chooser.toOpen(parent).ifPresent(model::open);
     }
 }

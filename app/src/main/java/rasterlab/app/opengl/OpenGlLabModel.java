@@ -37,7 +37,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     private final Executor events;
     private final LatestOnly<Question, Answer> pictures;
     private final LatestOnly<Asked, ImageLoading> files;
-    private final KeptFile<KeptImage> keptImage;
+    private final KeptFile<KeptImage, GlChoice> keptImage;
     private final History<GlChoice> history =
             new History<>(() -> state().choice(), choice -> draw(choice, state().touched()));
     private final List<Consumer<OpenGlLabState>> listeners = new ArrayList<>();
@@ -86,9 +86,10 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         keptImage =
                 new KeptFile<>(
                         KeptImage.class,
-                        () -> KeptImage.of(state().choice()),
-                        () -> List.of(state().choice().get(Setting.IMAGE), state().choice().file()),
-                        this::read);
+                        () -> state().choice(),
+                        KeptImage::of,
+                        choice -> List.of(choice.get(Setting.IMAGE), choice.file()),
+                        (kept, before) -> read(kept));
         state =
                 new OpenGlLabState(
                         GlChoice.first(),
@@ -320,18 +321,21 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
         }
         state = with(state.choice(), loading.problem(), Setting.IMAGE);
         tell();
+        keptImage.again();
     }
 
     private void bringBack(KeptImage kept, ImageLoading loading) {
         GlChoice choice = state.choice();
         if (loading.image().isPresent()) {
+            Optional<String> told = state.problem();
             history.forget();
             draw(choice.withFile(loading.image().get(), kept.shown()), state.touched());
-            return;
+            state = with(state.choice(), told, state.touched());
+        } else {
+            Optional<String> problem =
+                    loading.problem().map(said -> said + "; an image of the lab is shown instead");
+            state = with(choice, problem, Setting.IMAGE);
         }
-        Optional<String> problem =
-                loading.problem().map(said -> said + "; an image of the lab is shown instead");
-        state = with(choice, problem, Setting.IMAGE);
         tell();
     }
 

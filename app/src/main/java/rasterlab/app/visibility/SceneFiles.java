@@ -35,38 +35,35 @@ final class SceneFiles {
     private SceneFiles() {}
 
     /**
-     * A file to read, or to write.
+     * A file to read.
      *
-     * @param saved what is written; empty for a file to be read
      * @param back what is read of an earlier run; empty for a file that the user opens
      */
-    record Task(Path file, Optional<VisibilityChoice> saved, Optional<OpenedFiles.View> back) {
-        Task(Path file, Optional<VisibilityChoice> saved) {
-            this(file, saved, Optional.empty());
+    record Task(Path file, Optional<ComingBack> back) {
+        static Task of(Path opened) {
+            return new Task(opened, Optional.empty());
         }
 
-        static Task of(OpenedFiles.View back) {
-            Path first = back.scene().or(back::picture).orElseThrow();
-            return new Task(first, Optional.empty(), Optional.of(back));
+        static Task of(ComingBack back) {
+            return new Task(back.file(), Optional.of(back));
         }
     }
 
     /**
-     * @param change what an opened file makes of the choice
+     * @param change what was read makes of the choice
      * @param problem in one line with the place in the file; "" if there was none
      */
     record Answer(UnaryOperator<VisibilityChoice> change, String problem) {}
 
     static Answer done(Task task) {
+        String instead = task.back.map(ComingBack::instead).orElse("");
         try {
-            if (task.back.isPresent()) return new Answer(broughtBack(task.back.get()), "");
-            if (task.saved.isEmpty()) return new Answer(opened(task.file), "");
-            save(task.file, task.saved.get());
-            return new Answer(choice -> choice, "");
+            if (task.back.isPresent()) return task.back.get().read();
+            return new Answer(opened(task.file), "");
         } catch (Complaint complaint) {
-            return new Answer(choice -> choice, complaint.getMessage());
+            return new Answer(choice -> choice, complaint.getMessage() + instead);
         } catch (IllegalArgumentException e) {
-            return new Answer(choice -> choice, task.file + ": " + e.getMessage());
+            return new Answer(choice -> choice, task.file + ": " + e.getMessage() + instead);
         }
     }
 
@@ -101,30 +98,19 @@ final class SceneFiles {
         return SceneChoice.opened(file, model);
     }
 
+    /**
+     * The scene of a scene file, or a model, without what a scene file says besides.
+     *
+     * @throws Complaint naming the file and the place in it
+     */
+    static SceneChoice scene(Path file) {
+        return isScene(file) ? held(file, SceneText.view(file).source()) : model(file);
+    }
+
     private static SceneChoice held(Path file, SceneSource source) {
         return source instanceof SceneSource.ByName named && named.detail().isEmpty()
                 ? SceneChoice.named(named.name())
                 : SceneChoice.opened(file, source.scene());
-    }
-
-    /** As it was seen, which need not be as a scene file says. */
-    private static UnaryOperator<VisibilityChoice> broughtBack(OpenedFiles.View view) {
-        Optional<SceneChoice> own =
-                view.scene()
-                        .map(
-                                file ->
-                                        isScene(file)
-                                                ? held(file, SceneText.view(file).source())
-                                                : model(file));
-        Optional<Texture> texture = view.picture().map(PictureFile::texture);
-        return choice -> {
-            SceneChoice scene = own.orElse(choice.shown());
-            if (texture.isPresent()) scene = scene.covered(view.picture().get(), texture.get());
-            VisibilityChoice next =
-                    choice.with(scene, view.camera()).withZoom(view.zoom()).with(view.look());
-            next.plain(2, 1); // Refuses what cannot be drawn so.
-            return next;
-        };
     }
 
     private static UnaryOperator<VisibilityChoice> seen(Path file, SceneView view) {

@@ -1,14 +1,13 @@
 package rasterlab.app.visibility;
 
-import java.awt.Component;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.FileDrop;
+import rasterlab.app.canvas.SceneChooser;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
-import rasterlab.app.model.SceneText;
 
 /** The buttons that open and save scenes; a file may also be dropped on the lab. */
 final class SceneRow extends JPanel {
@@ -17,12 +16,12 @@ final class SceneRow extends JPanel {
     private final transient VisibilityLabModel model;
     private final transient Texts texts;
 
-    SceneRow(VisibilityLabModel model, Texts texts) {
+    SceneRow(VisibilityLabModel model, Texts texts, SceneSaving saving) {
         super(new MigLayout("insets 0, gap 6", "[grow,fill,sg][grow,fill,sg]"));
         this.model = model;
         this.texts = texts;
         add(button("open", this::open), "wmin 0");
-        add(button("save", this::save), "wmin 0");
+        add(button("save", saving::ask), "wmin 0");
     }
 
     private JButton button(String key, Runnable action) {
@@ -36,20 +35,9 @@ final class SceneRow extends JPanel {
     }
 
     private void open() {
-        new SceneChooser(texts).toOpen(top()).ifPresent(model::open);
-    }
-
-    private void save() {
-        new SceneChooser(texts).toSave(top(), fileName()).ifPresent(model::save);
-    }
-
-    private String fileName() {
-        String name = model.state().choice().scene();
-        return name.replaceFirst("(\\.scene)?\\.[a-zA-Z]+$", "") + SceneText.EXTENSION;
-    }
-
-    private Component top() {
-        return getTopLevelAncestor();
+        new SceneChooser(texts.language())
+                .toOpen(getTopLevelAncestor(), texts.text("files.opened"), SceneFiles.ENDINGS)
+                .ifPresent(model::open);
     }
 
     /** Lets files be dropped on a component. */

@@ -106,13 +106,13 @@ public record VisibilityChoice(
         return draft.choice();
     }
 
-    /**
-     * The same with a scene of the lab, seen from the same side, as far away for its size and as
-     * large.
-     */
+    /** The same with a scene of the lab in the place of one that no name brings back. */
     VisibilityChoice withoutFiles() {
-        if (shown.known()) return this;
-        SceneChoice other = shown.withoutFiles().orElse(first().shown);
+        return shown.known() ? this : alike(shown.withoutFiles().orElse(first().shown));
+    }
+
+    /** Another scene seen from the same side, as far away for its size and as large. */
+    VisibilityChoice alike(SceneChoice other) {
         double first = shown.scene().defaultCamera().rho();
         double larger = other.scene().defaultCamera().rho() / first;
         var eye =
@@ -121,12 +121,12 @@ public record VisibilityChoice(
         return with(other, eye).withZoom(zoom).zoomed(usualZoom(other) / usualZoom(shown));
     }
 
-    /** The vase's own scale leaves room for every view; others fill the picture. */
     /** By which the scene is first shown. */
     double usualZoom() {
         return usualZoom(shown);
     }
 
+    /** The vase's own scale leaves room for every view; others fill the picture. */
     private static double usualZoom(SceneChoice scene) {
         return scene.name().equals("vase") ? FIRST_ZOOM : 1;
     }

@@ -22,63 +22,61 @@ import rasterlab.engine.texture.Wrap;
 import rasterlab.engine.transform.SphericalView;
 import rasterlab.engine.visibility.ClipPlane;
 
-/** The shell command that draws the picture that the lab shows, pixel by pixel. */
-final class VisibilityCommand {
-    private final VisibilityLabModel model;
-    private final VisibilityChoice choice;
-    private final List<String> words = new ArrayList<>();
+/**
+ * The shell commands that draw what the lab shows at one moment, pixel by pixel.
+ *
+ * @param file that holds the scene, where one does
+ * @param zoom by which the pictures are drawn
+ * @param width of a picture, in pixels
+ * @param height of a picture, in pixels
+ * @param outlined the methods whose pictures have edges
+ */
+record VisibilityCommand(
+        VisibilityChoice choice,
+        Optional<Path> file,
+        double zoom,
+        int width,
+        int height,
+        List<String> outlined) {
+    static VisibilityCommand now(VisibilityLabModel model) {
+        VisibilityChoice choice = model.state().choice();
+        SceneChoice shown = choice.shown();
+        Optional<Path> saved = model.saved().filter(one -> one.holds(shown)).map(SavedScene::file);
+        Optional<Raster> picture = model.state().picture().map(Picture::raster);
+        return new VisibilityCommand(
+                choice,
+                shown.file().or(() -> saved),
+                model.shownZoom(),
+                picture.map(Raster::width).orElse(800),
+                picture.map(Raster::height).orElse(600),
+                methods(choice).stream().filter(model::drawsEdges).toList());
+    }
 
-    private VisibilityCommand(VisibilityLabModel model) {
-        this.model = model;
-        choice = model.state().choice();
+    private static List<String> methods(VisibilityChoice choice) {
+        return choice.comparison().isEmpty()
+                ? List.of(choice.visibility())
+                : List.of(choice.visibility(), choice.comparison());
+    }
+
+    /** The same of a scene that was saved since. */
+    VisibilityCommand drawnFrom(Path saved) {
+        return new VisibilityCommand(choice, Optional.of(saved), zoom, width, height, outlined);
     }
 
     /** A command for each picture on the stage, a line each; or that of the chart. */
-    static String of(VisibilityLabModel model) {
-        VisibilityChoice choice = model.state().choice();
+    String text() {
         if (choice.view() == StageView.GROWTH)
             return "./lab chart visibility-growth --out visibility-growth.png";
         if (choice.view() == StageView.PRECISION)
             return "./lab chart depth-precision --out depth-precision.png";
-        String first = new VisibilityCommand(model).by(choice.visibility());
-        if (choice.comparison().isEmpty()) return first;
-        return first + "\n" + new VisibilityCommand(model).by(choice.comparison());
+        return methods(choice).stream()
+                .map(method -> new Line().by(method))
+                .collect(Collectors.joining("\n"));
     }
 
     /** Whether no name and no file brings the scene back, so that it has to be saved first. */
-    static boolean needsFile(VisibilityLabModel model) {
-        VisibilityChoice choice = model.state().choice();
-        boolean charted = choice.view() == StageView.GROWTH || choice.view() == StageView.PRECISION;
-        return !charted && !choice.shown().named() && file(model).isEmpty();
-    }
-
-    /** The file that holds the scene. */
-    private static Optional<Path> file(VisibilityLabModel model) {
-        SceneChoice shown = model.state().choice().shown();
-        return shown.file()
-                .or(() -> model.saved().filter(one -> one.holds(shown)).map(SavedScene::file));
-    }
-
-    private String by(String method) {
-        Raster shown = model.state().picture().map(Picture::raster).orElse(new Raster(800, 600));
-        SceneChoice scene = choice.shown();
-        words.addAll(List.of("./lab", "render"));
-        Optional<Path> file = file(model);
-        words.add(file.map(ShellPath::quoted).orElse(scene.name()));
-        if (file.filter(VisibilityCommand::says).isPresent()) words.add("--scene-only");
-        scene.image().ifPresent(image -> add("--texture-image", ShellPath.quoted(image)));
-        SphericalView camera = choice.camera();
-        add("--visibility", method);
-        add("--shading", choice.shading());
-        add("--projection", choice.projection());
-        add("--camera", camera.thetaRadians() + "," + camera.phiRadians() + "," + camera.rho());
-        add("--zoom", model.shownZoom());
-        add("--size", shown.width() + "x" + shown.height());
-        if (model.drawsEdges(method)) words.add("--outline");
-        addLook(choice.plain(method, shown.width(), shown.height()));
-        boolean two = !choice.comparison().isEmpty();
-        add("--out", stem(scene.name()) + (two ? "-" + method : "") + ".png");
-        return String.join(" ", words);
+    boolean needsFile() {
+        return !choice.view().isChart() && !choice.shown().named() && file.isEmpty();
     }
 
     /** Whether a file says more than the scene. */
@@ -92,55 +90,79 @@ final class VisibilityCommand {
                 .replaceAll("[^\\p{L}\\p{N}_-]", "-");
     }
 
-    private void addLook(RenderRequest request) {
-        LookChoice look = choice.look();
-        if (request.look().shading() == ShadingMethod.WIRE) addWire(look);
-        else addFaces(look, request.look().shading());
-        if (look.cull() != Cull.NONE) add("--cull", look.cull().code());
-        if (look.cue() > 0) add("--depth-cue", look.cue());
-        if (look.near() > 0) add("--near", request.depth().near());
-        if (look.far() < Double.POSITIVE_INFINITY) add("--far", request.depth().far());
-        for (ClipPlane p : look.clipPlanes())
-            add("--clip-plane", p.a() + "," + p.b() + "," + p.c() + "," + p.d());
-        request.look()
-                .stereo()
-                .ifPresent(
-                        stereo -> {
-                            add("--stereo", stereo.kind().code());
-                            add("--eyes", stereo.separation());
-                        });
-    }
-
-    private void addFaces(LookChoice look, ShadingMethod shading) {
-        if (choice.shown().textured()) {
-            if (look.texture() != TextureMode.AUTO) add("--texture", look.texture().code());
-            look.change().wrap().ifPresent(wrap -> add("--wrap", code(wrap)));
-            look.change().environment().ifPresent(mode -> add("--environment", code(mode)));
-        }
-        if (!look.terms().equals(LightTerm.all()) && shading != ShadingMethod.TONE)
-            add(
-                    "--terms",
-                    new TreeSet<>(look.terms())
-                            .stream().map(LightTerm::code).collect(Collectors.joining(",")));
-        if (look.sides() != Sides.SCENE)
-            words.add(look.sides() == Sides.TWO ? "--two-sided" : "--no-two-sided");
-    }
-
-    private void addWire(LookChoice look) {
-        if (look.hidden() != HiddenLines.REMOVED) add("--hidden-lines", look.hidden().code());
-        if (look.crease() > 0) add("--crease", look.crease());
-    }
-
-    private void add(String option, Object value) {
-        words.add(option);
-        words.add(value.toString());
-    }
-
     private static String code(Wrap wrap) {
         return wrap.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
 
     private static String code(Mode mode) {
         return mode.name().toLowerCase(Locale.ROOT);
+    }
+
+    /** One command, word by word. */
+    private final class Line {
+        private final List<String> words = new ArrayList<>(List.of("./lab", "render"));
+
+        private String by(String method) {
+            SceneChoice scene = choice.shown();
+            words.add(file.map(ShellPath::quoted).orElse(scene.name()));
+            if (file.filter(VisibilityCommand::says).isPresent()) words.add("--scene-only");
+            scene.image().ifPresent(image -> add("--texture-image", ShellPath.quoted(image)));
+            SphericalView camera = choice.camera();
+            add("--visibility", method);
+            add("--shading", choice.shading());
+            add("--projection", choice.projection());
+            add("--camera", camera.thetaRadians() + "," + camera.phiRadians() + "," + camera.rho());
+            add("--zoom", zoom);
+            add("--size", width + "x" + height);
+            if (outlined.contains(method)) words.add("--outline");
+            addLook(choice.plain(method, width, height));
+            boolean two = !choice.comparison().isEmpty();
+            add("--out", stem(scene.name()) + (two ? "-" + method : "") + ".png");
+            return String.join(" ", words);
+        }
+
+        private void addLook(RenderRequest request) {
+            LookChoice look = choice.look();
+            if (request.look().shading() == ShadingMethod.WIRE) addWire(look);
+            else addFaces(look, request.look().shading());
+            if (look.cull() != Cull.NONE) add("--cull", look.cull().code());
+            if (look.cue() > 0) add("--depth-cue", look.cue());
+            if (look.near() > 0) add("--near", request.depth().near());
+            if (look.far() < Double.POSITIVE_INFINITY) add("--far", request.depth().far());
+            for (ClipPlane p : look.clipPlanes())
+                add("--clip-plane", p.a() + "," + p.b() + "," + p.c() + "," + p.d());
+            request.look()
+                    .stereo()
+                    .ifPresent(
+                            stereo -> {
+                                add("--stereo", stereo.kind().code());
+                                add("--eyes", stereo.separation());
+                            });
+        }
+
+        private void addFaces(LookChoice look, ShadingMethod shading) {
+            if (choice.shown().textured()) {
+                if (look.texture() != TextureMode.AUTO) add("--texture", look.texture().code());
+                look.change().wrap().ifPresent(wrap -> add("--wrap", code(wrap)));
+                look.change().environment().ifPresent(mode -> add("--environment", code(mode)));
+            }
+            if (!look.terms().equals(LightTerm.all()) && shading != ShadingMethod.TONE)
+                add(
+                        "--terms",
+                        new TreeSet<>(look.terms())
+                                .stream().map(LightTerm::code).collect(Collectors.joining(",")));
+            if (look.sides() != Sides.SCENE)
+                words.add(look.sides() == Sides.TWO ? "--two-sided" : "--no-two-sided");
+        }
+
+        private void addWire(LookChoice look) {
+            if (look.hidden() != HiddenLines.REMOVED) add("--hidden-lines", look.hidden().code());
+            if (look.crease() > 0) add("--crease", look.crease());
+        }
+
+        private void add(String option, Object value) {
+            words.add(option);
+            words.add(value.toString());
+        }
     }
 }

@@ -54,14 +54,14 @@ final class VisibilityInspector {
     private LookControls look;
     private AboutText about;
 
-    VisibilityInspector(VisibilityLabModel model, Texts texts) {
+    VisibilityInspector(VisibilityLabModel model, Texts texts, SceneSaving saving) {
         this.model = model;
         this.texts = texts;
         translations = Texts.of("visibility", "topic", texts.language());
         column = new Inspector(texts);
         mode = modes();
         scene = scenes();
-        column.wide(new SceneRow(model, texts));
+        column.wide(new SceneRow(model, texts, saving));
         visibility = methods("method", "", VisibilityChoice::withVisibility);
         comparison = methods("comparison", texts.text("none"), VisibilityChoice::withComparison);
     }

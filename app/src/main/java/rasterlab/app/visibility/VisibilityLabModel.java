@@ -11,7 +11,6 @@ import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
-import rasterlab.app.canvas.KeptFile;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.row.RowLabModel;
@@ -34,12 +33,11 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private final LatestOnly<Frame, Optional<Differences>> differences;
     private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
     private final LatestOnly<PixelReport.Question, PixelReport> histories;
-    private final LatestOnly<SceneFiles.Task, SceneFiles.Answer> files;
     private final History<VisibilityChoice> history =
             new History<>(() -> state().choice(), this::draw);
     private final FrameTimes times = new FrameTimes();
     private final List<Consumer<VisibilityLabState>> listeners = new ArrayList<>();
-    private final KeptFile<OpenedFiles> keptFiles;
+    private final SceneOpening files;
     private final ChartStudies charts;
     private final RowLabModel rows;
     private Optional<Frame> compared = Optional.empty();
@@ -80,18 +78,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
                         PixelReport::of,
                         (asked, found) -> events.execute(() -> accept(found)),
                         onFailure);
-        files =
-                new LatestOnly<>(
-                        "scene file",
-                        (task, cancelled) -> SceneFiles.done(task),
-                        (task, answer) -> events.execute(() -> accept(task, answer)),
-                        onFailure);
-        keptFiles =
-                new KeptFile<>(
-                        OpenedFiles.class,
-                        () -> OpenedFiles.of(state().choice()),
-                        () -> state().choice().shown(),
-                        opened -> opened.read(view -> files.ask(SceneFiles.Task.of(view))));
+        files = new SceneOpening(this, events, onFailure);
     }
 
     public VisibilityLabState state() {
@@ -144,6 +131,11 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         stage = sized;
         times.clear();
         draw(state.choice());
+    }
+
+    /** Says why a file was not opened as asked; "" if it was. */
+    void tellProblem(String problem) {
+        publish(state.withProblem(problem));
     }
 
     /** Says beside the present scene in what it is other than a hazard. */
@@ -258,18 +250,15 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Opens a scene, a model or a texture; what goes wrong is told in the state. */
     public void open(Path file) {
-        files.ask(new SceneFiles.Task(file, Optional.empty()));
-    }
-
-    /** Writes the view into a scene file; what goes wrong is told in the state. */
-    void save(Path file) {
-        files.ask(new SceneFiles.Task(file, Optional.of(state.choice())));
+        files.open(file);
     }
 
     void keep(SavedScene scene) {
         saved = Optional.of(scene);
+        publish(state);
     }
 
+    /** The file that a scene was saved into last. */
     Optional<SavedScene> saved() {
         return saved;
     }
@@ -291,9 +280,15 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         draw(choice);
     }
 
+    /** Shows what was kept of the user's files; there is nothing to undo afterwards. */
+    void bringBackOpened(VisibilityChoice choice) {
+        draw(choice);
+        history.forget();
+    }
+
     /** What of the user's files is shown; brought back after the choice itself. */
     public Kept<OpenedFiles> keptFiles() {
-        return keptFiles;
+        return files.kept();
     }
 
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
@@ -372,25 +367,6 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
                         .filter(at -> at.x() == found.asked().x() && at.y() == found.asked().y())
                         .isPresent();
         if (still) publish(state.with(Optional.of(found)));
-    }
-
-    private void accept(SceneFiles.Task task, SceneFiles.Answer answer) {
-        String problem = answer.problem();
-        boolean back = task.back().isPresent();
-        if (back && keptFiles.awaited().isEmpty()) return;
-        String instead = back ? "; the scene " + state.choice().scene() + " is shown instead" : "";
-        if (problem.isEmpty())
-            task.saved().ifPresent(choice -> keep(new SavedScene(task.file(), choice.shown())));
-        publish(state.withProblem(problem.isEmpty() ? "" : problem + instead));
-        if (!problem.isEmpty() || task.saved().isPresent()) return;
-        if (back) history.forget();
-        else keptFiles.forget();
-        try {
-            if (back) draw(answer.change().apply(state.choice()));
-            else choose(answer.change());
-        } catch (IllegalArgumentException e) {
-            publish(state.withProblem(e.getMessage() + instead));
-        }
     }
 
     private void publish(VisibilityLabState next) {

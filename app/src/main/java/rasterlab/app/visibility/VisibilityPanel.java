@@ -31,7 +31,6 @@ public final class VisibilityPanel extends LabPanel {
     private final transient VisibilityInspector inspector;
     private final StepPlayer player;
     private final Actions actions;
-    private final transient SceneWriting writing;
     private transient Runnable unsubscribe = () -> {};
 
     /**
@@ -42,7 +41,10 @@ public final class VisibilityPanel extends LabPanel {
         this.model = model;
         setName("visibility");
         texts = Texts.of("visibility", language);
-        inspector = new VisibilityInspector(model, texts);
+        actions = new Actions(Texts.of("canvas", language));
+        var writing = new SceneWriting(this, language, actions::saved, onFailure);
+        var saving = new SceneSaving(model, texts, writing::ask);
+        inspector = new VisibilityInspector(model, texts, saving);
         stage = new VisibilityStage(model, texts);
         SceneRow.acceptFiles(stage, model, language);
         player =
@@ -50,13 +52,11 @@ public final class VisibilityPanel extends LabPanel {
                         Texts.of("canvas", language),
                         new DrawingSteps(model),
                         () -> new VisibilityReadings(model, texts).timeline());
-        actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("hidden-surfaces", stage, stage::svg), onFailure);
         rows = new RowCard(shown, cards, () -> rows(onFailure));
-        writing = new SceneWriting(this, language, onFailure);
-        actions.add("copyCommand", () -> tellCommand(line -> Copying.text(line, onFailure)));
+        actions.add("copyCommand", () -> saving.tellCommand(line -> Copying.text(line, onFailure)));
     }
 
     @Override
@@ -127,24 +127,10 @@ public final class VisibilityPanel extends LabPanel {
         actions.refreshUndo();
         actions.hint(
                 "copyCommand",
-                texts.text(VisibilityCommand.needsFile(model) ? "copy.unsaved" : "copy.command"));
-    }
-
-    /** Where no file holds the scene, asks for one first and saves the scene there. */
-    private void tellCommand(Consumer<String> told) {
-        if (!VisibilityCommand.needsFile(model)) {
-            told.accept(VisibilityCommand.of(model));
-            return;
-        }
-        VisibilityChoice choice = model.state().choice();
-        writing.ask(
-                texts.text("copy.title"),
-                VisibilityCommand.stem(choice.shown().name()),
-                file -> () -> SceneFiles.save(file, choice),
-                written -> {
-                    model.keep(written);
-                    told.accept(VisibilityCommand.of(model));
-                });
+                texts.text(
+                        VisibilityCommand.now(model).needsFile()
+                                ? "copy.unsaved"
+                                : "copy.command"));
     }
 
     private Chips chips() {

@@ -281,4 +281,23 @@ class OpenedLitSceneTest {
             assertEquals(LitFile.NONE, next.keptFile().kept());
         }
     }
+
+    @Test
+    @DisplayName("a broken file opened meanwhile costs the body that is coming back, unsaid")
+    void brokenFileDoesNotStopOneThatComesBack() throws IOException {
+        Path file = Files.writeString(folder.resolve("ring.scene.json"), RING);
+        model.open(file);
+        thread.settle(model::settle);
+        Path broken = Files.writeString(folder.resolve("broken.scene.json"), "{");
+        try (var next = new LightLabModel(thread, failures::add)) {
+            next.bringBack(model.kept());
+            next.keptFile().bringBack(model.keptFile().kept());
+            next.open(broken);
+            thread.settle(next::settle);
+            thread.settle(next::settle);
+            assertEquals("ring.scene.json", next.state().choice().body().name());
+            String problem = next.state().problem();
+            assertTrue(problem.startsWith(broken + ": "), problem);
+        }
+    }
 }

@@ -16,6 +16,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Complaints;
@@ -221,6 +222,24 @@ class OpenGlLabModelTest {
                 file + ": no such file to read; an image of the lab is shown instead", problem);
         assertEquals(GlChoice.first(), model.state().choice());
         assertEquals(Setting.IMAGE, model.state().touched());
+    }
+
+    @RepeatedTest(20)
+    @DisplayName("a broken file opened meanwhile costs the image that is coming back, unsaid")
+    void brokenFileDoesNotStopAnImageThatComesBack(@TempDir Path folder)
+            throws IOException, InterruptedException {
+        Path file = folder.resolve("flag.png");
+        ImageIO.write(new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
+        Path broken = Files.writeString(folder.resolve("broken.png"), "no picture");
+        locked(
+                () -> {
+                    model.keptImage().bringBack(new KeptImage(Optional.of(file), true));
+                    model.open(broken);
+                });
+        model.settle();
+        assertEquals(file, model.state().choice().file().orElseThrow().file());
+        String problem = model.state().problem().orElseThrow();
+        assertTrue(problem.startsWith(broken.toString()), problem);
     }
 
     private String problemWith(Path file) throws InterruptedException {

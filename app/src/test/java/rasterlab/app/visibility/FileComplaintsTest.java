@@ -15,7 +15,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.Random;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.DisplayName;
@@ -27,6 +26,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.cli.Lab;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
+import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.Pipe;
 
 /** What the lab says in Russian of files that are broken. */
@@ -121,7 +121,7 @@ class FileComplaintsTest {
             })
     void brokenFileIsToldInRussian(String name, String content) throws IOException {
         Path file = Files.writeString(folder.resolve(name), content);
-        SceneFiles.Answer answer = SceneFiles.done(new SceneFiles.Task(file, Optional.empty()));
+        SceneFiles.Answer answer = SceneFiles.done(SceneFiles.Task.of(file));
         assertRussian(answer.problem().isEmpty() ? refusal(answer) : answer.problem());
     }
 
@@ -153,31 +153,28 @@ class FileComplaintsTest {
     @DisplayName("a file that is not there, or cannot be written, is told in English")
     void fileOfNoUseIsToldInRussian() throws IOException {
         for (String name : new String[] {"none.obj", "none.scene.json", "none.png"})
-            assertRussian(
-                    SceneFiles.done(new SceneFiles.Task(folder.resolve(name), Optional.empty()))
-                            .problem());
+            assertRussian(SceneFiles.done(SceneFiles.Task.of(folder.resolve(name))).problem());
         Path inNoFolder = folder.resolve("gone").resolve("one.scene.json");
         assertRussian(
-                SceneFiles.done(
-                                new SceneFiles.Task(
-                                        inNoFolder, Optional.of(VisibilityChoice.first())))
-                        .problem());
+                assertThrows(
+                                Complaint.class,
+                                () -> SceneFiles.save(inNoFolder, VisibilityChoice.first()))
+                        .getMessage());
         byte[] half = new byte[60];
         byte[] signature = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
         System.arraycopy(signature, 0, half, 0, signature.length);
         Path broken = Files.write(folder.resolve("half.png"), half);
-        String said = SceneFiles.done(new SceneFiles.Task(broken, Optional.empty())).problem();
+        String said = SceneFiles.done(SceneFiles.Task.of(broken)).problem();
         assertTrue(Complaints.said(Language.RUSSIAN, said).contains("рисунок"), said);
         for (String name : new String[] {"half.scene.json", "half.obj"}) {
             Path picture = Files.write(folder.resolve(name), half);
-            String refused =
-                    SceneFiles.done(new SceneFiles.Task(picture, Optional.empty())).problem();
+            String refused = SceneFiles.done(SceneFiles.Task.of(picture)).problem();
             assertTrue(refused.contains("looks like a PNG picture"), refused);
             assertRussian(refused);
         }
         Path notText = folder.resolve("latin.scene.json");
         Files.write(notText, "\u00e9".getBytes(StandardCharsets.ISO_8859_1));
-        assertRussian(SceneFiles.done(new SceneFiles.Task(notText, Optional.empty())).problem());
+        assertRussian(SceneFiles.done(SceneFiles.Task.of(notText)).problem());
     }
 
     /** Damage of one sign or two, and what the parser says of each kind of it. */
@@ -198,7 +195,7 @@ class FileComplaintsTest {
         }
         for (String text : texts) {
             Path file = Files.writeString(folder.resolve("one.scene.json"), text);
-            String problem = SceneFiles.done(new SceneFiles.Task(file, Optional.empty())).problem();
+            String problem = SceneFiles.done(SceneFiles.Task.of(file)).problem();
             if (problem.contains("not JSON")) assertRussianPlace(file, problem);
         }
     }
@@ -219,7 +216,7 @@ class FileComplaintsTest {
     void pipeIsToldInRussian() throws Exception {
         for (String name : new String[] {"one.obj", "one.scene.json", "one.png"}) {
             Path pipe = Pipe.at(folder.resolve(name));
-            SceneFiles.Answer answer = SceneFiles.done(new SceneFiles.Task(pipe, Optional.empty()));
+            SceneFiles.Answer answer = SceneFiles.done(SceneFiles.Task.of(pipe));
             assertRussian(answer.problem());
             assertTrue(answer.problem().contains("pipe"), answer.problem());
         }
@@ -240,7 +237,7 @@ class FileComplaintsTest {
                 InputStream.nullInputStream(),
                 new PrintStream(OutputStream.nullOutputStream()),
                 new PrintStream(err));
-        String problem = SceneFiles.done(new SceneFiles.Task(file, Optional.empty())).problem();
+        String problem = SceneFiles.done(SceneFiles.Task.of(file)).problem();
         assertEquals("./lab render: " + problem, err.toString(StandardCharsets.UTF_8).strip());
         assertTrue(problem.startsWith(file + ": $.look.textureImage: "), problem);
     }

@@ -2,6 +2,7 @@ package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -17,6 +18,7 @@ import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.transform.SphericalView;
 
 class KeptChoiceTest {
     private static final double ROUNDING = 1e-9;
@@ -179,6 +181,93 @@ class KeptChoiceTest {
             assertEquals(OpenedFiles.NONE, next.keptFiles().kept());
             thread.settle(next::settle);
             assertEquals("globe", next.state().choice().scene());
+        }
+    }
+
+    @Test
+    @DisplayName("what was chosen while a file was read is taken back when it is shown")
+    void choicesMeanwhileStay(@TempDir Path folder) throws IOException {
+        choose();
+        open(tent(folder));
+        VisibilityChoice left = model.state().choice();
+        try (VisibilityLabModel next = next()) {
+            restarted(next);
+            next.choose(choice -> choice.zoomed(1.25).with(choice.look().withCue(0.4)));
+            next.turn(0.25, 0);
+            thread.settle(next::settle);
+            VisibilityChoice opened = next.state().choice();
+            assertEquals("tent.obj", opened.scene());
+            assertEquals(1.25 * left.zoom(), opened.zoom(), ROUNDING);
+            assertEquals(0.4, opened.look().cue());
+            SphericalView turned = Cameras.turned(left.camera(), 0.25, 0);
+            assertEquals(turned.thetaRadians(), opened.camera().thetaRadians(), ROUNDING);
+            assertEquals(turned.rho(), opened.camera().rho(), ROUNDING * turned.rho());
+        }
+    }
+
+    @Test
+    @DisplayName("a broken file opened meanwhile costs the scene that is coming back, unsaid")
+    void brokenFileDoesNotStopOneThatComesBack(@TempDir Path folder) throws IOException {
+        open(tent(folder));
+        Path broken = Files.writeString(folder.resolve("broken.obj"), "v 0 zero 0\n");
+        try (VisibilityLabModel next = next()) {
+            restarted(next);
+            next.open(broken);
+            thread.settle(next::settle);
+            thread.settle(next::settle);
+            assertEquals("tent.obj", next.state().choice().scene());
+            String problem = next.state().problem();
+            assertTrue(problem.startsWith(broken + ":1"), problem);
+        }
+    }
+
+    @Test
+    @DisplayName("a scene that is gone is told of no more once another file is broken")
+    void goneFileIsToldAfterABrokenOne(@TempDir Path folder) throws IOException {
+        Path file = tent(folder);
+        open(file);
+        Files.delete(file);
+        try (VisibilityLabModel next = next()) {
+            restarted(next);
+            next.open(Files.writeString(folder.resolve("broken.obj"), "v 0 zero 0\n"));
+            thread.settle(next::settle);
+            thread.settle(next::settle);
+            String problem = next.state().problem();
+            assertEquals(file + ": no such file to read; the scene vase is shown instead", problem);
+        }
+    }
+
+    @Test
+    @DisplayName("a picture that is gone takes the model under it with it")
+    void modelComesBackWithoutAPictureThatIsGone(@TempDir Path folder) throws IOException {
+        Path model =
+                Files.writeString(
+                        folder.resolve("wall.obj"),
+                        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
+        Path picture = folder.resolve("flag.png");
+        ImageIO.write(new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", picture.toFile());
+        open(model);
+        open(picture);
+        this.model.turn(0.3, 0.1);
+        VisibilityChoice left = this.model.state().choice();
+        Files.delete(picture);
+        try (VisibilityLabModel next = next()) {
+            restarted(next);
+            thread.settle(next::settle);
+            VisibilityChoice opened = next.state().choice();
+            assertEquals("wall.obj", opened.scene());
+            assertEquals(Optional.empty(), opened.shown().image());
+            assertEquals(left.camera(), opened.camera());
+            String problem = next.state().problem();
+            assertEquals(
+                    picture
+                            + ": no such file to read; the scene wall.obj is shown without the"
+                            + " picture",
+                    problem);
+            assertEquals(
+                    picture + ": такого файла нет; сцена wall.obj показана без рисунка",
+                    Complaints.said(Language.RUSSIAN, problem));
         }
     }
 }

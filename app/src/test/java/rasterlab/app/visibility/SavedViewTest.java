@@ -1,6 +1,7 @@
 package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -15,6 +16,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.outcome.Complaint;
 import rasterlab.app.outcome.PictureFile;
 import rasterlab.engine.light.LightTerm;
 import rasterlab.engine.pipeline.Cull;
@@ -103,7 +105,8 @@ class SavedViewTest {
         assertEquals(picture.toRealPath(), opened.shown().image().orElseThrow().toRealPath());
         assertEquals("sphere", opened.scene());
         Path other = Files.createDirectory(folder.resolve("other")).resolve("one.scene.json");
-        String problem = SceneFiles.done(new SceneFiles.Task(other, Optional.of(saved))).problem();
+        String problem =
+                assertThrows(Complaint.class, () -> SceneFiles.save(other, saved)).getMessage();
         assertEquals(
                 other
                         + ": the picture on the faces, "
@@ -114,12 +117,12 @@ class SavedViewTest {
 
     private VisibilityChoice throughAFile(VisibilityChoice saved, VisibilityChoice before) {
         Path file = folder.resolve("one.scene.json");
-        assertEquals("", SceneFiles.done(new SceneFiles.Task(file, Optional.of(saved))).problem());
+        SceneFiles.save(file, saved);
         return opened(file, before);
     }
 
     private static VisibilityChoice opened(Path file, VisibilityChoice before) {
-        SceneFiles.Answer answer = SceneFiles.done(new SceneFiles.Task(file, Optional.empty()));
+        SceneFiles.Answer answer = SceneFiles.done(SceneFiles.Task.of(file));
         assertTrue(answer.problem().isEmpty(), answer.problem());
         UnaryOperator<VisibilityChoice> change = answer.change();
         return change.apply(before);

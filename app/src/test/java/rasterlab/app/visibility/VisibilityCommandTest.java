@@ -127,7 +127,7 @@ class VisibilityCommandTest {
                 new VisibilityLabModel(
                         new Renderer()::render, Runnable::run, Throwable::printStackTrace)) {
             model.compare("cube", "painter", "warnock");
-            List<String> lines = VisibilityCommand.of(model).lines().toList();
+            List<String> lines = VisibilityCommand.now(model).text().lines().toList();
             assertEquals(2, lines.size());
             assertTrue(lines.get(0).contains("--visibility painter"), lines.get(0));
             assertTrue(lines.get(1).contains("--visibility warnock"), lines.get(1));
@@ -140,18 +140,18 @@ class VisibilityCommandTest {
         var failures = new CopyOnWriteArrayList<Throwable>();
         try (var model = new VisibilityLabModel(new Renderer()::render, thread, failures::add)) {
             model.resize(211, 97);
-            assertFalse(VisibilityCommand.needsFile(model));
+            assertFalse(VisibilityCommand.now(model).needsFile());
             var body = new VisibleFacesTopic().hazards().get(0).input();
             model.choose(TopicView.of("visible-faces-cube", body, "back-face", "back-face")::shown);
-            assertTrue(VisibilityCommand.needsFile(model));
+            assertTrue(VisibilityCommand.now(model).needsFile());
             model.keep(SceneFiles.save(folder.resolve("a.scene.json"), model.state().choice()));
             model.choose(choice -> choice.withVisibility("z32"));
             model.turn(0.3, 0.1);
             thread.settle(model::settle);
-            assertFalse(VisibilityCommand.needsFile(model));
+            assertFalse(VisibilityCommand.now(model).needsFile());
             assertDrawsTheSame(model);
             model.choose(choice -> choice.withView(StageView.GROWTH));
-            assertFalse(VisibilityCommand.needsFile(model));
+            assertFalse(VisibilityCommand.now(model).needsFile());
             assertEquals(List.of(), failures);
         }
     }
@@ -164,9 +164,9 @@ class VisibilityCommandTest {
             var bodies = new VisibleFacesTopic().hazards();
             model.choose(TopicView.of("a", bodies.get(0).input(), "back-face", "back-face")::shown);
             model.keep(new SavedScene(folder.resolve("a.json"), model.state().choice().shown()));
-            assertFalse(VisibilityCommand.needsFile(model));
+            assertFalse(VisibilityCommand.now(model).needsFile());
             model.choose(TopicView.of("b", bodies.get(3).input(), "back-face", "back-face")::shown);
-            assertTrue(VisibilityCommand.needsFile(model));
+            assertTrue(VisibilityCommand.now(model).needsFile());
         }
     }
 
@@ -189,7 +189,7 @@ class VisibilityCommandTest {
     }
 
     private void assertDrawsTheSame(VisibilityLabModel model) throws Exception {
-        BufferedImage drawn = drawn(VisibilityCommand.of(model));
+        BufferedImage drawn = drawn(VisibilityCommand.now(model).text());
         assertArrayEquals(
                 model.state().picture().orElseThrow().raster().argb(),
                 drawn.getRGB(0, 0, drawn.getWidth(), drawn.getHeight(), null, 0, 211));

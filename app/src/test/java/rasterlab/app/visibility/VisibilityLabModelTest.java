@@ -308,8 +308,7 @@ class VisibilityLabModelTest {
                                 .withProjection("isometric"));
         model.turn(0.7, 0.2);
         VisibilityChoice saved = model.state().choice();
-        model.save(file);
-        settle();
+        SceneFiles.save(file, saved);
         model.reset();
         model.open(file);
         settle();
@@ -328,8 +327,8 @@ class VisibilityLabModelTest {
         assertEquals("tent.obj", model.state().choice().scene());
         assertEquals(4, model.state().choice().shown().scene().mesh().faceCount());
         assertTrue(
-                VisibilityCommand.of(model).startsWith("./lab render " + file),
-                VisibilityCommand.of(model));
+                VisibilityCommand.now(model).text().startsWith("./lab render " + file),
+                VisibilityCommand.now(model).text());
     }
 
     @Test

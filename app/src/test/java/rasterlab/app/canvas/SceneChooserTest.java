@@ -1,4 +1,4 @@
-package rasterlab.app.visibility;
+package rasterlab.app.canvas;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -15,7 +15,6 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
 
 class SceneChooserTest {
     @TempDir Path folder;
@@ -28,7 +27,7 @@ class SceneChooserTest {
     void open() {
         chooser =
                 new SceneChooser(
-                        Texts.of("visibility", Language.ENGLISH),
+                        Language.ENGLISH,
                         file -> {
                             asked.add(file);
                             return replace;
@@ -80,13 +79,13 @@ class SceneChooserTest {
 
     @Test
     void filtersLeaveOutWhatCannotBeOpened() {
-        Texts texts = Texts.of("visibility", Language.ENGLISH);
-        FileFilter scenes = SceneChooser.scenes(texts);
+        FileFilter scenes = SceneChooser.scenes(Language.ENGLISH);
         assertTrue(scenes.accept(new File("Vase.SCENE.json")));
         assertFalse(scenes.accept(new File("report.json")));
         assertFalse(scenes.accept(new File("cube.obj")));
         assertTrue(scenes.accept(folder.toFile()), "folders can be entered");
-        FileFilter opened = SceneChooser.opened(texts);
+        FileFilter opened =
+                new SceneChooser.Ending("all", List.of(".scene.json", ".obj", ".png", ".jpeg"));
         for (String name : List.of("vase.scene.json", "cube.obj", "bricks.png", "wood.JPEG"))
             assertTrue(opened.accept(new File(name)), name);
         assertFalse(opened.accept(new File("notes.txt")));

@@ -1,4 +1,4 @@
-package rasterlab.app.visibility;
+package rasterlab.app.canvas;
 
 import java.awt.Component;
 import java.io.File;
@@ -8,54 +8,62 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import javax.swing.filechooser.FileFilter;
-import rasterlab.app.canvas.SaveChooser;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.model.SceneText;
 
 /** Asks for the file of a scene; one that is there already is written over only if that is said. */
-final class SceneChooser extends SaveChooser {
+public final class SceneChooser extends SaveChooser {
     private static final long serialVersionUID = 1L;
 
-    private final transient Texts texts;
+    private final transient FileFilter scenes;
 
-    SceneChooser(Texts texts) {
-        super(texts.language(), SceneText::named);
-        this.texts = texts;
+    public SceneChooser(Language language) {
+        super(language, SceneText::named);
+        scenes = scenes(language);
     }
 
     /**
      * @param mayReplace asked before a file that is there is written over
      */
-    SceneChooser(Texts texts, Predicate<Path> mayReplace) {
-        super(texts.language(), SceneText::named, mayReplace);
-        this.texts = texts;
+    SceneChooser(Language language, Predicate<Path> mayReplace) {
+        super(language, SceneText::named, mayReplace);
+        scenes = scenes(language);
     }
 
     @Override
     public Optional<Path> toOpen(Component parent) {
         setName("open.dialog");
-        setFileFilter(opened(texts));
-        addChoosableFileFilter(scenes(texts));
+        setFileFilter(scenes);
+        return super.toOpen(parent);
+    }
+
+    /**
+     * The file to open, first among more than scenes.
+     *
+     * @param description of the files shown at first
+     * @param endings of their names, lower-case
+     */
+    public Optional<Path> toOpen(Component parent, String description, List<String> endings) {
+        setName("open.dialog");
+        setFileFilter(new Ending(description, endings));
+        addChoosableFileFilter(scenes);
         return super.toOpen(parent);
     }
 
     @Override
     public Optional<Path> toSave(Component parent, String suggested) {
-        setFileFilter(scenes(texts));
+        setFileFilter(scenes);
         return super.toSave(parent, suggested);
     }
 
-    /** All that the lab can open. */
-    static FileFilter opened(Texts texts) {
-        return new Ending(texts.text("files.opened"), SceneFiles.ENDINGS);
-    }
-
-    static FileFilter scenes(Texts texts) {
-        return new Ending(texts.text("files.scenes"), List.of(SceneText.EXTENSION));
+    static FileFilter scenes(Language language) {
+        return new Ending(
+                Texts.of("canvas", language).text("files.scenes"), List.of(SceneText.EXTENSION));
     }
 
     /** Folders, and files whose names end so in any case. */
-    private static final class Ending extends FileFilter {
+    static final class Ending extends FileFilter {
         private final String description;
         private final List<String> endings;
 
