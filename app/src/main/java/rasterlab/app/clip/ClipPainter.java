@@ -6,9 +6,15 @@ import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.font.GlyphVector;
+import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.awt.geom.PathIterator;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.MethodColours;
@@ -19,8 +25,8 @@ import rasterlab.engine.raster.PixelMark;
 
 /** Draws what {@link Drawn} stands for. */
 final class ClipPainter {
-    /** Region codes stand behind everything, larger than labels. */
-    private static final float LARGER = 1.5f;
+    /** Region codes are so many times as large as labels: the first for which there is room. */
+    private static final float[] LARGER = {1.5f, 1.2f, 1};
 
     private static final double MARK = 17;
 
@@ -68,12 +74,13 @@ final class ClipPainter {
      * @throws CancellationException soon after {@code cancelled} says true
      */
     void paint(List<Drawn> drawn, BooleanSupplier cancelled) {
+        List<Line2D> segments = segments(drawn);
         for (Drawn each : drawn) {
             if (cancelled.getAsBoolean())
                 throw new CancellationException("a newer frame is asked for");
             if (each instanceof Drawn.Area area) paint(area);
             else if (each instanceof Drawn.Line line) paint(line);
-            else if (each instanceof Drawn.Region region) paint(region);
+            else if (each instanceof Drawn.Region region) paint(region, segments);
             else if (each instanceof Drawn.Sign sign) paint(sign);
         }
     }
@@ -157,29 +164,50 @@ final class ClipPainter {
         }
     }
 
-    private void paint(Drawn.Region region) {
+    /** What is to be clipped, where it is seen, in view units. */
+    private List<Line2D> segments(List<Drawn> drawn) {
+        var segments = new ArrayList<Line2D>();
+        for (Drawn each : drawn)
+            if (each instanceof Drawn.Line line && line.ink() == Drawn.Ink.GIVEN)
+                add(segments, inView.line(line.points(), line.closed()));
+        return segments;
+    }
+
+    private static void add(List<Line2D> segments, Path2D path) {
+        var at = new double[6];
+        var from = new Point2D.Double();
+        for (PathIterator i = path.getPathIterator(null); !i.isDone(); i.next()) {
+            if (i.currentSegment(at) == PathIterator.SEG_LINETO)
+                segments.add(new Line2D.Double(from.x, from.y, at[0], at[1]));
+            from.setLocation(at[0], at[1]);
+        }
+    }
+
+    /** Behind everything else. */
+    private void paint(Drawn.Region region, List<Line2D> segments) {
         Rectangle view = g.getClipBounds();
         double left = Math.max(view.getMinX(), map.viewX(region.xmin()));
         double right = Math.min(view.getMaxX(), map.viewX(region.xmax()));
         double top = Math.max(view.getMinY(), map.viewY(region.ymax()));
         double bottom = Math.min(view.getMaxY(), map.viewY(region.ymin()));
+        var seen = new Rectangle2D.Double(left, top, right - left, bottom - top);
+        var places = new CodePlace(seen, labels, segments);
         Font label = g.getFont();
-        g.setFont(label.deriveFont(label.getSize2D() * LARGER));
-        FontMetrics metrics = g.getFontMetrics();
         g.setColor(MethodColours.mix(colours.ground(), colours.axis(), 0.75));
-        var seen = new Rectangle2D.Double(left + 2, top, right - left - 4, bottom - top);
-        CodePlace.of(
-                        seen,
-                        metrics.stringWidth(region.words()),
-                        metrics.getAscent() + metrics.getDescent(),
-                        labels)
-                .ifPresent(
-                        place ->
-                                g.drawString(
-                                        region.words(),
-                                        (float) place.getX(),
-                                        (float) place.getY() + metrics.getAscent()));
-        g.setFont(label);
+        for (float larger : LARGER) {
+            Font font = label.deriveFont(label.getSize2D() * larger);
+            GlyphVector code = font.createGlyphVector(g.getFontRenderContext(), region.words());
+            Rectangle2D box = code.getVisualBounds();
+            Optional<Rectangle2D> place = places.of(box.getWidth(), box.getHeight());
+            if (place.isEmpty()) continue;
+            g.setFont(font);
+            g.drawString(
+                    region.words(),
+                    (float) (place.get().getX() - box.getX()),
+                    (float) (place.get().getY() - box.getY()));
+            g.setFont(label);
+            return;
+        }
     }
 
     private void paint(Drawn.Sign sign) {

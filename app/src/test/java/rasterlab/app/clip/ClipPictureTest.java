@@ -4,10 +4,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.StageColours;
+import rasterlab.engine.clip.segment.ClipWindow;
 
 /** What the picture shows, told without painting it. */
 class ClipPictureTest {
@@ -118,5 +126,38 @@ class ClipPictureTest {
                 assertEquals(1, Math.abs(corner.x()), 1e-12);
                 assertEquals(1, Math.abs(corner.y()), 1e-12);
             }
+    }
+
+    /** The middle of the window lies on the segment. */
+    @Test
+    @DisplayName("a region's code is written over a segment")
+    void codesGiveWayToSegments() {
+        PlaneSegment across = PlaneSegment.of(new double[] {-5, 0, 15, 6});
+        SegmentScene scene =
+                new SegmentScene(
+                        ShownWindow.of(new ClipWindow(0, 0, 10, 6)),
+                        List.of(across),
+                        "cohen-sutherland",
+                        "");
+        var map = new PlaneMap(100, 280, 25, -25);
+        ClipResults results = ClipResults.of(topics, scene);
+        ClipPicture picture = ClipPicture.of(scene, results.clipping(), 0, Locale.ENGLISH);
+        StageColours colours = StageColours.LIGHT;
+        int code = MethodColours.mix(colours.ground(), colours.axis(), 0.75).getRGB();
+        var image = new BufferedImage(450, 400, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.setClip(0, 0, 450, 400);
+        picture.paint(g, map, colours, () -> false);
+        g.dispose();
+        var line = new Line2D.Double(map.viewX(-5), map.viewY(0), map.viewX(15), map.viewY(6));
+        int written = 0;
+        for (int y = 0; y < 400; y++)
+            for (int x = 0; x < 450; x++)
+                if (image.getRGB(x, y) == code) {
+                    written++;
+                    double away = line.ptSegDist(x, y);
+                    assertTrue(away > 4, "(" + x + ", " + y + ") is " + away + " away");
+                }
+        assertTrue(written > 200, written + " pixels of codes");
     }
 }
