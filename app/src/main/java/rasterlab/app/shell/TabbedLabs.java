@@ -37,9 +37,6 @@ final class TabbedLabs extends JTabbedPane {
         this.onFailure = onFailure;
         setName("tabs");
         getAccessibleContext().setAccessibleName(texts.text("tabs"));
-        putClientProperty("JTabbedPane.tabHeight", 40);
-        setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
-        TitlesInSight.keep(this);
         for (LabTab tab : tabs) {
             int digit = (getTabCount() + 1) % 10;
             addTab(tab.title(), null, new JPanel(new BorderLayout()), texts.text("tab.tip", digit));
@@ -48,6 +45,11 @@ final class TabbedLabs extends JTabbedPane {
         // The look and feel's names of what the arrow keys do on the strip of tabs.
         getActionMap().put("navigateRight", stepping(1));
         getActionMap().put("navigateLeft", stepping(-1));
+    }
+
+    @Override
+    public void updateUI() {
+        setUI(new TabRows());
     }
 
     @Override

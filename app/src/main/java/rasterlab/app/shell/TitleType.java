@@ -10,10 +10,21 @@ import javax.swing.JTabbedPane;
 import javax.swing.UIManager;
 
 /**
- * The type of the tabs' titles: that of labels where all titles have room beside each other, else
- * smaller. Who teaches from afar looks at the picture; the titles are for the one at the mouse.
+ * The type of the tabs' titles: that of labels, or smaller where that saves a row; smaller than
+ * {@link #LEAST} in no case.
  */
 final class TitleType {
+    /** Height of the strip of one row, in view units before scaling; more rows share it. */
+    private static final int HIGH = 40;
+
+    private static final int MOST = 3;
+
+    /**
+     * Smaller titles, as shares of the labels' size, go into a second row, which is as low as half
+     * of the first, and a third one, which takes height from what the tabs show.
+     */
+    private static final float[] SMALLEST = {0.85f, 0.6f};
+
     /** No smaller than so many view units, if labels are not. */
     private static final float LEAST = 14;
 
@@ -25,14 +36,24 @@ final class TitleType {
     static void fit(JTabbedPane pane) {
         Font label = UIManager.getFont("Label.font");
         float whole = label.getSize2D();
+        int rows = 1;
+        while (rows < MOST && rows(pane, label, SMALLEST[rows - 1] * whole) > rows) rows++;
         float least = Math.min(whole, LEAST);
-        int room = pane.getWidth() - wide(pane, "leading") - wide(pane, "trailing");
         float size = whole;
-        while (size > least && needed(pane, label, size, whole) > room)
-            size = Math.max(least, size - STEP);
-        if (pane.getFont().getSize2D() == size) return;
+        while (size > least && rows(pane, label, size) > rows) size = Math.max(least, size - STEP);
+        if (pane.getFont().getSize2D() == size && height(rows).equals(height(pane))) return;
         pane.setFont(label.deriveFont(size));
-        pane.putClientProperty("FlatLaf.style", Map.of("tabInsets", insets(size / whole)));
+        pane.putClientProperty("JTabbedPane.tabHeight", height(rows));
+        pane.putClientProperty(
+                "FlatLaf.style", Map.of("tabInsets", insets(size / whole, rows > 1)));
+    }
+
+    private static Integer height(int rows) {
+        return HIGH / rows;
+    }
+
+    private static Object height(JTabbedPane pane) {
+        return pane.getClientProperty("JTabbedPane.tabHeight");
     }
 
     private static int wide(JTabbedPane pane, String end) {
@@ -41,24 +62,34 @@ final class TitleType {
                 : 0;
     }
 
-    private static int needed(JTabbedPane pane, Font label, float size, float whole) {
+    /** How many rows titles of that size take. */
+    private static int rows(JTabbedPane pane, Font label, float size) {
+        int room = pane.getWidth() - wide(pane, "leading") - wide(pane, "trailing");
         FontMetrics metrics = pane.getFontMetrics(label.deriveFont(size));
-        Insets around = UIScale.scale(insets(size / whole));
+        Insets around = UIScale.scale(insets(size / label.getSize2D(), true));
         int separator = UIScale.scale(1);
-        int needed = 0;
-        for (int i = 0; i < pane.getTabCount(); i++)
-            needed +=
+        int rows = 1;
+        int taken = 0;
+        for (int i = 0; i < pane.getTabCount(); i++) {
+            int wide =
                     metrics.stringWidth(pane.getTitleAt(i))
                             + around.left
                             + around.right
                             + separator;
-        return needed;
+            if (taken > 0 && taken + wide > room) {
+                rows++;
+                taken = 0;
+            }
+            taken += wide;
+        }
+        return rows;
     }
 
-    /** As the theme has them, before scaling; with smaller type they are smaller too. */
-    private static Insets insets(float share) {
+    /** As the theme has them, before scaling; with smaller type, or more rows, they are smaller. */
+    private static Insets insets(float share, boolean low) {
         Insets usual = UIManager.getInsets("TabbedPane.tabInsets");
         int beside = Math.round(usual.left * share);
-        return new Insets(usual.top, beside, usual.bottom, beside);
+        int above = low ? usual.top / 4 : usual.top;
+        return new Insets(above, beside, above, beside);
     }
 }

@@ -3,55 +3,185 @@ package rasterlab.app.shell;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Rectangle;
+import java.awt.event.ActionEvent;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.UIManager;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 
 class TitleTypeTest {
-    private static final List<String> TITLES =
-            List.of(
-                    "Coordinates",
-                    "Lines",
-                    "Polygons",
-                    "Clipping",
-                    "Hidden surfaces",
-                    "Lighting",
-                    "Splines",
-                    "OpenGL",
-                    "Speed & accuracy",
-                    "Exercises");
+    private static final String[] TABS = {
+        "coordinates",
+        "line",
+        "polygon",
+        "clip",
+        "visibility",
+        "light",
+        "spline",
+        "opengl",
+        "study",
+        "exercises"
+    };
 
     @AfterEach
     void usualTheme() throws InterruptedException {
         OffscreenPainter.onEventThread(LabTheme.LIGHT::install);
     }
 
-    private static JTabbedPane laidOut(int width) {
-        var pane = new JTabbedPane();
-        for (String title : TITLES) pane.addTab(title, new JPanel());
-        pane.setTabLayoutPolicy(JTabbedPane.SCROLL_TAB_LAYOUT);
-        pane.setSize(width, 600);
-        TitleType.fit(pane);
-        pane.doLayout();
+    static Stream<Arguments> looks() {
+        return Stream.of(Language.values())
+                .flatMap(
+                        language ->
+                                Stream.of(LabTheme.LIGHT, LabTheme.PROJECTOR)
+                                        .flatMap(
+                                                theme ->
+                                                        LabLook.SIZES.stream()
+                                                                .map(
+                                                                        size ->
+                                                                                Arguments.of(
+                                                                                        language,
+                                                                                        theme,
+                                                                                        size))));
+    }
+
+    /** With a sign before the titles, and a list of languages behind them. */
+    private static TabbedLabs laidOut(Language language, int width) {
+        Texts texts = Texts.of("shell", language);
+        List<LabTab> tabs =
+                Arrays.stream(TABS)
+                        .map(name -> new LabTab(name, texts.text("tab." + name), () -> {}, null))
+                        .toList();
+        var pane = new TabbedLabs(tabs, failure -> {}, texts);
+        pane.putClientProperty("JTabbedPane.leadingComponent", new JLabel("####"));
+        var languages = new JPanel();
+        languages.add(new JComboBox<>(new String[] {"Русский"}));
+        pane.putClientProperty("JTabbedPane.trailingComponent", languages);
+        layOut(pane, width);
         return pane;
     }
 
-    @ParameterizedTest(name = "only some of the titles are in sight at {0} %")
-    @ValueSource(ints = {100, 150, 200})
-    void projectorsTitlesAreAllInSight(int percent) throws InterruptedException {
+    private static void layOut(JTabbedPane pane, int width) {
+        pane.setSize(width, 600);
+        for (int i = 0; i < 2; i++) pane.doLayout();
+    }
+
+    private static JPanel behind(JTabbedPane pane) {
+        return (JPanel) pane.getClientProperty("JTabbedPane.trailingComponent");
+    }
+
+    private static List<Rectangle> places(JTabbedPane pane) {
+        var places = new ArrayList<Rectangle>();
+        for (int i = 0; i < TABS.length; i++) places.add(pane.getBoundsAt(i));
+        return places;
+    }
+
+    @ParameterizedTest(name = "titles are cut off, out of sight or out of order: {0}, {1}, {2} %")
+    @MethodSource("looks")
+    void titlesAreAllInSightInTheirOrder(Language language, LabTheme theme, int percent)
+            throws InterruptedException {
         OffscreenPainter.onEventThread(
                 () -> {
-                    DesktopType.install(LabTheme.PROJECTOR, percent);
-                    JTabbedPane pane = laidOut(1060);
-                    for (int i = 0; i < TITLES.size(); i++)
-                        assertTrue(
-                                pane.getBoundsAt(i).getMaxX() <= 1060,
-                                TITLES.get(i) + " at " + pane.getBoundsAt(i));
+                    DesktopType.install(theme, percent);
+                    TabbedLabs pane = laidOut(language, 1280);
+                    int end = behind(pane).getParent().getX();
+                    Rectangle before = new Rectangle(0, 0, 1, 1);
+                    for (int i = 0; i < TABS.length; i++) {
+                        Rectangle place = pane.getBoundsAt(i);
+                        String title = pane.getTitleAt(i) + " at " + place;
+                        int needed =
+                                pane.getFontMetrics(pane.getFont()).stringWidth(pane.getTitleAt(i));
+                        assertTrue(place.getMaxX() <= end, title + " runs into " + end);
+                        assertTrue(place.width > needed, title + " needs " + needed);
+                        boolean beside =
+                                place.y == before.y && place.x >= before.x + before.width - 1;
+                        boolean below = place.y >= before.y + before.height - 1;
+                        assertTrue(i == 0 || beside || below, title + " after " + before);
+                        before = place;
+                    }
+                });
+    }
+
+    @ParameterizedTest(name = "titles are the smallest text on the screen: {0}, {1}, {2} %")
+    @MethodSource("looks")
+    void titlesGrowWithTheTypeOfLabels(Language language, LabTheme theme, int percent)
+            throws InterruptedException {
+        OffscreenPainter.onEventThread(
+                () -> {
+                    DesktopType.install(theme, percent);
+                    float title = laidOut(language, 1280).getFont().getSize2D();
+                    float label = UIManager.getFont("Label.font").getSize2D();
+                    assertTrue(title >= 0.6f * label, title + " beside labels of " + label);
+                    assertTrue(title >= Math.min(14, label), title + " of " + label);
+                });
+    }
+
+    @ParameterizedTest(name = "titles change places when one is chosen: {0}, {1}, {2} %")
+    @MethodSource("looks")
+    void titlesStayWhereTheyAreWhicheverIsChosen(Language language, LabTheme theme, int percent)
+            throws InterruptedException {
+        OffscreenPainter.onEventThread(
+                () -> {
+                    DesktopType.install(theme, percent);
+                    TabbedLabs pane = laidOut(language, 1280);
+                    List<Rectangle> first = places(pane);
+                    pane.setSelectedIndex(TABS.length - 1);
+                    layOut(pane, 1280);
+                    assertEquals(first, places(pane));
+                });
+    }
+
+    @Test
+    void arrowsDownAndUpGoToTheOtherRow() throws InterruptedException {
+        OffscreenPainter.onEventThread(
+                () -> {
+                    DesktopType.install(LabTheme.LIGHT, 150);
+                    TabbedLabs pane = laidOut(Language.RUSSIAN, 1280);
+                    pane.setSelectedIndex(1);
+                    press(pane, "navigateDown");
+                    int below = pane.getSelectedIndex();
+                    Rectangle line = pane.getBoundsAt(1);
+                    Rectangle reached = pane.getBoundsAt(below);
+                    assertTrue(reached.y > line.y, "tab " + below);
+                    assertTrue(
+                            reached.x <= line.getCenterX()
+                                    && line.getCenterX() <= reached.getMaxX());
+                    press(pane, "navigateUp");
+                    assertEquals(line.y, pane.getBoundsAt(pane.getSelectedIndex()).y);
+                });
+    }
+
+    private static void press(JTabbedPane pane, String action) {
+        pane.getActionMap()
+                .get(action)
+                .actionPerformed(new ActionEvent(pane, ActionEvent.ACTION_PERFORMED, action));
+    }
+
+    @Test
+    void whatStandsBehindTwoRowsIsAsHighAsBoth() throws InterruptedException {
+        OffscreenPainter.onEventThread(
+                () -> {
+                    DesktopType.install(LabTheme.PROJECTOR, 200);
+                    TabbedLabs pane = laidOut(Language.RUSSIAN, 1280);
+                    Dimension needed = behind(pane).getPreferredSize();
+                    int high = behind(pane).getParent().getHeight();
+                    assertTrue(high >= needed.height, high + " for " + needed);
+                    Rectangle last = pane.getBoundsAt(TABS.length - 1);
+                    assertEquals(last.getMaxY(), high, 1);
                 });
     }
 
@@ -62,7 +192,7 @@ class TitleTypeTest {
                     DesktopType.install(LabTheme.PROJECTOR, 100);
                     assertEquals(
                             UIManager.getFont("Label.font").getSize2D(),
-                            laidOut(2000).getFont().getSize2D());
+                            laidOut(Language.ENGLISH, 2000).getFont().getSize2D());
                 });
     }
 
@@ -71,11 +201,12 @@ class TitleTypeTest {
         OffscreenPainter.onEventThread(
                 () -> {
                     DesktopType.install(LabTheme.PROJECTOR, 150);
-                    JTabbedPane pane = laidOut(900);
-                    float narrow = pane.getFont().getSize2D();
-                    pane.setSize(2400, 600);
-                    TitleType.fit(pane);
-                    assertTrue(pane.getFont().getSize2D() > narrow);
+                    TabbedLabs pane = laidOut(Language.RUSSIAN, 900);
+                    Font narrow = pane.getFont();
+                    int high = pane.getBoundsAt(TABS.length - 1).y;
+                    layOut(pane, 2600);
+                    assertTrue(pane.getFont().getSize2D() > narrow.getSize2D());
+                    assertTrue(pane.getBoundsAt(TABS.length - 1).y < high, "as many rows");
                 });
     }
 }

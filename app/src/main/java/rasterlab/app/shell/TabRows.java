@@ -1,0 +1,58 @@
+package rasterlab.app.shell;
+
+import com.formdev.flatlaf.ui.FlatTabbedPaneUI;
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.LayoutManager;
+import java.awt.Rectangle;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Titles of tabs in as many rows as they need, each in its place whichever is chosen: the first row
+ * above the second. What stands before and behind the titles is as high as all rows.
+ */
+final class TabRows extends FlatTabbedPaneUI {
+    @Override
+    protected LayoutManager createLayoutManager() {
+        return new FromAbove();
+    }
+
+    @Override
+    protected boolean shouldRotateTabRuns(int tabPlacement) {
+        return false;
+    }
+
+    /** Up and down, as {@link FromAbove} turns the rows about. */
+    @Override
+    protected int getTabRunOffset(int tabPlacement, int tabCount, int tabIndex, boolean forward) {
+        return -super.getTabRunOffset(tabPlacement, tabCount, tabIndex, !forward);
+    }
+
+    private final class FromAbove extends FlatTabbedPaneLayout {
+        /** Swing puts the first row next to what the tabs show. */
+        @Override
+        protected void calculateTabRects(int tabPlacement, int tabCount) {
+            super.calculateTabRects(tabPlacement, tabCount);
+            List<Rectangle> titles = Arrays.asList(rects).subList(0, tabCount);
+            int first = titles.stream().mapToInt(title -> title.y).min().orElse(0);
+            int last = titles.stream().mapToInt(title -> title.y).max().orElse(0);
+            for (Rectangle title : titles) title.y = first + last - title.y;
+        }
+
+        @Override
+        public void layoutContainer(Container parent) {
+            super.layoutContainer(parent);
+            for (String end : List.of("leading", "trailing"))
+                if (tabPane.getClientProperty("JTabbedPane." + end + "Component")
+                        instanceof Component part) heighten(part.getParent());
+        }
+
+        private void heighten(Container end) {
+            end.setSize(
+                    end.getWidth(),
+                    calculateTabAreaHeight(tabPane.getTabPlacement(), runCount, maxTabHeight));
+            end.validate();
+        }
+    }
+}
