@@ -1,15 +1,9 @@
 package rasterlab.app.canvas;
 
-import com.formdev.flatlaf.util.UIScale;
-import java.awt.Color;
 import java.awt.Component;
-import java.awt.Graphics;
-import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.DefaultListCellRenderer;
-import javax.swing.Icon;
 import javax.swing.JComboBox;
 import javax.swing.JList;
 
@@ -58,34 +52,8 @@ public final class MethodChooser extends JComboBox<String> {
             super.getListCellRendererComponent(list, value, index, selected, focused);
             String method = value == null ? "" : value.toString();
             if (method.isEmpty()) setText(none);
-            else setIcon(new Swatch(method));
+            else setIcon(new MethodSwatch(method));
             return this;
-        }
-    }
-
-    /** A square of the method's colour, with an edge that is seen on any background. */
-    private record Swatch(String method) implements Icon {
-        @Override
-        public void paintIcon(Component c, Graphics g, int x, int y) {
-            var copy = (Graphics2D) g.create();
-            copy.setRenderingHint(
-                    RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-            Color colour = MethodColours.of(method);
-            copy.setColor(colour);
-            copy.fillRoundRect(x, y, getIconWidth(), getIconHeight(), 4, 4);
-            copy.setColor(MethodColours.edgeOn(c.getBackground(), colour));
-            copy.drawRoundRect(x, y, getIconWidth() - 1, getIconHeight() - 1, 4, 4);
-            copy.dispose();
-        }
-
-        @Override
-        public int getIconWidth() {
-            return UIScale.scale(12);
-        }
-
-        @Override
-        public int getIconHeight() {
-            return UIScale.scale(12);
         }
     }
 }

@@ -79,12 +79,7 @@ final class PixelLens extends SelfDrawn {
         switch (wrong) {
             case MISSING -> PixelMark.MISSING.paint(g, x, y, side);
             case EXTRA -> PixelMark.EXTRA.paint(g, x, y, side);
-            case COLOUR -> {
-                g.setColor(Color.WHITE);
-                g.fillRect(x + side / 2 - 3, y + side / 2 - 3, 7, 7);
-                g.setColor(PixelMark.COLOUR);
-                g.fillRect(x + side / 2 - 2, y + side / 2 - 2, 5, 5);
-            }
+            case COLOUR -> WrongFaceIcon.paint(g, x, y, side);
             case NOTHING -> {}
         }
     }

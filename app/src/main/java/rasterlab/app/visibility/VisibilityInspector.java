@@ -13,6 +13,7 @@ import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
+import rasterlab.app.canvas.MethodSwatch;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.PixelMarkIcon;
 import rasterlab.app.language.Texts;
@@ -266,7 +267,7 @@ final class VisibilityInspector {
         if (!chosen) history.show(List.of());
     }
 
-    /** What differs from the exact picture, by the kinds of marks. */
+    /** What differs from the exact picture, by the kinds of marks; of a second method how much. */
     private static final class WrongRows {
         private final Inspector column;
         private final JLabel wrongPixels;
@@ -285,22 +286,26 @@ final class VisibilityInspector {
             extra = column.value("extra");
             extra.setIcon(new PixelMarkIcon(PixelMark.EXTRA));
             miscoloured = column.value("miscoloured");
+            miscoloured.setIcon(new WrongFaceIcon());
             share = column.value("share");
             largest = column.value("largest");
             other = column.value("other");
         }
 
         void show(VisibilityReadings readings, VisibilityChoice choice) {
+            boolean two = !choice.comparison().isEmpty();
             wrongPixels.setText(readings.wrongPixels());
+            wrongPixels.setIcon(two ? new MethodSwatch(choice.visibility()) : null);
             missing.setText(readings.missing());
             extra.setText(readings.extra());
             miscoloured.setText(readings.miscoloured());
             share.setText(readings.share());
             largest.setText(readings.largest());
             other.setText(readings.other());
+            other.setIcon(two ? new MethodSwatch(choice.comparison()) : null);
             for (JLabel each : List.of(missing, extra, miscoloured, share, largest))
                 column.showRow(each, choice.difference());
-            column.showRow(other, choice.difference() && !choice.comparison().isEmpty());
+            column.showRow(other, two);
         }
     }
 }

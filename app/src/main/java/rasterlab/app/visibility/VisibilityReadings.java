@@ -2,6 +2,7 @@ package rasterlab.app.visibility;
 
 import java.text.NumberFormat;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
@@ -47,8 +48,12 @@ final class VisibilityReadings {
         return texts.text("frameTime.millis", number(state.medianNanos() / 1e6, 1));
     }
 
+    /** With the method's name where there is another. */
     String wrongPixels() {
-        return compared(difference -> texts.text("wrongPixels.count", difference.wrongPixels()));
+        VisibilityChoice choice = state.choice();
+        return choice.comparison().isEmpty()
+                ? compared(found -> texts.text("wrongPixels.count", found.wrongPixels()))
+                : wrongPixels(choice.visibility(), state.difference());
     }
 
     String missing() {
@@ -76,11 +81,14 @@ final class VisibilityReadings {
                                 difference.difference().largestLevelDifference()));
     }
 
-    /** Wrong pixels of the other method. */
+    /** Wrong pixels of the other method, with its name. */
     String other() {
-        return state.otherDifference()
-                .map(difference -> texts.text("wrongPixels.count", difference.wrongPixels()))
-                .orElseGet(() -> texts.text("comparing"));
+        return wrongPixels(state.choice().comparison(), state.otherDifference());
+    }
+
+    private String wrongPixels(String method, Optional<Compared> difference) {
+        String counted = read(difference, found -> count(found.wrongPixels()));
+        return texts.text("wrongPixels.of", method, counted);
     }
 
     /** Steps done, cuts so far, and what was counted for the whole picture. */
@@ -139,8 +147,12 @@ final class VisibilityReadings {
     }
 
     private String compared(Function<Compared, String> reading) {
+        return read(state.difference(), reading);
+    }
+
+    private String read(Optional<Compared> difference, Function<Compared, String> reading) {
         String meanwhile = state.choice().difference() ? texts.text("comparing") : "–";
-        return state.difference().map(reading).orElse(meanwhile);
+        return difference.map(reading).orElse(meanwhile);
     }
 
     /** Radians, and the same as a multiple of π. */

@@ -26,7 +26,7 @@ public record PictureDifference(
     public static final int WRONG = PixelMark.ARGB;
 
     /** Colour of the edge and the arms in the mask. */
-    static final int EDGE = 0xFF101010;
+    public static final int EDGE = 0xFF101010;
 
     private static final int ARM_LENGTH = 2;
 

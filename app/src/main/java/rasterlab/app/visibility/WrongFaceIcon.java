@@ -1,0 +1,46 @@
+package rasterlab.app.visibility;
+
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import javax.swing.Icon;
+import rasterlab.engine.raster.PictureDifference;
+import rasterlab.engine.raster.PixelMark;
+
+/** The sign of a pixel that shows a wrong face: in the colour and edge of marked areas. */
+record WrongFaceIcon() implements Icon {
+    /** As large as the other kinds' marks. */
+    private static final int SIZE = 16;
+
+    private static final Color EDGE = new Color(PictureDifference.EDGE);
+
+    /** Draws the sign into the middle of the square with its upper left corner at (x, y). */
+    static void paint(Graphics2D g, int x, int y, int size) {
+        int inset = size / 5;
+        int edge = Math.max(1, size / 10);
+        g.setColor(EDGE);
+        g.fillRect(x + inset, y + inset, size - 2 * inset, size - 2 * inset);
+        int within = inset + edge;
+        g.setColor(PixelMark.COLOUR);
+        g.fillRect(x + within, y + within, size - 2 * within, size - 2 * within);
+    }
+
+    @Override
+    public void paintIcon(Component c, Graphics g, int x, int y) {
+        var copy = (Graphics2D) g.create();
+        paint(copy, x, y, getIconWidth());
+        copy.dispose();
+    }
+
+    @Override
+    public int getIconWidth() {
+        return UIScale.scale(SIZE);
+    }
+
+    @Override
+    public int getIconHeight() {
+        return UIScale.scale(SIZE);
+    }
+}
