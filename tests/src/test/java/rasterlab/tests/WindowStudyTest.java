@@ -137,6 +137,7 @@ class WindowStudyTest extends WindowHarness {
                             == topic.hazards().size() * topic.methods().size();
                 });
         assertEquals(StudyView.HAZARDS, state().view());
+        window.progressBar("progress").requireText("every method tried on every hazard");
         assertFalse(state().cells().stream().anyMatch(cell -> !cell.asRecorded()));
     }
 

@@ -38,7 +38,7 @@ final class HazardNames extends JTable {
 
     void show(Topic<?, ?, ?> topic, List<? extends Hazard<?>> hazards, TopicNames called) {
         names.shown = hazards.stream().map(each -> called.hazard(topic, each)).toList();
-        names.tips = hazards.stream().map(each -> called.hazardAndCommand(topic, each)).toList();
+        names.tips = hazards.stream().map(each -> called.hazard(topic, each)).toList();
         names.fireTableDataChanged();
         var metrics = getFontMetrics(getFont());
         int width =

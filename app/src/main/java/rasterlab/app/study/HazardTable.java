@@ -201,7 +201,7 @@ final class HazardTable extends JTable {
                     texts.text(
                             fresh.isPresent() ? "cell.fresh" : "cell.recorded",
                             methods.get(column).name(),
-                            called.hazardAndCommand(shown, hazards.get(row)),
+                            called.hazard(shown, hazards.get(row)),
                             texts.text("verdict." + kind.code())));
             return this;
         }

@@ -5,6 +5,7 @@ import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.geom.Line2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -12,8 +13,8 @@ import org.knowm.xchart.internal.chartpart.Annotation;
 import rasterlab.app.canvas.MethodColours;
 
 /**
- * Sizes beside their points, none on another or on a point: each stands at the nearest free place,
- * and one without a free place near its point is left out.
+ * Sizes beside their points, none on another, on a point or on a line: each stands at the nearest
+ * free place, and one without a free place near its point is left out.
  */
 final class SizeLabels extends Annotation {
     private static final Font FONT = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
@@ -32,11 +33,15 @@ final class SizeLabels extends Annotation {
         {0, -1}, {0, 1}, {1, 0}, {-1, 0}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}
     };
 
-    private record Point(double cost, double position) {}
+    /**
+     * @param cost on the chart's axis to the right
+     * @param position on its axis upwards
+     */
+    record Point(double cost, double position) {}
 
     private record Label(String text, Point at, Color colour) {}
 
-    private final List<Point> points = new ArrayList<>();
+    private final List<List<Point>> lines = new ArrayList<>();
     private final List<Label> labels = new ArrayList<>();
 
     private final Color ground;
@@ -49,26 +54,23 @@ final class SizeLabels extends Annotation {
         this.ground = ground;
     }
 
-    /** A point that no label may hide. */
-    void avoid(double cost, double position) {
-        points.add(new Point(cost, position));
+    /** A line through marked points, which no label may hide. */
+    void avoid(List<Point> line) {
+        lines.add(List.copyOf(line));
     }
 
-    void add(String size, double cost, double position, Color colour) {
-        labels.add(new Label(size, new Point(cost, position), colour));
+    void add(String size, Point at, Color colour) {
+        labels.add(new Label(size, at, colour));
     }
 
     @Override
     public void paint(Graphics2D graphics) {
         graphics.setFont(FONT);
         var taken = new ArrayList<Rectangle>();
-        for (Point point : points) {
-            Rectangle box = new Rectangle(x(point), y(point), 0, 0);
-            box.grow(POINT, POINT);
-            taken.add(box);
-        }
+        for (List<Point> line : lines) line.forEach(point -> taken.add(marker(point)));
+        List<Line2D> drawn = drawnLines();
         for (Label label : labels)
-            place(label, graphics.getFontMetrics(), taken)
+            place(label, graphics.getFontMetrics(), taken, drawn)
                     .ifPresent(
                             box -> {
                                 taken.add(box);
@@ -76,7 +78,26 @@ final class SizeLabels extends Annotation {
                             });
     }
 
-    private Optional<Rectangle> place(Label label, FontMetrics metrics, List<Rectangle> taken) {
+    private Rectangle marker(Point point) {
+        var box = new Rectangle(x(point), y(point), 0, 0);
+        box.grow(POINT, POINT);
+        return box;
+    }
+
+    /** From each point of a line to its next. */
+    private List<Line2D> drawnLines() {
+        var drawn = new ArrayList<Line2D>();
+        for (List<Point> line : lines)
+            for (int i = 1; i < line.size(); i++) {
+                Point from = line.get(i - 1);
+                Point to = line.get(i);
+                drawn.add(new Line2D.Double(x(from), y(from), x(to), y(to)));
+            }
+        return drawn;
+    }
+
+    private Optional<Rectangle> place(
+            Label label, FontMetrics metrics, List<Rectangle> taken, List<Line2D> drawn) {
         int width = metrics.stringWidth(label.text());
         int height = metrics.getAscent();
         for (int distance : DISTANCES)
@@ -86,8 +107,9 @@ final class SizeLabels extends Annotation {
                 var box = new Rectangle(x - width / 2, y - height / 2, width, height);
                 var free = new Rectangle(box);
                 free.grow(GAP, 0);
-                if (inside(box) && taken.stream().noneMatch(free::intersects))
-                    return Optional.of(box);
+                if (inside(box)
+                        && taken.stream().noneMatch(free::intersects)
+                        && drawn.stream().noneMatch(free::intersectsLine)) return Optional.of(box);
             }
         return Optional.empty();
     }

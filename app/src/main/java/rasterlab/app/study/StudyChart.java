@@ -139,12 +139,14 @@ public final class StudyChart {
             List<Measurement> points,
             ErrorAxis axis,
             Function<Measurement, String> said) {
-        for (Measurement point : points) sizes.avoid(cost(point), axis.position(point));
-        Measurement first = points.get(0);
-        Measurement last = points.get(points.size() - 1);
-        sizes.add(said.apply(first), cost(first), axis.position(first), look.colour());
-        if (points.size() > 1)
-            sizes.add(said.apply(last), cost(last), axis.position(last), look.colour());
+        List<SizeLabels.Point> line =
+                points.stream()
+                        .map(point -> new SizeLabels.Point(cost(point), axis.position(point)))
+                        .toList();
+        sizes.avoid(line);
+        sizes.add(said.apply(points.get(0)), line.get(0), look.colour());
+        int last = points.size() - 1;
+        if (last > 0) sizes.add(said.apply(points.get(last)), line.get(last), look.colour());
     }
 
     private static double cost(Measurement point) {

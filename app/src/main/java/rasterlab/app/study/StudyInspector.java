@@ -137,7 +137,7 @@ final class StudyInspector {
     void refresh() {
         StudyLabState state = model.state();
         topic.show(state.topic().name());
-        topic.setToolTipText(called.topicAndCommand(state.topic().name()));
+        topic.setToolTipText(called.topic(state.topic().name()));
         view.show(state.view().code());
         pace.show(state.thorough() ? "thorough" : "quick");
         boolean chart = state.view() == StudyView.CHART;
@@ -225,7 +225,7 @@ final class StudyInspector {
                 detail,
                 method.name()
                         + ", "
-                        + called.hazardAndCommand(state.topic(), hazard)
+                        + called.hazard(state.topic(), hazard)
                         + ". "
                         + description(state, hazard)
                         + (said.isEmpty() ? "" : "\n→ " + FirstDifference.said(texts, said)));

@@ -230,10 +230,8 @@ public final class StudyPanel extends LabPanel {
 
     private String resting(StudyLabState state) {
         if (state.work().equals(StudyWork.GIVEN_UP)) return texts.text("progress.givenUp");
-        boolean there =
-                state.view() == StudyView.CHART
-                        ? state.study().isPresent()
-                        : !state.cells().isEmpty();
-        return texts.text(there ? "progress.done" : "progress.none");
+        if (state.view() == StudyView.CHART)
+            return texts.text(state.study().isPresent() ? "progress.measured" : "progress.none");
+        return texts.text(state.cells().isEmpty() ? "progress.untried" : "progress.tried");
     }
 }

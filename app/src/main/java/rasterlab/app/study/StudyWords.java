@@ -56,7 +56,7 @@ public final class StudyWords {
     }
 
     String title(Study study) {
-        return texts.text("chart.title", called.topicAndCommand(study.topic()));
+        return texts.text("chart.title", called.topic(study.topic()));
     }
 
     String costAxis(Study study) {

@@ -18,25 +18,11 @@ record TopicNames(Texts own) {
         return own.textOr("topic." + name, name);
     }
 
-    /** The topic with the name that commands take. */
-    String topicAndCommand(String name) {
-        return both(topic(name), name);
-    }
-
     String hazard(Topic<?, ?, ?> topic, Hazard<?> hazard) {
         String key = "hazard." + topic.name() + "." + hazard.name();
         if (own.has(key)) return own.text(key);
         return TopicTexts.of(topic.name(), own.language())
                 .flatMap(texts -> texts.label(hazard))
                 .orElse(hazard.name());
-    }
-
-    /** The hazard with the name that commands take. */
-    String hazardAndCommand(Topic<?, ?, ?> topic, Hazard<?> hazard) {
-        return both(hazard(topic, hazard), hazard.name());
-    }
-
-    private static String both(String said, String name) {
-        return said.equals(name) ? name : said + " (" + name + ")";
     }
 }

@@ -4,14 +4,20 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Font;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.knowm.xchart.XYChart;
+import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Language;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
@@ -30,7 +36,7 @@ class SizeLabelsTest {
 
     @Test
     void labelsOfNeighboursAreNotReadAsOneNumber() {
-        int width = widthOfALabel();
+        int width = width("77777");
         for (double cost = 3.1; cost < 3.3; cost += 0.003) {
             List<MatchResult> labels = labels(3, cost);
             int across = distance(labels, 1);
@@ -40,18 +46,75 @@ class SizeLabelsTest {
         }
     }
 
-    private static int widthOfALabel() {
+    @Test
+    @DisplayName("a label lies on a line, a point or another label")
+    void labelsOfCrossingLinesLieOnNothing() {
+        var random = new Random(3);
+        List<Measurement> points = new ArrayList<>();
+        for (int method = 0; method < 9; method++)
+            for (int size = 1; size <= 1000; size *= 10)
+                points.add(
+                        measured(
+                                "m" + method,
+                                size * 77,
+                                Math.pow(10, 2 * random.nextDouble()),
+                                random.nextInt(3) == 0 ? 0 : Math.pow(10, random.nextDouble())));
+        var study = new Study("line", "pixel", "pixels", points);
+        XYChart chart = StudyChart.chart(study, new StudyWords(Language.ENGLISH));
+        var places = new PointPlaces(points);
+        chart.addAnnotation(places);
+        String svg = SvgPicture.of(1000, 700, g -> chart.paint(g, 1000, 700)).document();
+        List<Rectangle> labels = boxes(svg, "77|77000");
+        assertTrue(labels.size() >= 6, labels.size() + " labels");
+        for (Rectangle label : labels)
+            assertEquals(List.of(), under(label, labels, places.all()), label.toString());
+    }
+
+    /** What the label lies on. */
+    private static List<?> under(
+            Rectangle label, List<Rectangle> labels, List<PointPlaces.Place> places) {
+        List<Object> under = new ArrayList<>();
+        labels.stream()
+                .filter(other -> other != label && other.intersects(label))
+                .forEach(under::add);
+        places.stream().filter(place -> label.contains(place.x(), place.y())).forEach(under::add);
+        for (int i = 1; i < places.size(); i++) {
+            PointPlaces.Place from = places.get(i - 1);
+            PointPlaces.Place to = places.get(i);
+            if (from.point().method().equals(to.point().method())
+                    && label.intersectsLine(from.x(), from.y(), to.x(), to.y()))
+                under.add(List.of(from, to));
+        }
+        return under;
+    }
+
+    /** Where digits are; their baselines are below them. */
+    private static List<Rectangle> boxes(String svg, String text) {
+        return Pattern.compile("<text[^>]*? x=\"(\\d+)\"[^>]*? y=\"(\\d+)\"[^>]*>(" + text + ")<")
+                .matcher(svg)
+                .results()
+                .map(
+                        found ->
+                                new Rectangle(
+                                        Integer.parseInt(found.group(1)),
+                                        Integer.parseInt(found.group(2)) - 9,
+                                        width(found.group(3)),
+                                        9))
+                .toList();
+    }
+
+    private static int width(String text) {
         var image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
         return image.createGraphics()
                 .getFontMetrics(new Font(Font.SANS_SERIF, Font.PLAIN, 12))
-                .stringWidth("77777");
+                .stringWidth(text);
     }
 
     /** Two methods' labels, of sizes found nowhere else in the picture. */
     private static List<MatchResult> labels(double... costs) {
         List<Measurement> points =
                 IntStream.range(0, costs.length)
-                        .mapToObj(i -> measured("m" + i, costs[i]))
+                        .mapToObj(i -> measured("m" + i, 77_777, costs[i], 2))
                         .toList();
         var study = new Study("line", "pixel", "pixels", points);
         String svg = new String(StudyChart.svg(study, Language.ENGLISH), StandardCharsets.UTF_8);
@@ -64,13 +127,13 @@ class SizeLabelsTest {
         return labels;
     }
 
-    private static Measurement measured(String method, double cost) {
+    private static Measurement measured(String method, int size, double cost, double error) {
         return new Measurement(
                 method,
                 "w",
-                77_777,
+                size,
                 new Cost(cost, cost, cost, Map.of()),
-                new Deviation(2, 0, 0, 1, ""),
+                new Deviation(error, 0, 0, 1, ""),
                 Verdict.Kind.WRONG,
                 "");
     }

@@ -195,7 +195,7 @@ class StudyChartTest {
         List<String> english = texts.results().map(found -> found.group(1).strip()).toList();
         assertEquals(List.of("Не измерено: dda (отказ: 16, 64; сбой: 256)"), english, "but a name");
         XYChart chart = StudyChart.chart(study, words);
-        assertEquals("Скорость и точность: отрезок (line)", chart.getTitle());
+        assertEquals("Скорость и точность: отрезок", chart.getTitle());
         assertTrue(chart.getXAxisTitle().startsWith("время: наносекунд на пиксель"));
         assertEquals("наибольшая ошибка [пиксели]", chart.getYAxisTitle());
     }
