@@ -27,7 +27,7 @@ import rasterlab.engine.study.Method;
 public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps, AutoCloseable {
     private final FigureTopics topics = new FigureTopics();
     private final LatestOnly<FigureScene, FigureDrawings> drawings;
-    private final History<FigureScene> history = new History<>(() -> state().scene(), this::bring);
+    private final History<Scenes> history = new History<>(this::kept, this::bring);
     private final Map<LineMode, FigureScene> scenes = new EnumMap<>(LineMode.class);
     private final List<Consumer<FigureState>> listeners = new ArrayList<>();
     private FigureState state;
@@ -177,12 +177,15 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
         publish(at(state.step()));
     }
 
-    private void bring(FigureScene scene) {
-        draw(scene, arranged(scene.mode() != state.scene().mode()));
+    /** A mode that is not shown may have been given a hazard's figure too. */
+    private void bring(Scenes earlier) {
+        scenes.putAll(earlier.scenes());
+        boolean other = earlier.last() != state.scene().mode();
+        draw(scenes.get(earlier.last()), arranged(other));
     }
 
     /** What can be undone and redone. */
-    public History<FigureScene> history() {
+    public History<Scenes> history() {
         return history;
     }
 

@@ -34,7 +34,10 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     private final List<Consumer<LineLabState>> listeners = new ArrayList<>();
     private final FigureLabModel figures;
     private final List<Consumer<LineMode>> modeListeners = new ArrayList<>();
+
+    /** As it was chosen; among the figures undo may have gone on to another. */
     private LineMode mode = LineMode.SEGMENT;
+
     private Optional<Tried> tried = Optional.empty();
     private LineLabState state;
 
@@ -79,7 +82,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
 
     /** What the lab draws now. */
     public LineMode mode() {
-        return mode;
+        return mode == LineMode.SEGMENT ? mode : figures.state().scene().mode();
     }
 
     /** Shows another mode, with what it had; undo does not go back from it. */
@@ -99,7 +102,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
 
             @Override
             public LineMode kept() {
-                return mode;
+                return mode();
             }
 
             @Override

@@ -12,6 +12,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Assertions;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -56,6 +57,15 @@ class LineLabModelTest {
         model.history().undo();
         assertEquals(before, model.state().choice());
         assertFalse(model.history().undoable());
+    }
+
+    @Test
+    @DisplayName("undo shows the ellipse again, and what is kept between runs is the circle")
+    void modeIsThatOfTheFigureThatUndoBringsBack() {
+        model.chooseMode(LineMode.ELLIPSE);
+        model.chooseMode(LineMode.CIRCLE);
+        model.figures().history().undo();
+        assertEquals(LineMode.ELLIPSE, model.keptMode().kept());
     }
 
     @Test

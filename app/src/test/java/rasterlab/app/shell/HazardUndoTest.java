@@ -116,4 +116,45 @@ class HazardUndoTest {
             assertEquals(before, lab.shown().kept(), hazard.name());
         }
     }
+
+    static Stream<Arguments> neighbours() {
+        Map<String, Lab> labs = labs();
+        return Topics.all().stream()
+                .filter(topic -> labs.containsKey(topic.name()))
+                .flatMap(
+                        topic ->
+                                Topics.all().stream()
+                                        .filter(other -> !other.name().equals(topic.name()))
+                                        .filter(other -> areOne(labs, topic, other))
+                                        .map(other -> leaving(topic, other)));
+    }
+
+    private static boolean areOne(
+            Map<String, Lab> labs, Topic<?, ?, ?> topic, Topic<?, ?, ?> other) {
+        return labs.containsKey(other.name())
+                && labs.get(topic.name()).history() == labs.get(other.name()).history();
+    }
+
+    private static Arguments leaving(Topic<?, ?, ?> topic, Topic<?, ?, ?> other) {
+        return Arguments.argumentSet(
+                "what is not shown keeps the hazard: " + topic.name() + " after " + other.name(),
+                topic,
+                other);
+    }
+
+    @ParameterizedTest(name = "{argumentSetName}")
+    @MethodSource("neighbours")
+    void undoBringsBackWhatTheHazardHid(Topic<?, ?, ?> topic, Topic<?, ?, ?> other) {
+        Lab lab = labs().get(topic.name());
+        String method = topic.methods().get(0).name();
+        String last = topic.hazards().get(topic.hazards().size() - 1).name();
+        opening.showHazard(topic.name(), last, method);
+        opening.showHazard(
+                other.name(), other.hazards().get(0).name(), other.methods().get(0).name());
+        THREAD.runAll();
+        Object before = lab.shown().kept();
+        opening.showHazard(topic.name(), topic.hazards().get(0).name(), method);
+        lab.history().undo();
+        assertEquals(before, lab.shown().kept());
+    }
 }
