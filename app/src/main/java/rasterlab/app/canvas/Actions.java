@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import java.awt.Insets;
+import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -25,9 +26,6 @@ public final class Actions extends JPanel {
 
     private static final String HALF = "wmin pref";
 
-    /** What the names of buttons begin with that write to the clipboard. */
-    private static final String COPYING = "copy";
-
     private final transient Texts texts;
     private final transient MigLayout grid;
     private final Map<String, JButton> buttons = new HashMap<>();
@@ -36,7 +34,7 @@ public final class Actions extends JPanel {
     private final WrappedText status = new WrappedText("status");
 
     private transient Optional<History<?>> history = Optional.empty();
-    private transient Optional<SvgCopying> drawing = Optional.empty();
+    private transient Optional<Copying> copying = Optional.empty();
 
     public Actions(Texts texts) {
         grid = new MigLayout("insets 0 2 0 10, gap 6, wrap 2", "[grow,fill,50%][grow,fill,50%]");
@@ -60,7 +58,6 @@ public final class Actions extends JPanel {
         button.addActionListener(
                 e -> {
                     status.setVisible(false);
-                    if (key.startsWith(COPYING)) drawing.ifPresent(SvgCopying::cancel);
                     action.run();
                 });
         buttons.put(key, button);
@@ -82,15 +79,28 @@ public final class Actions extends JPanel {
      */
     public void addPicture(ShownPicture picture, Consumer<Throwable> onFailure) {
         var saving = new PictureSaving(picture, this, texts.language(), this::saved, onFailure);
-        var copying = new SvgCopying(picture, onFailure);
-        drawing = Optional.of(copying);
+        var clipboard = new Copying(onFailure);
+        copying = Optional.of(clipboard);
         add("savePicture", saving::ask);
-        add(
-                "copyPicture",
-                () ->
-                        picture.whenDrawn()
-                                .accept(() -> Copying.picture(picture.dots().get(), onFailure)));
-        add("copySvg", copying::copy);
+        add("copyPicture", () -> clipboard.picture(picture, this::copied));
+        add("copySvg", () -> clipboard.svg(picture, () -> tell(texts.text("copied.copySvg"))));
+    }
+
+    /**
+     * Adds a button that copies a text, behind those of {@link #addPicture}.
+     *
+     * @param key the button's name; what is said of the copied text is {@code copied.KEY}
+     * @param text makes the text, at once or after it has asked the user, and tells it; or tells
+     *     nothing
+     */
+    public void addCopy(String key, Consumer<Consumer<String>> text) {
+        Copying clipboard = copying.orElseThrow();
+        Runnable copied = () -> tell(texts.text("copied." + key));
+        add(key, () -> text.accept(made -> clipboard.text(made, copied)));
+    }
+
+    private void copied(BufferedImage dots) {
+        tell(texts.text("copied.copyPicture", dots.getWidth(), dots.getHeight()));
     }
 
     /** Says below the buttons which file is written. */

@@ -1,82 +1,121 @@
 package rasterlab.app.canvas;
 
-import java.awt.Image;
 import java.awt.Toolkit;
-import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
-import java.awt.datatransfer.UnsupportedFlavorException;
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayInputStream;
-import java.nio.charset.StandardCharsets;
+import java.util.concurrent.ExecutionException;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
+import javax.swing.SwingWorker;
 
-/** Puts pictures and commands on the system's clipboard. */
+/**
+ * Puts pictures, drawings and texts on the system's clipboard. Used on the event thread, which
+ * never waits for the clipboard: another program may hold it for long.
+ */
 public final class Copying {
-    private Copying() {}
+    private final Supplier<Clipboard> clipboard;
+    private final Consumer<Throwable> onFailure;
+
+    /** Held while one content is put on the clipboard, so that the one asked for last stays. */
+    private final Object turn = new Object();
+
+    /** Raised when what was asked for before is no longer wanted. */
+    private volatile int request;
 
     /**
-     * @param onFailure told when the system has no clipboard or another program holds it
+     * @param onFailure told on the event thread what could not be copied, such as for want of a
+     *     clipboard
      */
-    public static void text(String text, Consumer<Throwable> onFailure) {
-        put(new StringSelection(text), onFailure);
+    public Copying(Consumer<Throwable> onFailure) {
+        this(() -> Toolkit.getDefaultToolkit().getSystemClipboard(), onFailure);
     }
 
-    /** Copies a picture, dot by dot. */
-    public static void picture(BufferedImage picture, Consumer<Throwable> onFailure) {
-        put(new PictureSelection(picture), onFailure);
+    /**
+     * @param clipboard asked for on another thread
+     */
+    Copying(Supplier<Clipboard> clipboard, Consumer<Throwable> onFailure) {
+        this.clipboard = clipboard;
+        this.onFailure = onFailure;
     }
 
-    /** Copies an SVG document, as a drawing to those who know SVG and as text to all. */
-    public static void svg(String document, Consumer<Throwable> onFailure) {
-        put(new SvgSelection(document), onFailure);
+    /**
+     * @param copied run when the text is on the clipboard
+     */
+    public void text(String text, Runnable copied) {
+        put(begin(), () -> new StringSelection(text), copied);
     }
 
-    private static void put(Transferable content, Consumer<Throwable> onFailure) {
-        try {
-            Toolkit.getDefaultToolkit().getSystemClipboard().setContents(content, null);
-        } catch (IllegalStateException | UnsupportedOperationException e) {
-            onFailure.accept(e);
-        }
+    /**
+     * Copies what a lab shows dot by dot.
+     *
+     * @param copied told the picture when it is on the clipboard
+     */
+    void picture(ShownPicture picture, Consumer<BufferedImage> copied) {
+        int asked = begin();
+        picture.whenDrawn()
+                .accept(
+                        () -> {
+                            if (asked != request) return;
+                            BufferedImage dots = picture.dots().get();
+                            put(asked, () -> new PictureSelection(dots), () -> copied.accept(dots));
+                        });
     }
 
-    private record PictureSelection(Image picture) implements Transferable {
-        @Override
-        public DataFlavor[] getTransferDataFlavors() {
-            return new DataFlavor[] {DataFlavor.imageFlavor};
-        }
-
-        @Override
-        public boolean isDataFlavorSupported(DataFlavor flavor) {
-            return DataFlavor.imageFlavor.equals(flavor);
-        }
-
-        @Override
-        public Object getTransferData(DataFlavor flavor) throws UnsupportedFlavorException {
-            if (!isDataFlavorSupported(flavor)) throw new UnsupportedFlavorException(flavor);
-            return picture;
-        }
+    /** Copies it as a drawing. */
+    void svg(ShownPicture picture, Runnable copied) {
+        int asked = begin();
+        inBackground(
+                asked,
+                () -> {
+                    SvgPicture.prepare();
+                    return picture.whenDrawn();
+                },
+                whenDrawn -> whenDrawn.accept(() -> drawing(asked, picture, copied)));
     }
 
-    private record SvgSelection(String document) implements Transferable {
-        private static final DataFlavor SVG =
-                new DataFlavor("image/svg+xml;class=java.io.InputStream", "SVG");
+    private void drawing(int asked, ShownPicture picture, Runnable copied) {
+        if (asked != request) return;
+        SvgDrawing drawing = picture.svg().get();
+        put(asked, () -> new SvgSelection(drawing.document()), copied);
+    }
 
-        @Override
-        public DataFlavor[] getTransferDataFlavors() {
-            return new DataFlavor[] {SVG, DataFlavor.stringFlavor};
-        }
+    private int begin() {
+        return ++request;
+    }
 
-        @Override
-        public boolean isDataFlavorSupported(DataFlavor flavor) {
-            return SVG.equals(flavor) || DataFlavor.stringFlavor.equals(flavor);
-        }
+    private void put(int asked, Supplier<Transferable> content, Runnable copied) {
+        inBackground(
+                asked,
+                () -> {
+                    Transferable made = content.get();
+                    synchronized (turn) {
+                        if (asked == request) clipboard.get().setContents(made, null);
+                    }
+                    return made;
+                },
+                made -> copied.run());
+    }
 
-        @Override
-        public Object getTransferData(DataFlavor flavor) throws UnsupportedFlavorException {
-            if (DataFlavor.stringFlavor.equals(flavor)) return document;
-            if (!SVG.equals(flavor)) throw new UnsupportedFlavorException(flavor);
-            return new ByteArrayInputStream(document.getBytes(StandardCharsets.UTF_8));
-        }
+    private <T> void inBackground(int asked, Supplier<T> work, Consumer<T> then) {
+        new SwingWorker<T, Void>() {
+            @Override
+            protected T doInBackground() {
+                return work.get();
+            }
+
+            @Override
+            protected void done() {
+                try {
+                    T made = get();
+                    if (asked == request) then.accept(made);
+                } catch (ExecutionException e) {
+                    onFailure.accept(e.getCause());
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+        }.execute();
     }
 }

@@ -34,7 +34,7 @@ public final class FileDrop extends TransferHandler {
                 dropped,
                 why ->
                         JOptionPane.showMessageDialog(
-                                parent,
+                                JOptionPane.getFrameForComponent(parent),
                                 why,
                                 Texts.of("canvas", language).text("drop.title"),
                                 JOptionPane.WARNING_MESSAGE));

@@ -54,7 +54,7 @@ public final class FileWriting {
     private void tell(String title, Throwable failure) {
         if (failure instanceof Complaint)
             JOptionPane.showMessageDialog(
-                    parent,
+                    JOptionPane.getFrameForComponent(parent),
                     Complaints.said(language, failure.getMessage()),
                     title,
                     JOptionPane.WARNING_MESSAGE);

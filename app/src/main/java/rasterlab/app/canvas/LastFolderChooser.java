@@ -5,6 +5,7 @@ import java.io.File;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Optional;
+import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
 import javax.swing.UIManager;
@@ -26,6 +27,12 @@ public class LastFolderChooser extends JFileChooser {
     public LastFolderChooser(Language language) {
         super((File) UIManager.get(FOLDER));
         this.language = language;
+    }
+
+    /** In the middle of the whole window, whatever part of it asks. */
+    @Override
+    protected JDialog createDialog(Component parent) {
+        return super.createDialog(JOptionPane.getFrameForComponent(parent));
     }
 
     /** The file to open; empty if none was chosen. */

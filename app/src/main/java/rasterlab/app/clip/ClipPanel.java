@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.ModeRows;
@@ -42,9 +41,8 @@ public final class ClipPanel extends LabPanel {
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("clipping", stage, stage::svg), onFailure);
-        actions.add(
-                "copyCommand",
-                () -> Copying.text(ClipCommand.of(model.state().choice().scene()), onFailure));
+        actions.addCopy(
+                "copyCommand", told -> told.accept(ClipCommand.of(model.state().choice().scene())));
     }
 
     @Override

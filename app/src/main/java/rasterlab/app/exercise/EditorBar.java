@@ -49,6 +49,7 @@ final class EditorBar extends JPanel {
         var submit = button("submit", texts, this::submit);
         var server = button("server", texts, this::askServer);
         var cancel = button("cancel", texts, model::cancel);
+        var copying = new Copying(onFailure);
         running = new RunButtons(List.of(check, submit, server), cancel, editor::focus);
         undo = button("undo", texts, editor::undo);
         redo = button("redo", texts, editor::redo);
@@ -64,7 +65,7 @@ final class EditorBar extends JPanel {
                 button(
                         "copyCommand",
                         texts,
-                        () -> model.command().ifPresent(line -> Copying.text(line, onFailure)));
+                        () -> model.command().ifPresent(line -> copying.text(line, this::copied)));
         add(copy);
         add(typeSize());
         add(draft);
@@ -126,7 +127,7 @@ final class EditorBar extends JPanel {
     private boolean mayReplace() {
         String[] answers = {texts.text("starter.replace"), texts.text("starter.keep")};
         return JOptionPane.showOptionDialog(
-                        this,
+                        JOptionPane.getFrameForComponent(this),
                         texts.text("starter.question"),
                         texts.text("starter.title"),
                         JOptionPane.OK_CANCEL_OPTION,
@@ -135,6 +136,10 @@ final class EditorBar extends JPanel {
                         answers,
                         answers[1])
                 == JOptionPane.OK_OPTION;
+    }
+
+    private void copied() {
+        model.tell(Notice.of("copied"));
     }
 
     private void submit() {

@@ -216,7 +216,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                                     cases -> tell.accept(() -> judged(CHECKING, cases, of)));
                     return () -> accept(exercise, outcome);
                 },
-                failure -> publish(changed().notice(Notice.of("failed", failure.toString()))));
+                failure -> tell(Notice.of("failed", failure.toString())));
     }
 
     /**
@@ -234,7 +234,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         try {
             return Optional.of(Account.server(address));
         } catch (IllegalArgumentException e) {
-            publish(changed().notice(Notice.of("server.address", address)));
+            tell(Notice.of("server.address", address));
             return Optional.empty();
         }
     }
@@ -247,7 +247,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                     var account = new CourseServer(server, patience).join(code, name, key);
                     return () -> use(account);
                 },
-                failure -> publish(changed().notice(ServerNotices.joining(server, failure))));
+                failure -> tell(ServerNotices.joining(server, failure)));
     }
 
     /** Submits with a token that the student has already. */
@@ -272,7 +272,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     /** Hands the source in and follows its grading; needs an account. */
     public void submit() {
         if (state().account().isEmpty()) {
-            publish(changed().notice(Notice.of("noAccount")));
+            tell(Notice.of("noAccount"));
             return;
         }
         Account account = state.account().get();
@@ -291,7 +291,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                         accept(exercise, outcome);
                     };
                 },
-                failure -> publish(changed().notice(ServerNotices.of(account.server(), failure))));
+                failure -> tell(ServerNotices.of(account.server(), failure)));
     }
 
     private Submitting.Follower follower(Consumer<Runnable> tell) {
@@ -384,6 +384,10 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         background.close(checking::close);
         outcomes.close();
         drafts.ifPresent(Drafts::close);
+    }
+
+    void tell(Notice notice) {
+        publish(changed().notice(notice));
     }
 
     private ExerciseStateChange changed() {

@@ -7,7 +7,6 @@ import java.util.function.Consumer;
 import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.FileDrop;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
@@ -64,9 +63,8 @@ public final class LightPanel extends LabPanel {
         lightActions.add("openScene", saving::open);
         lightActions.add("saveScene", saving::ask);
         stage.setTransferHandler(new FileDrop(this, language, model::open));
-        lightActions.add(
-                "copyCommand", () -> saving.tellCommands(lines -> Copying.text(lines, onFailure)));
-        colourActions.add("copyCommand", () -> Copying.text(command(), onFailure));
+        lightActions.addCopy("copyCommand", saving::tellCommands);
+        colourActions.addCopy("copyCommand", told -> told.accept(command()));
         rows = new RowCard(shown, cards, this::rows);
         orbit.bindKeys(stage);
         turning.bindKeys(cube);

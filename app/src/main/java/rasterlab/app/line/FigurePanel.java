@@ -5,7 +5,6 @@ import java.util.function.Consumer;
 import javax.swing.JComponent;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.ModeRows;
@@ -46,9 +45,7 @@ final class FigurePanel extends LabPanel {
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("figure", stage, stage::svg), onFailure);
-        actions.add(
-                "copyCommand",
-                () -> command().ifPresent(command -> Copying.text(command, onFailure)));
+        actions.addCopy("copyCommand", told -> command().ifPresent(told));
         add(new LabLayout(above, stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.ShownPicture;
@@ -44,9 +43,7 @@ final class SegmentPanel extends LabPanel {
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("segment", stage, stage::svg), onFailure);
-        actions.add(
-                "copyCommand",
-                () -> Copying.text(LineCommand.of(model.state().choice()), onFailure));
+        actions.addCopy("copyCommand", told -> told.accept(LineCommand.of(model.state().choice())));
     }
 
     @Override

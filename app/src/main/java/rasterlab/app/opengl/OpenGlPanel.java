@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.Shown;
@@ -41,8 +40,8 @@ public final class OpenGlPanel extends LabPanel {
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("opengl", stage, stage::svg), onFailure);
-        actions.add("copyCommand", () -> command().ifPresent(c -> Copying.text(c, onFailure)));
-        actions.add("copyCalls", () -> Copying.text(stage.log().program(), onFailure));
+        actions.addCopy("copyCommand", told -> command().ifPresent(told));
+        actions.addCopy("copyCalls", told -> told.accept(stage.log().program()));
     }
 
     @Override

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.ModeRows;
@@ -42,11 +41,9 @@ public final class PolygonPanel extends LabPanel {
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("polygon", stage, stage::svg), onFailure);
-        actions.add(
+        actions.addCopy(
                 "copyCommand",
-                () ->
-                        PolygonCommand.of(model.state().choice().scene())
-                                .ifPresent(command -> Copying.text(command, onFailure)));
+                told -> PolygonCommand.of(model.state().choice().scene()).ifPresent(told));
     }
 
     @Override

@@ -44,7 +44,9 @@ final class ErrorDialog {
         copy.setName("error.copy");
         copy.setMnemonic(texts.mnemonic("error.copy"));
         copy.setDisplayedMnemonicIndex(texts.mnemonicIndex("error.copy"));
-        copy.addActionListener(e -> Copying.text(details, refused -> area.selectAll()));
+        var copying = new Copying(refused -> area.selectAll());
+        copy.addActionListener(
+                e -> copying.text(details, () -> copy.setText(texts.text("error.copied"))));
 
         var panel = new JPanel(new MigLayout("insets 0, wrap 1, gap 8", "[grow,fill]"));
         var sentence = new WrappedText("error.sentence");

@@ -35,6 +35,7 @@ public final class LabContent extends JPanel {
                 "JTabbedPane.trailingComponent", new LookControls(texts, look, keys, onLook));
         pane.bindSteps(keys);
         add(pane);
+        setTransferHandler(StrayDrop.on(this, texts));
         pane.addChangeListener(
                 e -> {
                     pane.fill();

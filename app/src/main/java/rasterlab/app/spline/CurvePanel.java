@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.PlaneAxes;
@@ -62,9 +61,8 @@ final class CurvePanel extends LabPanel {
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("curve", stage, stage::svg), onFailure);
-        actions.add(
-                "copyCommand",
-                () -> Copying.text(CurveCommand.of(model.state().choice()), onFailure));
+        actions.addCopy(
+                "copyCommand", told -> told.accept(CurveCommand.of(model.state().choice())));
     }
 
     @Override

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.PlaneAxes;
@@ -66,8 +65,7 @@ final class FunctionPanel extends LabPanel {
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("function", stage, stage::svg), onFailure);
-        actions.add(
-                "copyCommand", () -> Copying.text(FunctionCommand.of(model.state()), onFailure));
+        actions.addCopy("copyCommand", told -> told.accept(FunctionCommand.of(model.state())));
         add(new LabLayout(chips(), stage, inspector.column(), actions, player));
         Actions.bindUndo(this, model.history());
         player.bindKeys(stage);

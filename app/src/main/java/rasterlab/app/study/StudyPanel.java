@@ -15,7 +15,6 @@ import javax.swing.KeyStroke;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.Actions;
-import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.FileWriting;
 import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.KeyBinding;
@@ -82,7 +81,7 @@ public final class StudyPanel extends LabPanel {
         actions = new Actions(Texts.of("canvas", language));
         actions.addPicture(
                 new ShownPicture("study", this::dots, this::svg, Runnable::run), onFailure);
-        actions.add("copyCommand", () -> Copying.text(command(), onFailure));
+        actions.addCopy("copyCommand", told -> told.accept(command()));
         stage.setName("stage");
         stage.add(chart, StudyView.CHART.code());
         stage.add(table.scroll(), StudyView.HAZARDS.code());

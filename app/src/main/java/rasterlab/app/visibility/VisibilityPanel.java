@@ -7,7 +7,6 @@ import java.util.function.Consumer;
 import javax.swing.JPanel;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.SceneWriting;
@@ -56,7 +55,7 @@ public final class VisibilityPanel extends LabPanel {
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("hidden-surfaces", stage, stage::svg), onFailure);
         rows = new RowCard(shown, cards, () -> rows(onFailure));
-        actions.add("copyCommand", () -> saving.tellCommand(line -> Copying.text(line, onFailure)));
+        actions.addCopy("copyCommand", saving::tellCommand);
     }
 
     @Override

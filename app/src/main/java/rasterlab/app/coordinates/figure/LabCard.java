@@ -8,7 +8,6 @@ import java.util.stream.Stream;
 import javax.swing.JComponent;
 import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.Chips;
-import rasterlab.app.canvas.Copying;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
@@ -56,9 +55,7 @@ public abstract class LabCard extends LabPanel {
                 new ShownPicture(
                         getName(), () -> ShownPicture.dotsOf(picture.get()), svg, this::whenDrawn),
                 onFailure);
-        actions.add(
-                "copyCommand",
-                () -> command.get().ifPresent(text -> Copying.text(text, onFailure)));
+        actions.addCopy("copyCommand", told -> command.get().ifPresent(told));
     }
 
     /** Runs it as soon as the picture is that of the present choice. */

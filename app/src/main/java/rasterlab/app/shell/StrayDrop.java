@@ -1,0 +1,37 @@
+package rasterlab.app.shell;
+
+import java.awt.Component;
+import java.nio.file.Path;
+import javax.swing.JOptionPane;
+import javax.swing.TransferHandler;
+import rasterlab.app.canvas.FileDrop;
+import rasterlab.app.language.Texts;
+
+/** Tells where files belong when one was dropped where no lab takes it. */
+final class StrayDrop {
+    private StrayDrop() {}
+
+    /**
+     * @param content of the window, whose labs take the files that are meant for them
+     */
+    static TransferHandler on(Component content, Texts texts) {
+        return new FileDrop(content, texts.language(), file -> tell(content, texts, file));
+    }
+
+    private static void tell(Component content, Texts texts, Path file) {
+        JOptionPane.showMessageDialog(
+                JOptionPane.getFrameForComponent(content),
+                sentence(texts, file),
+                texts.text("drop.stray.title"),
+                JOptionPane.INFORMATION_MESSAGE);
+    }
+
+    static String sentence(Texts texts, Path file) {
+        return texts.text(
+                "drop.stray",
+                file.getFileName(),
+                texts.text("tab.visibility"),
+                texts.text("tab.light"),
+                texts.text("tab.opengl"));
+    }
+}
