@@ -143,7 +143,10 @@ record FunctionPicture(
         }
     }
 
-    /** Words beside pointers, none of them over another or beyond the picture's edge. */
+    /**
+     * Words beside pointers, none of them over another or over the pointers; one without room
+     * between its pointer and the picture's edge is left out.
+     */
     private static final class PointedPlates {
         private static final int APART = 5;
 
@@ -160,10 +163,11 @@ record FunctionPicture(
 
         void draw(String words, int left, double pointer, boolean above) {
             Rectangle sight = g.getClipBounds();
-            int highest = sight.y + APART + metrics.getAscent();
-            int lowest = sight.y + sight.height - APART - metrics.getDescent();
-            double wished = pointer + (above ? -APART : APART + metrics.getAscent());
-            int base = (int) Math.round(Math.max(highest, Math.min(lowest, wished)));
+            int highest = sight.y + metrics.getAscent();
+            int lowest = sight.y + sight.height - metrics.getDescent();
+            int base =
+                    (int) Math.round(pointer + (above ? -APART : APART + metrics.getAscent()));
+            if (base < highest || base > lowest) return;
             var place =
                     new Rectangle(
                             left - APART,
