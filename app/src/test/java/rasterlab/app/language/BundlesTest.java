@@ -136,6 +136,19 @@ class BundlesTest {
         assertEquals(List.of(), same);
     }
 
+    @ParameterizedTest(name = "a picture is called by several words: {0}")
+    @MethodSource("allFiles")
+    void pictureHasOneRussianWord(Path file) throws IOException {
+        Pattern other = Pattern.compile("(?iu)рисун(ок|к)|картинк");
+        var found = new TreeSet<String>();
+        read(file)
+                .forEach(
+                        (key, text) -> {
+                            if (other.matcher((String) text).find()) found.add(key + "=" + text);
+                        });
+        assertEquals(new TreeSet<>(), found);
+    }
+
     /**
      * Those with numbers once each, in the order of their numbers; then the others as they come.
      */

@@ -34,8 +34,8 @@ class ComplaintsTest {
                 "RUSSIAN | no folder -1.5.0 | нет папки -1.5.0",
                 "RUSSIAN | /x/half.png: the picture is cut off: the file ends too early; allowed are"
                         + " whole pictures as PNG, JPEG, GIF or BMP; an image of the lab is shown"
-                        + " instead | /x/half.png: рисунок обрезан: файл кончается слишком рано;"
-                        + " годятся целые рисунки PNG, JPEG, GIF или BMP; вместо него показано"
+                        + " instead | /x/half.png: изображение обрезано: файл кончается слишком рано;"
+                        + " годятся неповреждённые изображения PNG, JPEG, GIF или BMP; вместо него показано"
                         + " изображение этой вкладки",
             })
     void numbersHaveTheFormOfTheLanguage(Language language, String english, String said) {

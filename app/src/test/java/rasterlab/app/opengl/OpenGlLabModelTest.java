@@ -279,7 +279,7 @@ class OpenGlLabModelTest {
         String problem = problemWith(pipe);
         assertEquals(pipe + ": is a device, pipe or socket, not a picture", problem);
         assertEquals(
-                pipe + ": это устройство, канал или сокет, а не рисунок",
+                pipe + ": это устройство, канал или сокет, а не изображение",
                 Complaints.said(Language.RUSSIAN, problem));
     }
 

@@ -79,7 +79,7 @@ class InputTextTest {
                         topic.name() + ", " + hazard.name() + ": " + text);
             }
         assertEquals(
-                "4 вершины, правило чётности, на рисунке 8×6",
+                "4 вершины, правило чётности, на изображении 8×6",
                 InputWords.said(RUSSIAN, "4 corners, EVEN_ODD, in 8×6 pixels"));
         assertEquals(
                 "3 knots, not-a-knot ends, 2 places",

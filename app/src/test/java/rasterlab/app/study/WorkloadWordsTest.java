@@ -62,7 +62,8 @@ class WorkloadWordsTest {
         assertEquals("256 вершин", russian.size("triangulate", "star-256", 256));
         assertEquals("64 вершины", russian.size("triangulate", "star-64", 64));
         assertEquals(
-                "вершин 20, рисунок 64×64", russian.workload("polygon-fill", "side-64-corners-20"));
+                "вершин 20, изображение 64×64",
+                russian.workload("polygon-fill", "side-64-corners-20"));
     }
 
     @Test

@@ -165,7 +165,7 @@ class FileComplaintsTest {
         System.arraycopy(signature, 0, half, 0, signature.length);
         Path broken = Files.write(folder.resolve("half.png"), half);
         String said = SceneFiles.done(SceneFiles.Task.of(broken)).problem();
-        assertTrue(Complaints.said(Language.RUSSIAN, said).contains("рисунок"), said);
+        assertTrue(Complaints.said(Language.RUSSIAN, said).contains("изображение"), said);
         for (String name : new String[] {"half.scene.json", "half.obj"}) {
             Path picture = Files.write(folder.resolve(name), half);
             String refused = SceneFiles.done(SceneFiles.Task.of(picture)).problem();
