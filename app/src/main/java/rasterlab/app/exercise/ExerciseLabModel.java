@@ -329,10 +329,8 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         if (!state().work().running()) return;
         background.cancel();
         boolean handedIn = state.work().phase() == WAITING || state.work().phase() == GRADING;
-        publish(
-                changed()
-                        .work(Work.NONE)
-                        .notice(Notice.of(handedIn ? "cancelled.handedIn" : "cancelled")));
+        Notice said = Notice.of(handedIn ? "cancelled.handedIn" : "cancelled");
+        publish(changed().work(Work.NONE).notice(said));
     }
 
     private void accept(Exercise exercise, Outcome outcome) {

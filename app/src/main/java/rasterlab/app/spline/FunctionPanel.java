@@ -98,7 +98,12 @@ final class FunctionPanel extends LabPanel {
         Extent all = model.everything();
         stage.show(
                 new FunctionPicture(
-                        state.drawings(), state.taken(), state.at(), slopes(state), texts.locale()),
+                        state.drawings(),
+                        state.taken(),
+                        state.at(),
+                        slopes(state),
+                        texts.locale(),
+                        List.of()),
                 readings.points(model),
                 readings.note(),
                 new Rectangle2D.Double(all.x(), all.y(), all.width(), all.height()),

@@ -30,14 +30,21 @@ import rasterlab.engine.spline.Overshoot;
  * @param taken the step taken last
  * @param at where the function is read, if there is one
  * @param slopes from each end knot to its slope's handle, where the ends have slopes
+ * @param labels places of handles and labels, where no numbers stand
  */
 record FunctionPicture(
         FunctionDrawings drawings,
         Optional<FunctionDrawing.Step> taken,
         Optional<FunctionAt> at,
         List<Place> slopes,
-        Locale locale)
+        Locale locale,
+        List<Rectangle> labels)
         implements PlanePicture {
+    @Override
+    public PlanePicture leaving(List<Rectangle> others) {
+        return new FunctionPicture(drawings, taken, at, slopes, locale, others);
+    }
+
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
         paintKnotColumns(g, map, colours);
@@ -121,7 +128,7 @@ record FunctionPicture(
     private void nameOvershoots(
             Graphics2D g, PlaneMap map, StageColours colours, FunctionDrawing drawing) {
         g.setFont(g.getFont().deriveFont(Font.BOLD));
-        var plates = new PointedPlates(g, colours);
+        var plates = new PointedPlates(g, colours, labels);
         for (Overshoot each : drawing.overshoots()) {
             boolean above = each.y() > each.beyond();
             double x = map.viewX(each.x());
@@ -144,8 +151,8 @@ record FunctionPicture(
     }
 
     /**
-     * Words beside pointers, none of them over another or over the pointers; one without room
-     * between its pointer and the picture's edge is left out.
+     * Words beside pointers, none of them over another, a label or the pointers; one without room
+     * is left out.
      */
     private static final class PointedPlates {
         private static final int APART = 5;
@@ -153,20 +160,20 @@ record FunctionPicture(
         private final Graphics2D g;
         private final StageColours colours;
         private final FontMetrics metrics;
-        private final List<Rectangle> drawn = new ArrayList<>();
+        private final List<Rectangle> taken;
 
-        PointedPlates(Graphics2D g, StageColours colours) {
+        PointedPlates(Graphics2D g, StageColours colours, List<Rectangle> labels) {
             this.g = g;
             this.colours = colours;
             metrics = g.getFontMetrics();
+            taken = new ArrayList<>(labels);
         }
 
         void draw(String words, int left, double pointer, boolean above) {
             Rectangle sight = g.getClipBounds();
             int highest = sight.y + metrics.getAscent();
             int lowest = sight.y + sight.height - metrics.getDescent();
-            int base =
-                    (int) Math.round(pointer + (above ? -APART : APART + metrics.getAscent()));
+            int base = (int) Math.round(pointer + (above ? -APART : APART + metrics.getAscent()));
             if (base < highest || base > lowest) return;
             var place =
                     new Rectangle(
@@ -174,8 +181,8 @@ record FunctionPicture(
                             base - metrics.getAscent(),
                             metrics.stringWidth(words) + 2 * APART,
                             metrics.getHeight());
-            if (drawn.stream().anyMatch(place::intersects)) return;
-            drawn.add(place);
+            if (taken.stream().anyMatch(place::intersects)) return;
+            taken.add(place);
             Plates.plate(g, words, left, base, colours.ground(), colours.ink());
         }
     }

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.PlaneAxes;
@@ -26,50 +27,73 @@ class FunctionPictureTest {
     /** From the curve to the far end of a pointer, in view units. */
     private static final int POINTER = 18;
 
-    @Test
-    @DisplayName("in a low window numbers of overshoots cover their pointers and the knots")
-    void numbersStandBeyondTheirPointers() {
-        List<Throwable> failures = new ArrayList<>();
-        try (var model = new FunctionLabModel(Runnable::run, failures::add)) {
-            assertEquals(0, beyondPointers(model, 100));
-            assertTrue(beyondPointers(model, 600) > 2, "numbers of a high window");
-        }
+    private static final int WIDTH = 600;
+
+    private final List<Throwable> failures = new ArrayList<>();
+    private final FunctionLabModel model = new FunctionLabModel(Runnable::run, failures::add);
+
+    @AfterEach
+    void close() {
+        model.close();
         assertEquals(List.of(), failures);
     }
 
-    /** How many numbers there are. */
-    private static int beyondPointers(FunctionLabModel model, int height) {
-        FunctionLabState state = model.state();
-        Extent all = model.everything();
-        var view = new Rectangle(0, 0, 600, height);
-        var world = new Rectangle2D.Double(all.x(), all.y(), all.width(), all.height());
-        PlaneMap map = PlaneMap.fitting(world, view, PlaneAxes.GRAPH);
-        var picture =
-                new FunctionPicture(
-                        state.drawings(), state.taken(), state.at(), List.of(), Locale.ROOT);
-        String svg =
-                SvgPicture.of(
-                                view.width,
-                                view.height,
-                                g -> {
-                                    g.setClip(view);
-                                    picture.paint(g, map, StageColours.LIGHT, () -> false);
-                                })
-                        .document();
-        List<MatchResult> numbers = NUMBER.matcher(svg).results().toList();
-        for (MatchResult number : numbers) {
-            double baseline = Double.parseDouble(number.group(1));
-            boolean above = number.group(2).equals("+");
-            double curve = map.viewY(named(state, number.group(3)).y());
-            assertTrue(
-                    above ? baseline <= curve - POINTER : baseline >= curve + POINTER,
-                    number.group() + " beside " + curve);
-        }
-        return numbers.size();
+    @Test
+    @DisplayName("in a low window numbers of overshoots cover their pointers and the knots")
+    void numbersStandBeyondTheirPointers() {
+        for (int height : List.of(100, 200, 600))
+            for (MatchResult number : numbers(height, List.of())) {
+                double baseline = Double.parseDouble(number.group(1));
+                double curve = map(height).viewY(named(number.group(3)).y());
+                boolean above = number.group(2).equals("+");
+                assertTrue(
+                        above ? baseline <= curve - POINTER : baseline >= curve + POINTER,
+                        number.group() + " beside " + curve);
+            }
     }
 
-    private static Overshoot named(FunctionLabState state, String number) {
-        return state.drawings().drawing().overshoots().stream()
+    @Test
+    @DisplayName("a number of an overshoot is written over the name of a knot")
+    void numbersLeaveTheLabels() {
+        int all = numbers(600, List.of()).size();
+        assertTrue(all > 1, all + " numbers");
+        Overshoot one = named(numbers(600, List.of()).get(0).group(3));
+        int x = (int) map(600).viewX(one.x());
+        assertEquals(all - 1, numbers(600, List.of(new Rectangle(x, 0, 1, 600))).size());
+    }
+
+    private PlaneMap map(int height) {
+        Extent all = model.everything();
+        var world = new Rectangle2D.Double(all.x(), all.y(), all.width(), all.height());
+        return PlaneMap.fitting(world, new Rectangle(0, 0, WIDTH, height), PlaneAxes.GRAPH);
+    }
+
+    /** Baseline, sign and digits of each number in the picture. */
+    private List<MatchResult> numbers(int height, List<Rectangle> labels) {
+        FunctionLabState state = model.state();
+        var picture =
+                new FunctionPicture(
+                                state.drawings(),
+                                state.taken(),
+                                state.at(),
+                                List.of(),
+                                Locale.ROOT,
+                                List.of())
+                        .leaving(labels);
+        String svg =
+                SvgPicture.of(
+                                WIDTH,
+                                height,
+                                g -> {
+                                    g.setClip(0, 0, WIDTH, height);
+                                    picture.paint(g, map(height), StageColours.LIGHT, () -> false);
+                                })
+                        .document();
+        return NUMBER.matcher(svg).results().toList();
+    }
+
+    private Overshoot named(String number) {
+        return model.state().drawings().drawing().overshoots().stream()
                 .filter(each -> Shown.number(each.by(), 3, Locale.ROOT).equals(number))
                 .findFirst()
                 .orElseThrow();
