@@ -266,7 +266,7 @@ class KeptChoiceTest {
                             + " picture",
                     problem);
             assertEquals(
-                    picture + ": такого файла нет; сцена wall.obj показана без рисунка",
+                    picture + ": такого файла нет; сцена wall.obj показана без изображения",
                     Complaints.said(Language.RUSSIAN, problem));
         }
     }
