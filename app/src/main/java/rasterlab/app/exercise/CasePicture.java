@@ -1,12 +1,11 @@
 package rasterlab.app.exercise;
 
 import com.formdev.flatlaf.util.UIScale;
-import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Font;
-import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
@@ -18,12 +17,10 @@ import javax.accessibility.AccessibleRole;
 import javax.imageio.ImageIO;
 import javax.swing.Timer;
 import javax.swing.UIManager;
-import rasterlab.app.canvas.LargeType;
-import rasterlab.app.canvas.PictureType;
 import rasterlab.app.canvas.SelfDrawn;
 import rasterlab.app.language.Texts;
 
-/** A case's pictures, each with its name below: side by side, alone, or in turn. */
+/** A case's pictures, each with its name below: all in sight, alone, or in turn. */
 final class CasePicture extends SelfDrawn {
     private static final long serialVersionUID = 1L;
 
@@ -32,21 +29,37 @@ final class CasePicture extends SelfDrawn {
 
     private static final List<String> TOGETHER = List.of("expected", "actual", "difference");
 
-    /** Of the usual type. */
-    private static final float SMALLER = 0.85f;
-
     /** As long as the eye needs to see what jumps. */
     private static final int BLINK_MILLIS = 450;
 
-    private static final int GAP = 6;
+    private static final int GAP = 10;
 
     private record Shown(String key, BufferedImage picture) {}
+
+    /**
+     * @param pixels that the pictures show, across and down
+     * @param dots of the pictures for each of these pixels
+     */
+    private record Grid(Dimension pixels, int dots) {
+        /** The picture's own pixels where it is no enlargement of the others with a frame. */
+        static Grid of(Dimension pixels, BufferedImage picture) {
+            int width = picture.getWidth();
+            int height = picture.getHeight();
+            int dots = (width - 1) / Math.max(1, pixels.width);
+            boolean enlarged =
+                    dots > 0
+                            && width == dots * pixels.width + 1
+                            && height == dots * pixels.height + 1;
+            return enlarged ? new Grid(pixels, dots) : new Grid(new Dimension(width, height), 1);
+        }
+    }
 
     private final transient Texts texts;
     private final transient Consumer<Throwable> onFailure;
     private final Timer blink = new Timer(BLINK_MILLIS, e -> turn());
     private transient Optional<TriedCase.Pictures> pictures = Optional.empty();
     private transient List<Shown> decoded = List.of();
+    private transient Grid grid = new Grid(new Dimension(1, 1), 1);
     private String view = VIEWS.get(0);
     private boolean second;
 
@@ -65,6 +78,8 @@ final class CasePicture extends SelfDrawn {
         if (!next.equals(pictures)) {
             pictures = next;
             decoded = next.map(this::decoded).orElse(List.of());
+            if (!decoded.isEmpty())
+                grid = Grid.of(next.orElseThrow().pixels(), decoded.get(0).picture());
             next.ifPresent(drawn -> getAccessibleContext().setAccessibleDescription(drawn.text()));
         }
         repaint();
@@ -130,58 +145,52 @@ final class CasePicture extends SelfDrawn {
     }
 
     private void paintPictures(Graphics2D g) {
-        int gap = UIScale.scale(GAP);
-        g.setFont(typeOfNames());
         String alone = view.equals("together") && !together() ? "difference" : seen();
         List<Shown> seen =
                 alone.equals("together")
                         ? decoded
                         : decoded.stream().filter(one -> one.key().equals(alone)).toList();
-        int width = (getWidth() - gap * (seen.size() - 1)) / seen.size();
-        for (int i = 0; i < seen.size(); i++) paint(g, seen.get(i), i * (width + gap), width);
+        placed(seen.stream().map(Shown::key).toList())
+                .ifPresent(
+                        placed -> {
+                            g.setFont(placed.type());
+                            for (int i = 0; i < seen.size(); i++)
+                                paint(g, seen.get(i), placed.places().get(i));
+                        });
     }
 
-    /** Whether all pictures have room for their names beside each other. */
+    /** Whether all pictures have room for their names. */
     boolean together() {
-        return fit(typeOfNames());
+        return placed(TOGETHER).isPresent();
     }
 
-    /** Smaller than usual where all names have room by that only. */
-    private Font typeOfNames() {
-        if (LargeType.now() && getFont() != null && fit(getFont())) return getFont();
-        Font usual = PictureType.in(getSize());
-        Font smaller = usual.deriveFont(SMALLER * usual.getSize2D());
-        return !fit(usual) && fit(smaller) ? smaller : usual;
-    }
-
-    private boolean fit(Font font) {
-        FontMetrics metrics = getFontMetrics(font);
+    /** Where those pictures stand now; empty where their names have no room. */
+    Optional<NamedPictures> placed(List<String> keys) {
+        Font type = getFont() == null ? UIManager.getFont("Label.font") : getFont();
+        List<String> names = keys.stream().map(key -> texts.text("view." + key)).toList();
         int gap = UIScale.scale(GAP);
-        int width = (getWidth() - gap * (TOGETHER.size() - 1)) / TOGETHER.size();
-        return TOGETHER.stream()
-                .allMatch(key -> metrics.stringWidth(texts.text("view." + key)) <= width);
+        // The frame's last line lies outside of its picture.
+        var room = new Dimension(getWidth() - 1, getHeight() - 1);
+        return new NamedPictures.Wanted(names, grid.pixels(), type, this::getFontMetrics, gap)
+                .in(room);
     }
 
-    /** One picture at the top of its column, with a frame and its name. */
-    private void paint(Graphics2D g, Shown one, int left, int room) {
-        FontMetrics metrics = g.getFontMetrics();
-        int height = getHeight() - metrics.getHeight() - 2;
-        double scale =
-                Math.min(
-                        (double) room / one.picture().getWidth(),
-                        (double) height / one.picture().getHeight());
-        int w = Math.max(1, (int) (one.picture().getWidth() * scale));
-        int h = Math.max(1, (int) (one.picture().getHeight() * scale));
+    /** One picture with a frame and its name. */
+    private void paint(Graphics2D g, Shown one, Rectangle place) {
+        int width = grid.dots() * grid.pixels().width;
+        int height = grid.dots() * grid.pixels().height;
         g.setRenderingHint(
                 RenderingHints.KEY_INTERPOLATION,
-                scale < 1
-                        ? RenderingHints.VALUE_INTERPOLATION_BICUBIC
-                        : RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
-        g.drawImage(one.picture(), left, 0, w, h, null);
-        Color line = UIManager.getColor("Component.borderColor");
-        g.setColor(line);
-        g.drawRect(left, 0, w - 1, h - 1);
+                place.width % width == 0
+                        ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR
+                        : RenderingHints.VALUE_INTERPOLATION_BICUBIC);
+        int right = place.x + place.width;
+        int bottom = place.y + place.height;
+        g.drawImage(one.picture(), place.x, place.y, right, bottom, 0, 0, width, height, null);
+        g.setColor(UIManager.getColor("Component.borderColor"));
+        g.drawRect(place.x, place.y, place.width, place.height);
         g.setColor(UIManager.getColor("Label.foreground"));
-        g.drawString(texts.text("view." + one.key()), left, h + metrics.getAscent() + 2);
+        int base = bottom + NamedPictures.ABOVE_NAME + g.getFontMetrics().getAscent();
+        g.drawString(texts.text("view." + one.key()), place.x, base);
     }
 }

@@ -2,13 +2,17 @@ package rasterlab.app.exercise;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Font;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import javax.swing.JLabel;
+import javax.swing.JScrollPane;
 import javax.swing.JTable;
+import javax.swing.JViewport;
 import javax.swing.ListSelectionModel;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
@@ -26,18 +30,16 @@ final class CaseTable extends JTable {
     /** Left and right of a text, together; more beside large type. */
     private static final int MARGIN = 14;
 
-    /** Verdicts that have room before any of them is there, so that no place moves by them. */
-    private static final List<GradingVerdict> USUAL =
-            List.of(
-                    GradingVerdict.OK,
-                    GradingVerdict.WRONG,
-                    GradingVerdict.TIME_LIMIT,
-                    GradingVerdict.NOT_MEASURED);
+    private static final List<GradingVerdict> SHORTEST =
+            List.of(GradingVerdict.OK, GradingVerdict.WRONG);
 
     private final transient Texts texts;
     private final transient Rows rows = new Rows();
     private transient UnaryOperator<String> titles = UnaryOperator.identity();
     private final TableColumn verdict;
+
+    /** Whether verdicts are said in fewer words, since usual ones have no room. */
+    private boolean brief;
 
     /**
      * @param chosen run when another case is chosen
@@ -70,12 +72,15 @@ final class CaseTable extends JTable {
         if (getTableHeader() != null) getTableHeader().setFont(type);
     }
 
-    /** Without verdicts in words where one would be cut off: the signs tell them too. */
+    /**
+     * Without verdicts in words where even the brief ones would be cut off: signs tell them too.
+     */
     @Override
     public void doLayout() {
         int rest = getWidth() - least();
-        int usual = said(List.of(GradingVerdict.OK, GradingVerdict.WRONG));
-        boolean roomy = rest >= Math.max(usual, widest(3));
+        brief = false;
+        brief = rest < widest(3);
+        boolean roomy = rest >= Math.max(said(SHORTEST), widest(3));
         if (roomy && getColumnCount() < COLUMNS.size()) addColumn(verdict);
         if (!roomy && getColumnCount() == COLUMNS.size()) removeColumn(verdict);
         width(0, widest(0));
@@ -84,9 +89,11 @@ final class CaseTable extends JTable {
         super.doLayout();
     }
 
-    /** The width in which nothing is cut off, whatever is usually said of the cases. */
+    /**
+     * The width in which no verdict is cut off, at least in brief, so that no place moves by it.
+     */
     int needed() {
-        return least() + said(USUAL);
+        return least() + said(List.of(GradingVerdict.values()));
     }
 
     /** The width of all columns but that of verdicts. */
@@ -98,10 +105,18 @@ final class CaseTable extends JTable {
         var metrics = getFontMetrics(getFont());
         return margin()
                 + verdicts.stream()
-                        .map(one -> texts.text("verdict." + one.code()))
+                        .map(one -> inBrief(one.code()))
                         .mapToInt(metrics::stringWidth)
                         .max()
                         .orElseThrow();
+    }
+
+    private String inBrief(String verdict) {
+        return texts.textOr("verdict.brief." + verdict, inFull(verdict));
+    }
+
+    private String inFull(String verdict) {
+        return texts.textOr("verdict." + verdict, verdict);
     }
 
     /** Of a column with its head. */
@@ -154,8 +169,27 @@ final class CaseTable extends JTable {
         for (int i = 0; i < rows.cases.size(); i++)
             if (rows.cases.get(i).name().equals(name)) {
                 setRowSelectionInterval(i, i);
-                scrollRectToVisible(getCellRect(i, 0, true));
+                scrollToChosen();
             }
+    }
+
+    /** The table in what scrolls it, where the chosen case is in sight in each of its sizes. */
+    JScrollPane scrolled() {
+        var scroll = new JScrollPane(this);
+        JViewport viewport = scroll.getViewport();
+        var before = new AtomicReference<>(viewport.getExtentSize());
+        viewport.addChangeListener(
+                e -> {
+                    Dimension size = viewport.getExtentSize();
+                    if (!size.equals(before.getAndSet(size))) scrollToChosen();
+                });
+        return scroll;
+    }
+
+    /** Has the chosen case in sight, and as many of the first ones as can be beside it. */
+    void scrollToChosen() {
+        scrollRectToVisible(getCellRect(0, 0, true));
+        if (getSelectedRow() >= 0) scrollRectToVisible(getCellRect(getSelectedRow(), 0, true));
     }
 
     Optional<TriedCase> chosen() {
@@ -225,7 +259,7 @@ final class CaseTable extends JTable {
                 case 0 -> VerdictLook.sign(one.verdict());
                 case 1 -> titles.apply(one.name());
                 case 2 -> one.verdict().isEmpty() ? one.of() : one.points() + "/" + one.of();
-                default -> texts.textOr("verdict." + one.verdict(), one.verdict());
+                default -> brief ? inBrief(one.verdict()) : inFull(one.verdict());
             };
         }
     }

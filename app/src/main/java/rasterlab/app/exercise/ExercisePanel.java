@@ -68,11 +68,7 @@ public final class ExercisePanel extends LabPanel {
 
     @Override
     public List<Runnable> parts() {
-        return List.of(
-                this::placeEditor,
-                this::addBar,
-                () -> result = new ResultPane(texts, lab, this::goTo, onFailure),
-                this::putTogether);
+        return List.of(this::placeEditor, this::addBar, this::addResult, this::putTogether);
     }
 
     private void placeEditor() {
@@ -83,6 +79,10 @@ public final class ExercisePanel extends LabPanel {
 
     private void addBar() {
         bar = new EditorBar(model, editor, texts, onFailure);
+    }
+
+    private void addResult() {
+        result = new ResultPane(texts, kept.rooms(), lab, this::goTo, onFailure);
     }
 
     private void putTogether() {

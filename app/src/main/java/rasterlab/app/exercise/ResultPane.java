@@ -46,20 +46,27 @@ final class ResultPane extends JPanel {
     private final JPanel words = new JPanel();
     private final CasePicture picture;
     private final JButton open;
+    private final transient RoomsKept kept;
     private transient Optional<Outcome> shown = Optional.empty();
 
+    /** Of the exercise that is shown; "" before one is. */
+    private String exercise = "";
+
     /**
+     * @param kept which case was chosen in an earlier pane; takes what is chosen here
      * @param toLine told the remark whose line the user wants to see
      */
     ResultPane(
             Texts texts,
+            RoomsKept kept,
             OpenInLab lab,
             Consumer<Outcome.Remark> toLine,
             Consumer<Throwable> onFailure) {
         super(new MigLayout("insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][grow,fill]"));
         this.texts = texts;
+        this.kept = kept;
         this.lab = lab;
-        table = new CaseTable(texts, this::showChosen);
+        table = new CaseTable(texts, this::chosen);
         remarks = new RemarkList(texts, toLine);
         picture = new CasePicture(texts, onFailure);
         view =
@@ -99,7 +106,7 @@ final class ResultPane extends JPanel {
     }
 
     private JPanel cases() {
-        var scroll = new JScrollPane(table);
+        JScrollPane scroll = table.scrolled();
         scroll.setName("cases.scroll");
         words.setLayout(new MigLayout("insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][]"));
         var controls = new JPanel(new FlowRows(6));
@@ -146,6 +153,15 @@ final class ResultPane extends JPanel {
         boolean sourceRefused =
                 outcome.filter(one -> one.cases().isEmpty() && !one.remarks().isEmpty())
                         .isPresent();
+        boolean other = !state.exercise().id().equals(exercise) || !outcome.equals(shown);
+        exercise = state.exercise().id();
+        shown = outcome;
+        Optional<String> chosen =
+                kept.chosenCase(exercise, shown)
+                        .or(
+                                () ->
+                                        outcome.flatMap(Outcome::smallestCounterexample)
+                                                .map(TriedCase::name));
         table.show(
                 outcome.isPresent() || running ? merged(judged, untried) : untried,
                 name -> state.exercise().caseTitle(name, language));
@@ -154,11 +170,7 @@ final class ResultPane extends JPanel {
         cases.revalidate();
         cards.show(answer, sourceRefused ? "remarks" : "cases");
         sayHead(state, outcome);
-        if (!outcome.equals(shown)) {
-            shown = outcome;
-            outcome.flatMap(Outcome::smallestCounterexample)
-                    .ifPresent(smallest -> table.choose(smallest.name()));
-        }
+        if (other) chosen.ifPresent(table::choose);
         showChosen();
     }
 
@@ -247,6 +259,11 @@ final class ResultPane extends JPanel {
 
     private Locale numbers() {
         return texts.locale();
+    }
+
+    private void chosen() {
+        table.chosen().ifPresent(one -> kept.chooseCase(exercise, shown, one.name()));
+        showChosen();
     }
 
     private void showChosen() {

@@ -7,7 +7,15 @@ import java.util.Optional;
 /** How a window's {@link Rooms} were left, for those in another language or theme. */
 final class RoomsKept {
     private final Map<String, Double> shares = new HashMap<>();
+    private final Map<Result, Choice> cases = new HashMap<>();
     private Optional<Rooms.Room> chosen = Optional.empty();
+
+    /**
+     * @param said whether it holds an outcome, not only cases that are to be tried
+     */
+    private record Result(String exercise, boolean said) {}
+
+    private record Choice(Optional<Outcome> outcome, String name) {}
 
     /** Of the room before the divider of that name, from 0 to 1. */
     double share(String divider, double usual) {
@@ -25,5 +33,16 @@ final class RoomsKept {
 
     void choose(Rooms.Room room) {
         chosen = Optional.of(room);
+    }
+
+    /** Name of the case that was chosen last in that result; empty before one was. */
+    Optional<String> chosenCase(String exercise, Optional<Outcome> outcome) {
+        return Optional.ofNullable(cases.get(new Result(exercise, outcome.isPresent())))
+                .filter(choice -> choice.outcome().equals(outcome))
+                .map(Choice::name);
+    }
+
+    void chooseCase(String exercise, Optional<Outcome> outcome, String name) {
+        cases.put(new Result(exercise, outcome.isPresent()), new Choice(outcome, name));
     }
 }

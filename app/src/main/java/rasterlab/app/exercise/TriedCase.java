@@ -1,5 +1,6 @@
 package rasterlab.app.exercise;
 
+import java.awt.Dimension;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -37,7 +38,14 @@ record TriedCase(
 
         /** Number of pixels of the box that holds both pictures. */
         int size() {
-            return (int) text.lines().mapToLong(String::length).sum();
+            return pixels().width * pixels().height;
+        }
+
+        /** Of that box, across and down. */
+        Dimension pixels() {
+            List<String> rows = text.lines().filter(row -> !row.startsWith("columns")).toList();
+            int across = rows.stream().mapToInt(String::length).max().orElse(0);
+            return new Dimension(across, rows.size());
         }
     }
 

@@ -66,6 +66,8 @@ class ResultPlacesTest {
             assertEquals(before.getLocation(), after.getLocation(), verdict.code());
             assertEquals(before.width, after.width, verdict.code());
             assertEquals(guide.x, named(pane, "case.picture").getX(), verdict.code());
+            int columns = ((JTable) named(pane, "cases")).getColumnCount();
+            assertEquals(4, columns, verdict.code() + " is not said in words");
         }
         assertUseful(pane);
         EventQueue.invokeAndWait(pane::close);
@@ -94,6 +96,10 @@ class ResultPlacesTest {
         var picture = (CasePicture) named(pane, "case.picture");
         assertTrue(picture.together(), "no room for three pictures in " + picture.getSize());
         assertTrue(picture.getHeight() >= 120, "pictures are high by " + picture.getHeight());
+        List<String> all = CasePicture.VIEWS.subList(1, 4);
+        float names = picture.placed(all).orElseThrow().type().getSize2D();
+        float cases = named(pane, "cases").getFont().getSize2D();
+        assertTrue(names >= 0.7 * cases, "names of " + names + " beside cases of " + cases);
         EventQueue.invokeAndWait(pane::close);
     }
 

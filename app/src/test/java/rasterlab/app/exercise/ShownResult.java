@@ -54,7 +54,15 @@ final class ShownResult {
     }
 
     static ResultPane pane(Language language, Consumer<Throwable> onFailure) {
-        return new ResultPane(Texts.of("exercise", language), NOWHERE, remark -> {}, onFailure);
+        return pane(language, new RoomsKept(), onFailure);
+    }
+
+    /**
+     * @param kept of the panes of one window
+     */
+    static ResultPane pane(Language language, RoomsKept kept, Consumer<Throwable> onFailure) {
+        return new ResultPane(
+                Texts.of("exercise", language), kept, NOWHERE, remark -> {}, onFailure);
     }
 
     static void show(ResultPane pane, Work work, Optional<Outcome> outcome) {

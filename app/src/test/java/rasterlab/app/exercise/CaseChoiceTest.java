@@ -1,0 +1,134 @@
+package rasterlab.app.exercise;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static rasterlab.app.exercise.ShownResult.named;
+import static rasterlab.app.exercise.ShownResult.pane;
+import static rasterlab.app.exercise.ShownResult.show;
+
+import java.awt.EventQueue;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicReference;
+import javax.imageio.ImageIO;
+import javax.swing.JTable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabTheme;
+import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.exercises.score.GradingVerdict;
+
+/** Which case of a result is chosen and in sight. */
+class CaseChoiceTest {
+    private static final List<Throwable> FAILURES = new CopyOnWriteArrayList<>();
+    private static final int SMALLEST = 5;
+
+    private final RoomsKept kept = new RoomsKept();
+
+    @AfterEach
+    void noFailures() throws Exception {
+        EventQueue.invokeAndWait(LabTheme.LIGHT::install);
+        assertEquals(List.of(), FAILURES);
+    }
+
+    @ParameterizedTest(name = "a pane in {0} chooses the smallest counterexample again")
+    @EnumSource
+    void chosenCaseStaysInAnotherPane(Language language) throws Exception {
+        Optional<Outcome> outcome = Optional.of(wrong());
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane before = pane(Language.ENGLISH, kept, FAILURES::add);
+                    show(before, Work.NONE, outcome);
+                    assertEquals(SMALLEST, cases(before).getSelectedRow());
+                    cases(before).setRowSelectionInterval(2, 2);
+                    before.close();
+                    ResultPane after = pane(language, kept, FAILURES::add);
+                    show(after, Work.NONE, outcome);
+                    assertEquals(2, cases(after).getSelectedRow());
+                    after.close();
+                });
+    }
+
+    @Test
+    @DisplayName("the next result is shown by the case that was chosen in the last one")
+    void nextResultIsShownByItsSmallestCounterexample() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
+                    show(pane, Work.NONE, Optional.of(wrong()));
+                    cases(pane).setRowSelectionInterval(2, 2);
+                    show(pane, Work.NONE, Optional.of(wrong()));
+                    assertEquals(SMALLEST, cases(pane).getSelectedRow());
+                    pane.close();
+                });
+    }
+
+    @Test
+    @DisplayName("the first cases stay out of sight when there is room for them")
+    void listStartsAtItsTopWhereTheChosenCaseIsInSight() throws Exception {
+        var made = new AtomicReference<ResultPane>();
+        EventQueue.invokeAndWait(
+                () -> {
+                    ShownResult.install(LabTheme.LIGHT, 14);
+                    made.set(pane(Language.RUSSIAN, kept, FAILURES::add));
+                    show(made.get(), Work.NONE, Optional.of(wrong()));
+                });
+        OffscreenPainter.paint(made.get(), 775, 140);
+        EventQueue.invokeAndWait(() -> assertTrue(seen(made.get(), SMALLEST), "out of sight"));
+        OffscreenPainter.paint(made.get(), 775, 335);
+        EventQueue.invokeAndWait(
+                () -> {
+                    assertTrue(seen(made.get(), SMALLEST), "chosen, but out of sight");
+                    assertEquals(0, cases(made.get()).getVisibleRect().y);
+                    made.get().close();
+                });
+    }
+
+    private static JTable cases(ResultPane pane) {
+        return (JTable) named(pane, "cases");
+    }
+
+    private static boolean seen(ResultPane pane, int row) {
+        JTable cases = cases(pane);
+        return cases.getVisibleRect().contains(cases.getCellRect(row, 0, false));
+    }
+
+    /** Every case is drawn wrong, that of one row in the fewest pixels. */
+    private static Outcome wrong() {
+        Outcome plain = ShownResult.outcome(GradingVerdict.WRONG);
+        List<TriedCase> cases =
+                plain.cases().stream()
+                        .map(one -> drawn(one, plain.cases().indexOf(one) == SMALLEST ? 1 : 4))
+                        .toList();
+        return new Outcome(
+                "", 0, plain.verdict(), plain.points(), cases, List.of(), Said.NOTHING, 0);
+    }
+
+    private static TriedCase drawn(TriedCase one, int pixels) {
+        byte[] png = png(pixels);
+        var pictures = new TriedCase.Pictures(png, png, png, "-".repeat(pixels));
+        return new TriedCase(
+                one.name(), one.verdict(), 0, one.of(), Said.NOTHING, Optional.of(pictures), "");
+    }
+
+    private static byte[] png(int width) {
+        var bytes = new ByteArrayOutputStream();
+        try {
+            ImageIO.write(new BufferedImage(width, 1, BufferedImage.TYPE_INT_RGB), "png", bytes);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return bytes.toByteArray();
+    }
+}
