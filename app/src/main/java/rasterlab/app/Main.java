@@ -5,22 +5,24 @@ import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintStream;
+import java.util.Optional;
 import rasterlab.app.cli.Lab;
+import rasterlab.app.language.Language;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.shell.WindowStart;
 
-/** The desktop lab when there are no arguments, the command line when there are. */
+/** The desktop lab when no command is given, the command line when one is. */
 public final class Main {
     private Main() {}
 
     public static void main(String[] arguments) {
-        if (arguments.length > 0) {
+        Optional<Language> asked = Lab.windowIn(arguments);
+        if (arguments.length > 0 && asked.isEmpty()) {
             System.exit(run(arguments));
         } else if (GraphicsEnvironment.isHeadless()) {
-            System.err.println("rasterlab: there is no display, so the tour is made instead");
-            System.exit(run("tour"));
+            System.exit(run(Lab.instead(arguments)));
         } else {
-            WindowStart.open();
+            WindowStart.open(asked);
         }
     }
 

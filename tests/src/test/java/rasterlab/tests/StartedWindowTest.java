@@ -45,7 +45,7 @@ class StartedWindowTest {
     @ValueSource(strings = {"coordinates", "study", "exercises"})
     void opensAtTheTabWhereItWasLeft(String tab) throws Exception {
         leaveAt(tab);
-        assertEquals(List.of(tab), opened(1));
+        assertEquals(List.of(tab + " ENGLISH"), opened(1));
     }
 
     @Test
@@ -54,6 +54,14 @@ class StartedWindowTest {
         Files.writeString(folder.resolve("labs.json"), "{");
         String title = Texts.of("shell", Language.ENGLISH).text("problem.title");
         assertEquals(title, opened(2).get(1));
+    }
+
+    @ParameterizedTest(name = "the window opens in English after {0}, or always in Russian")
+    @ValueSource(strings = {"--lang ru", "--lang=RU"})
+    void opensInTheLanguageAskedForThisOnce(String asked) throws Exception {
+        leaveAt("line");
+        assertEquals(List.of("line RUSSIAN"), opened(1, asked.split(" ")));
+        assertEquals(List.of("line ENGLISH"), opened(1));
     }
 
     private void leaveAt(String tab) {
@@ -76,13 +84,13 @@ class StartedWindowTest {
     }
 
     /** The first windows of a new process. */
-    private List<String> opened(int windows) throws Exception {
+    private List<String> opened(int windows, String... arguments) throws Exception {
         Process process =
                 new ProcessBuilder(
                                 JavaCommand.of(
                                         List.of("-Xmx400m", "-Drasterlab.settings=" + settings()),
                                         StartedWindow.class.getName(),
-                                        List.of()))
+                                        List.of(arguments)))
                         .redirectError(ProcessBuilder.Redirect.INHERIT)
                         .start();
         try {

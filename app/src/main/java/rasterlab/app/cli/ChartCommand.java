@@ -49,14 +49,6 @@ final class ChartCommand implements Callable<Integer> {
     private List<Path> files = List.of();
 
     @Option(
-            names = "--lang",
-            paramLabel = "LANGUAGE",
-            description =
-                    "of the chart drawn (.svg, .png): en or ru; default: en; "
-                            + "what is printed and .csv are English")
-    private ReportLanguage language = ReportLanguage.EN;
-
-    @Option(
             names = "--methods",
             paramLabel = "METHOD,…",
             description =
@@ -76,8 +68,8 @@ final class ChartCommand implements Callable<Integer> {
         }
         chart.table().get().lines().forEach(console.out()::println);
         for (Path file : files) {
-            WholeFile.write(file, chart.content(extension(file), language.inWindow()));
-            console.err().println("wrote " + file);
+            WholeFile.write(file, chart.content(extension(file), console.language().inWindow()));
+            console.tell("wrote", file.toString());
         }
         return ExitCode.DONE;
     }

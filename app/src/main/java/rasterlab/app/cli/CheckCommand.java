@@ -41,9 +41,6 @@ final class CheckCommand implements Callable<Integer> {
     @Parameters(index = "1", paramLabel = "FILE", description = "your Java source")
     private Path file;
 
-    @Option(names = "--lang", paramLabel = "LANGUAGE", description = "en or ru; default: en")
-    private ReportLanguage language = ReportLanguage.EN;
-
     @Option(
             names = "--out",
             paramLabel = "FOLDER",
@@ -61,7 +58,9 @@ final class CheckCommand implements Callable<Integer> {
         Path pictures = folder == null ? Path.of("check-" + chosen.id()) : folder;
         WholeFile.requireFolderWritable(pictures);
         Report report = graded(chosen, source);
-        var text = new ReportText(console.out(), language.texts(), file.getFileName().toString());
+        var text =
+                new ReportText(
+                        console.out(), console.language().texts(), file.getFileName().toString());
         text.print(chosen, report);
         if (CasePictureFiles.write(report, pictures) > 0)
             text.say("pictures", pictures.toAbsolutePath().normalize().toString());
@@ -78,7 +77,7 @@ final class CheckCommand implements Callable<Integer> {
 
     private Report graded(Exercise chosen, String source) {
         try (Judge judge = Judge.start(JudgeSettings.once())) {
-            console.err().println(judge.isolation().describe(language.code()));
+            console.err().println(judge.isolation().describe(console.language().code()));
             return judge.grade(
                     chosen, source, CaseSelection.open(), done -> showProgress(chosen, done));
         } catch (InterruptedException e) {
@@ -88,7 +87,8 @@ final class CheckCommand implements Callable<Integer> {
     }
 
     private void showProgress(Exercise chosen, CaseReport done) {
-        String title = chosen.caseTitle(done.name(), language.code());
-        console.err().println(title + ": " + language.texts().text(done.verdict().code()));
+        String title = chosen.caseTitle(done.name(), console.language().code());
+        console.err()
+                .println(title + ": " + console.language().texts().text(done.verdict().code()));
     }
 }

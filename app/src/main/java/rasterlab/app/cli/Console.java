@@ -11,17 +11,24 @@ import java.util.Locale;
  *
  * @param out results only
  * @param err progress and complaints
+ * @param language of what people read
  */
-record Console(InputStream in, PrintStream out, PrintStream err) {
+record Console(InputStream in, PrintStream out, PrintStream err, ReportLanguage language) {
     /**
      * Text goes out in UTF-8, also where the system's locale is set to plain ASCII, but for a
      * Windows console, which shows only its own code page.
      */
-    static Console of(InputStream in, PrintStream out, PrintStream err) {
+    static Console of(InputStream in, PrintStream out, PrintStream err, ReportLanguage language) {
         return new Console(
                 in,
                 new PrintStream(out, false, charset("stdout.encoding")),
-                new PrintStream(err, true, charset("stderr.encoding")));
+                new PrintStream(err, true, charset("stderr.encoding")),
+                language);
+    }
+
+    /** Says something to who waits, in the report's words. */
+    void tell(String key, Object... arguments) {
+        err.println(language.texts().text(key, arguments));
     }
 
     private static Charset charset(String property) {

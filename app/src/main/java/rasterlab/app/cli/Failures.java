@@ -20,6 +20,9 @@ import rasterlab.app.outcome.ExitCode;
  * {@code --lang} asks for.
  */
 final class Failures {
+    /** Names that picocli quotes, of which a sentence may have any number. */
+    private static final String QUOTED = "(?<![\\p{L}\\d])'([^']*)'(?![\\p{L}\\d])";
+
     private final PrintStream err;
     private final ReportLanguage language;
 
@@ -82,7 +85,7 @@ final class Failures {
     private String said(String english) {
         return language == ReportLanguage.EN
                 ? english
-                : Complaints.said(language.inWindow(), english);
+                : Complaints.said(language.inWindow(), english).replaceAll(QUOTED, "«$1»");
     }
 
     private void say(String command, String message) {

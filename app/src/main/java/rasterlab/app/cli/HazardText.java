@@ -3,6 +3,7 @@ package rasterlab.app.cli;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.language.Texts;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.engine.study.HazardTrial.Cell;
 
@@ -10,7 +11,7 @@ import rasterlab.engine.study.HazardTrial.Cell;
 final class HazardText {
     private HazardText() {}
 
-    static void print(HazardMatrix matrix, PrintStream out) {
+    static void print(HazardMatrix matrix, PrintStream out, Texts texts) {
         List<String> heads = new ArrayList<>(List.of(matrix.topic()));
         heads.addAll(matrix.methods());
         var table = new TextTable(heads);
@@ -22,7 +23,7 @@ final class HazardText {
         table.lines().forEach(out::println);
         matrix.cells().stream()
                 .filter(cell -> !cell.asRecorded())
-                .map(HazardText::difference)
+                .map(cell -> difference(cell, texts))
                 .forEach(out::println);
     }
 
@@ -31,14 +32,15 @@ final class HazardText {
         return cell.verdict().kind().code() + (cell.asRecorded() ? "" : " !");
     }
 
-    private static String difference(Cell cell) {
+    private static String difference(Cell cell, Texts texts) {
         String detail = cell.verdict().detail();
-        return "! %s on %s: %s, recorded is %s%s"
-                .formatted(
+        String differs =
+                texts.text(
+                        "differs",
                         cell.method(),
                         cell.hazard(),
                         cell.verdict().kind().code(),
-                        cell.recorded().code(),
-                        detail.isEmpty() ? "" : "; " + detail);
+                        cell.recorded().code());
+        return differs + (detail.isEmpty() ? "" : "; " + detail);
     }
 }

@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.ExitCode;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.engine.study.HazardTrial;
@@ -45,8 +46,9 @@ final class HazardsCommand implements Callable<Integer> {
         List<HazardMatrix> matrices = new ArrayList<>();
         for (Topic<?, ?, ?> chosen : TopicChoice.of(topic))
             matrices.add(HazardMatrix.judged(chosen, HazardTrial.WALL_LIMIT));
+        Texts texts = console.language().texts();
         if (json) HazardMatrix.writeJson(matrices, console.out());
-        else matrices.forEach(matrix -> HazardText.print(matrix, console.out()));
+        else matrices.forEach(matrix -> HazardText.print(matrix, console.out(), texts));
         boolean asRecorded = matrices.stream().allMatch(HazardMatrix::asRecorded);
         return asRecorded ? ExitCode.DONE : ExitCode.FOUND_WRONG;
     }

@@ -3,8 +3,12 @@ package rasterlab.app.cli;
 import java.io.InputStream;
 import java.io.PrintStream;
 import java.io.PrintWriter;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
+import rasterlab.app.language.Language;
 
 /** The command line of Rasterlab. */
 public final class Lab {
@@ -20,10 +24,10 @@ public final class Lab {
      * @return the exit code
      */
     public static int run(String[] args, InputStream in, PrintStream out, PrintStream err) {
-        var console = Console.of(in, out, err);
         ReportLanguage language = ReportLanguage.asked(args);
+        var console = Console.of(in, out, err, language);
         try {
-            return commandLine(console, language).execute(args);
+            return commandLine(console).execute(args);
         } catch (OutOfMemoryError e) {
             return new Failures(console.err(), language).outOfMemory();
         } catch (Error e) {
@@ -34,11 +38,23 @@ public final class Lab {
         }
     }
 
-    static CommandLine commandLine(Console console) {
-        return commandLine(console, ReportLanguage.EN);
+    /** The language of the window that these arguments ask for; empty where they ask for more. */
+    public static Optional<Language> windowIn(String[] args) {
+        String words = String.join("=", args).toLowerCase(Locale.ROOT);
+        return Stream.of(ReportLanguage.values())
+                .filter(each -> words.equals("--lang=" + each.code()))
+                .map(ReportLanguage::inWindow)
+                .findFirst();
     }
 
-    private static CommandLine commandLine(Console console, ReportLanguage language) {
+    /** What is run where the arguments ask for the window, but there is no display. */
+    public static String[] instead(String[] args) {
+        Console.of(System.in, System.out, System.err, ReportLanguage.asked(args))
+                .tell("no-display");
+        return Stream.concat(Stream.of("tour"), Stream.of(args)).toArray(String[]::new);
+    }
+
+    static CommandLine commandLine(Console console) {
         var lab = new CommandLine(new LabCommand(console));
         lab.addSubcommand(new MethodsCommand(console));
         lab.addSubcommand(new RunCommand(console));
@@ -53,12 +69,12 @@ public final class Lab {
         lab.addSubcommand(new BenchCommand());
         lab.addSubcommand(new CompletionCommand(console));
         lab.addSubcommand(new CommandLine.HelpCommand());
-        return configured(lab, console, language);
+        return configured(lab, console);
     }
 
-    private static CommandLine configured(
-            CommandLine lab, Console console, ReportLanguage language) {
-        var failures = new Failures(console.err(), language);
+    private static CommandLine configured(CommandLine lab, Console console) {
+        var failures = new Failures(console.err(), console.language());
+        console.language().help().ifPresent(lab::setResourceBundle);
         return lab.setOut(new PrintWriter(console.out(), true))
                 .setErr(new PrintWriter(console.err(), true))
                 .setColorScheme(CommandLine.Help.defaultColorScheme(Ansi.OFF))

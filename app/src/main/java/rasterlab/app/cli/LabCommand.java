@@ -3,6 +3,8 @@ package rasterlab.app.cli;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
 import rasterlab.app.outcome.ExitCode;
 
@@ -12,7 +14,7 @@ import rasterlab.app.outcome.ExitCode;
         mixinStandardHelpOptions = true,
         versionProvider = LabVersion.class,
         header = "Rasterlab: see, measure and break the algorithms of computer graphics.",
-        description = "Without a command the desktop lab opens.",
+        description = "Without a command the desktop lab opens, with --lang in that language.",
         synopsisSubcommandLabel = "COMMAND",
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {
@@ -31,6 +33,18 @@ import rasterlab.app.outcome.ExitCode;
 final class LabCommand implements Callable<Integer> {
     private final Console console;
     @Spec private CommandSpec spec;
+
+    /**
+     * Of every command; what it says is known before the words are read, so this checks it only.
+     */
+    @Option(
+            names = "--lang",
+            paramLabel = "LANGUAGE",
+            scope = ScopeType.INHERIT,
+            description =
+                    "of what people read, pictures too: en or ru; default: en. Names, JSON and CSV"
+                            + " are the same in both")
+    private ReportLanguage language = ReportLanguage.EN;
 
     LabCommand(Console console) {
         this.console = console;

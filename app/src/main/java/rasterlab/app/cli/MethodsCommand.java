@@ -2,13 +2,17 @@ package rasterlab.app.cli;
 
 import java.io.PrintStream;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Parameters;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.cli.run.Runs;
 import rasterlab.app.cli.run.TopicRun;
+import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.ExitCode;
+import rasterlab.app.study.TopicTexts;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Topic;
@@ -24,14 +28,17 @@ import rasterlab.engine.study.Topic;
         footer = {"", "Example: ./lab methods line"})
 final class MethodsCommand implements Callable<Integer> {
     private static final int WIDTH = 100;
+    private static final String[] ABOUT = {"computes", "costs", "fails"};
 
     private final Console console;
+    private final Texts texts;
 
     @Parameters(arity = "0..1", paramLabel = "TOPIC", description = "only this one")
     private String topic;
 
     MethodsCommand(Console console) {
         this.console = console;
+        texts = console.language().texts();
     }
 
     @Override
@@ -42,24 +49,46 @@ final class MethodsCommand implements Callable<Integer> {
 
     private void print(Topic<?, ?, ?> topic) {
         PrintStream out = console.out();
-        out.println("topic " + topic.name());
+        Optional<TopicTexts> said = TopicTexts.of(topic.name(), console.language().inWindow());
+        out.println(texts.text("topic") + " " + topic.name());
         out.println();
         TopicRun.Form form = Runs.named(topic.name()).form();
-        printWrapped("  reads:   ", form.input());
-        printWrapped("  answers: ", form.answer());
+        printWrapped(label("  ", "reads", "reads", "answers"), form.input());
+        printWrapped(label("  ", "answers", "reads", "answers"), form.answer());
         out.println();
         for (Method<?> method : topic.methods()) {
-            out.println("  method " + method.name());
-            printWrapped("    computes: ", method.about().formula());
-            printWrapped("    costs:    ", method.about().cost());
-            printWrapped("    fails:    ", method.about().failures());
+            out.println("  " + texts.text("method") + " " + method.name());
+            printWrapped(
+                    label("    ", "computes", ABOUT),
+                    about(said, method, "formula", method.about().formula()));
+            printWrapped(
+                    label("    ", "costs", ABOUT),
+                    about(said, method, "cost", method.about().cost()));
+            printWrapped(
+                    label("    ", "fails", ABOUT),
+                    about(said, method, "failures", method.about().failures()));
             out.println();
         }
         if (!topic.vocabulary().isEmpty()) printVocabulary(topic);
-        var hazards = new TextTable("hazard", "what is special");
-        for (Hazard<?> hazard : topic.hazards())
-            hazards.add(List.of(hazard.name(), hazard.description()));
+        var hazards = new TextTable(texts.text("hazard"), texts.text("special"));
+        for (Hazard<?> hazard : topic.hazards()) {
+            Optional<String> special = said.flatMap(one -> one.hazard(hazard));
+            hazards.add(List.of(hazard.name(), special.orElse(hazard.description())));
+        }
         hazards.lines().forEach(line -> out.println("  " + line));
+    }
+
+    private static String about(
+            Optional<TopicTexts> said, Method<?> method, String what, String english) {
+        return said.map(one -> one.about(method, what, english)).orElse(english);
+    }
+
+    /**
+     * @param all keys of the labels that the texts stand behind in one column
+     */
+    private String label(String before, String key, String... all) {
+        int width = Stream.of(all).mapToInt(one -> texts.text(one).length()).max().orElseThrow();
+        return before + texts.text(key) + " ".repeat(width + 1 - texts.text(key).length());
     }
 
     /** One label, the lines of the text below each other behind it. */
@@ -72,7 +101,7 @@ final class MethodsCommand implements Callable<Integer> {
     }
 
     private void printVocabulary(Topic<?, ?, ?> topic) {
-        var words = new TextTable("name", "meaning");
+        var words = new TextTable(texts.text("name"), texts.text("meaning"));
         topic.vocabulary().forEach((word, meaning) -> words.add(List.of(word, meaning)));
         words.lines().forEach(line -> console.out().println("  " + line));
         console.out().println();

@@ -13,7 +13,6 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.UsageMessageSpec;
 import picocli.CommandLine.Option;
-import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.opengl.SoftwareHalf;
 import rasterlab.app.opengl.software.Deviations;
@@ -34,12 +33,11 @@ import rasterlab.engine.naming.Named;
             "Draws, without OpenGL, the picture that the tab OpenGL shows beside OpenGL's own.",
             "Each --set is one of the tab's settings, listed below with their options; the others are as"
                     + " the tab opens."
-        },
-        footer = {
-            "",
-            "Example: ./lab opengl --set scene=globe --set texture-2d=on --out globe.png"
         })
 final class OpenGlCommand implements Callable<Integer> {
+    private static final String EXAMPLE =
+            "./lab opengl --set scene=globe --set texture-2d=on --out globe.png";
+
     private final Console console;
 
     @Option(
@@ -100,13 +98,10 @@ final class OpenGlCommand implements Callable<Integer> {
     static CommandLine commandLine(Console console) {
         var line = new CommandLine(new OpenGlCommand(console));
         UsageMessageSpec usage = line.getCommandSpec().usageMessage();
-        List<String> below =
-                new ArrayList<>(
-                        List.of(
-                                "",
-                                "Settings and their options; the tab opens with the first of each:"));
+        Texts texts = console.language().texts();
+        List<String> below = new ArrayList<>(List.of("", texts.text("settings")));
         below.addAll(OpenGlSettings.lines());
-        below.addAll(List.of(usage.footer()));
+        below.addAll(List.of("", texts.text("example") + ": " + EXAMPLE));
         usage.footer(below.toArray(String[]::new));
         return line;
     }
@@ -120,7 +115,7 @@ final class OpenGlCommand implements Callable<Integer> {
         WholeFile.write(
                 out, PngFile.bytes(SoftwareHalf.of(choice, size.width(), size.height()).image()));
         tellDeviations(choice);
-        console.err().println("wrote " + out);
+        console.tell("wrote", out.toString());
         return ExitCode.DONE;
     }
 
@@ -171,8 +166,8 @@ final class OpenGlCommand implements Callable<Integer> {
 
     /** Tells what of the state the picture does not have, as the tab does beside its pictures. */
     private void tellDeviations(GlChoice choice) {
-        Texts texts = Texts.of("opengl", Language.ENGLISH);
+        Texts texts = Texts.of("opengl", console.language().inWindow());
         for (Deviations each : Deviations.of(choice))
-            console.err().println("note: " + texts.text("why." + each.code()));
+            console.tell("note", texts.text("why." + each.code()));
     }
 }

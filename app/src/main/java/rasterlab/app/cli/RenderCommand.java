@@ -140,7 +140,7 @@ final class RenderCommand implements Callable<Integer> {
         Optional<BufferedImage> expected =
                 Optional.ofNullable(other)
                         .map(file -> PngFile.read(file, request.width(), request.height()));
-        var progress = new RenderProgress(console.err());
+        var progress = new RenderProgress(console);
         long start = System.nanoTime();
         var picture = new Raster(request.width(), request.height());
         Optional<VisibilityWork> work = draw(request, picture, progress);

@@ -1,6 +1,5 @@
 package rasterlab.app.cli;
 
-import java.io.PrintStream;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 
@@ -8,13 +7,13 @@ import java.util.function.BooleanSupplier;
 final class RenderProgress implements BooleanSupplier {
     private static final long EVERY = 2_000_000_000L;
 
-    private final PrintStream err;
+    private final Console console;
     private final Thread waiting = Thread.currentThread();
     private final long start = System.nanoTime();
     private final AtomicLong told = new AtomicLong();
 
-    RenderProgress(PrintStream err) {
-        this.err = err;
+    RenderProgress(Console console) {
+        this.console = console;
     }
 
     /** Asked by the renderer, on any of its threads. */
@@ -23,7 +22,7 @@ final class RenderProgress implements BooleanSupplier {
         long passed = (System.nanoTime() - start) / EVERY;
         long before = told.get();
         if (passed > before && told.compareAndSet(before, passed))
-            err.println("rendering for " + passed * EVERY / 1_000_000_000L + " s");
+            console.tell("rendering", passed * EVERY / 1_000_000_000L);
         return waiting.isInterrupted();
     }
 }

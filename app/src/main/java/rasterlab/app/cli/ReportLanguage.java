@@ -1,14 +1,16 @@
 package rasterlab.app.cli;
 
 import java.util.Locale;
+import java.util.Optional;
+import java.util.ResourceBundle;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import picocli.CommandLine.TypeConversionException;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
-/** The languages a report is printed in. */
-enum ReportLanguage {
+/** The languages of what people read: help, reports, progress and complaints. */
+public enum ReportLanguage {
     EN,
     RU;
 
@@ -22,7 +24,7 @@ enum ReportLanguage {
      *
      * @throws TypeConversionException if there is none; the message lists those there are
      */
-    static ReportLanguage named(String code) {
+    public static ReportLanguage named(String code) {
         for (ReportLanguage each : values()) if (each.code().equalsIgnoreCase(code)) return each;
         String codes =
                 Stream.of(values()).map(ReportLanguage::code).collect(Collectors.joining(", "));
@@ -30,13 +32,18 @@ enum ReportLanguage {
     }
 
     /** What {@code --lang} says, whatever is wrong with the other arguments; else English. */
-    static ReportLanguage asked(String[] args) {
+    public static ReportLanguage asked(String[] args) {
         String words = String.join("\n", args) + "\n";
         return words.matches("(?is)(.*\\n)?--lang[\\n=]ru\\n.*") ? RU : EN;
     }
 
-    Language inWindow() {
+    public Language inWindow() {
         return this == EN ? Language.ENGLISH : Language.RUSSIAN;
+    }
+
+    /** The words of help, for picocli; empty where they stand with the commands. */
+    Optional<ResourceBundle> help() {
+        return this == EN ? Optional.empty() : Optional.of(Texts.bundle("cli", "help", inWindow()));
     }
 
     Texts texts() {

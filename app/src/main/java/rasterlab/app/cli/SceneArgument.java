@@ -77,7 +77,7 @@ final class SceneArgument {
                     ModelFile.read(
                             Path.of(scene),
                             up == null ? UpAxis.Z : UpAxis.named(up),
-                            note -> console.err().println("note: " + note)));
+                            note -> console.tell("note", note)));
         return plain(detail == null ? Scenes.named(scene) : Scenes.named(scene, detail));
     }
 

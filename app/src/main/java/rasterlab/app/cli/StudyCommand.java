@@ -45,14 +45,6 @@ final class StudyCommand implements Callable<Integer> {
                     "also each workload's size and what was counted, in as many columns as it takes")
     private boolean wide;
 
-    @Option(
-            names = "--lang",
-            paramLabel = "LANGUAGE",
-            description =
-                    "of the chart drawn (.svg, .png): en or ru; default: en; "
-                            + "what is printed and .csv, .json are English")
-    private ReportLanguage language = ReportLanguage.EN;
-
     StudyCommand(Console console) {
         this.console = console;
     }
@@ -65,10 +57,12 @@ final class StudyCommand implements Callable<Integer> {
             WholeFile.requireWritable(file);
         }
         Study study = measured(chosen);
-        (wide ? StudyTable.wide(study) : StudyTable.narrow(study)).forEach(console.out()::println);
+        ReportLanguage language = console.language();
+        (wide ? StudyTable.wide(study, language) : StudyTable.narrow(study, language))
+                .forEach(console.out()::println);
         for (Path file : files) {
-            StudyFile.write(study, file, language.inWindow());
-            console.err().println("wrote " + file);
+            StudyFile.write(study, file, console.language().inWindow());
+            console.tell("wrote", file.toString());
         }
         return ExitCode.DONE;
     }
@@ -78,7 +72,7 @@ final class StudyCommand implements Callable<Integer> {
         return StudyRunner.measure(
                 chosen,
                 settings,
-                new StudyProgress(console.err())::show,
+                new StudyProgress(console.err(), console.language().inWindow())::show,
                 Thread.currentThread()::isInterrupted);
     }
 }

@@ -5,7 +5,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import rasterlab.app.canvas.Wrapping;
+import rasterlab.app.language.Texts;
 import rasterlab.app.study.StudyCounts;
+import rasterlab.app.study.StudyWords;
 import rasterlab.engine.study.Cost;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Measurement;
@@ -22,23 +24,31 @@ final class StudyTable {
     private StudyTable() {}
 
     /** Times and errors, under a line with their units; what it leaves out is named below. */
-    static List<String> narrow(Study study) {
+    static List<String> narrow(Study study, ReportLanguage language) {
+        Texts texts = language.texts();
         var table =
-                new TextTable("method", "workload", "ns", "spread", "error", "wrong", "verdict");
+                new TextTable(
+                        heads(
+                                texts,
+                                "method",
+                                "workload",
+                                "ns",
+                                "spread",
+                                "error",
+                                "wrong",
+                                "verdict"));
         for (Measurement each : study.measurements())
             table.add(
                     Stream.of(named(each), times(each), errors(each))
                             .flatMap(List::stream)
                             .toList());
         var lines = new ArrayList<String>();
-        lines.addAll(
-                wrapped(
-                        "ns per %s: median, and quartiles as spread; error: the largest [%s]"
-                                .formatted(study.item(), study.errorUnit())));
+        var words = new StudyWords(language.inWindow());
+        lines.addAll(wrapped(texts.text("study.units", words.item(study), words.errorUnit(study))));
         lines.addAll(table.lines());
         List<String> counts = StudyCounts.of(study).names();
         if (!counts.isEmpty())
-            lines.addAll(wrapped("--wide adds what was counted: " + String.join(", ", counts)));
+            lines.addAll(wrapped(texts.text("study.wide", String.join(", ", counts))));
         return lines;
     }
 
@@ -47,13 +57,17 @@ final class StudyTable {
     }
 
     /** All columns, the units in their heads. */
-    static List<String> wide(Study study) {
+    static List<String> wide(Study study, ReportLanguage language) {
         StudyCounts counts = StudyCounts.of(study);
-        var heads = new ArrayList<String>(List.of("method", "workload", "size"));
-        heads.add("ns/" + study.item());
-        heads.add("spread");
-        counts.names().forEach(name -> heads.add(name + "/" + study.item()));
-        heads.addAll(List.of("error [" + study.errorUnit() + "]", "wrong", "verdict"));
+        Texts texts = language.texts();
+        var words = new StudyWords(language.inWindow());
+        String item = words.item(study);
+        var heads = new ArrayList<String>(heads(texts, "method", "workload", "size"));
+        heads.add(texts.text("study.ns-per", item));
+        heads.addAll(heads(texts, "spread"));
+        counts.names().forEach(name -> heads.add(texts.text("study.per", name, item)));
+        heads.add(texts.text("study.error-in", words.errorUnit(study)));
+        heads.addAll(heads(texts, "wrong", "verdict"));
         var table = new TextTable(heads);
         for (Measurement each : study.measurements()) {
             var row = new ArrayList<String>(named(each));
@@ -64,6 +78,10 @@ final class StudyTable {
             table.add(row);
         }
         return table.lines();
+    }
+
+    private static List<String> heads(Texts texts, String... keys) {
+        return Stream.of(keys).map(key -> texts.text("study." + key)).toList();
     }
 
     private static List<String> named(Measurement measured) {

@@ -34,16 +34,13 @@ final class TourCommand implements Callable<Integer> {
             defaultValue = "rasterlab-tour")
     private Path folder;
 
-    @Option(names = "--lang", paramLabel = "LANGUAGE", description = "en or ru; default: en")
-    private ReportLanguage language = ReportLanguage.EN;
-
     TourCommand(Console console) {
         this.console = console;
     }
 
     @Override
     public Integer call() {
-        var tour = new Tour(folder, language.inWindow(), console.err());
+        var tour = new Tour(folder, console.language().inWindow(), console.err());
         try {
             boolean whole = tour.make(home());
             console.out().println(tour.index().toAbsolutePath().normalize());

@@ -36,13 +36,16 @@ public final class Texts {
      * @throws MissingResourceException when that package has no such texts
      */
     public static Texts of(String feature, String bundle, Language language) {
+        return new Texts(bundle(feature, bundle, language), language);
+    }
+
+    /** The same for a library that looks up its own keys. */
+    public static ResourceBundle bundle(String feature, String bundle, Language language) {
         var onlyAsked =
                 ResourceBundle.Control.getNoFallbackControl(
                         ResourceBundle.Control.FORMAT_PROPERTIES);
-        return new Texts(
-                ResourceBundle.getBundle(
-                        "rasterlab.app." + feature + "." + bundle, language.locale(), onlyAsked),
-                language);
+        return ResourceBundle.getBundle(
+                "rasterlab.app." + feature + "." + bundle, language.locale(), onlyAsked);
     }
 
     public Language language() {

@@ -37,6 +37,7 @@ public final class LabFrame extends JFrame {
     private final transient LabModels models;
     private final transient StateKeeper keeper;
     private transient LabSettings settings;
+    private transient Optional<Language> nextLanguage = Optional.empty();
     private transient LabTabs tabs;
     private transient Optional<Coming> coming = Optional.empty();
     private LabContent content;
@@ -105,6 +106,11 @@ public final class LabFrame extends JFrame {
         keeper = new StateKeeper(file, labsFile, this::settings, models);
     }
 
+    /** Keeps that language for the next start, as long as no language is chosen here. */
+    void startAgainIn(Language next) {
+        nextLanguage = Optional.of(next);
+    }
+
     public LabLook look() {
         return settings.look();
     }
@@ -168,6 +174,7 @@ public final class LabFrame extends JFrame {
      */
     private void wear(LabLook look, Supplier<LabTabs> next) {
         LabLook before = settings.look();
+        if (look.language() != before.language()) nextLanguage = Optional.empty();
         settings = settings.with(look);
         String focus = focused();
         String seen = content.seen();
@@ -252,7 +259,9 @@ public final class LabFrame extends JFrame {
     /** The settings as the window stands now. */
     private LabSettings settings() {
         boolean filled = (getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH;
-        return settings.withControls(LabLayout.showsInspectors())
+        Language next = nextLanguage.orElse(language());
+        return settings.with(look().with(next))
+                .withControls(LabLayout.showsInspectors())
                 .at(content.shown(), filled ? unmaximised : getBounds(), filled);
     }
 

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
@@ -25,35 +26,40 @@ public final class WindowStart {
     private final Problems problems = new Problems();
     private final FailureReports reports = new FailureReports(this::show);
     private final SettingsFile file;
+    private final LabSettings kept;
     private final LabSettings settings;
     private LabTabs tabs;
     private LabFrame frame;
 
-    private WindowStart(Path place) {
+    private WindowStart(Path place, Optional<Language> asked) {
         file = new SettingsFile(place, problems);
-        settings = file.load(LabSettings.first(Language.of(Locale.getDefault())));
+        kept = file.load(LabSettings.first(Language.of(Locale.getDefault())));
+        settings = kept.with(kept.look().with(asked.orElse(kept.look().language())));
     }
 
-    public static void open() {
+    /**
+     * @param asked for this start; empty for the language that was left
+     */
+    public static void open(Optional<Language> asked) {
         Path place = SettingsFile.usual(System.getenv(), System.getProperties());
-        new WindowStart(place).open(place);
+        new WindowStart(place, asked).open(place);
     }
 
     private void open(Path place) {
         Thread.setDefaultUncaughtExceptionHandler(reports);
         var labsFile = LabsFile.beside(place, problems);
-        var kept = CompletableFuture.supplyAsync(labsFile::read, thread("labs file"));
+        var left = CompletableFuture.supplyAsync(labsFile::read, thread("labs file"));
         LabModels models =
                 LabModels.unmade(
                         EventQueue::invokeLater,
-                        labs -> kept.join().ifPresent(left -> labsFile.bringBack(left, labs)),
+                        labs -> left.join().ifPresent(each -> labsFile.bringBack(each, labs)),
                         reports);
         models.keepSourcesIn(file.folder());
         CompletableFuture<Void> made =
                 CompletableFuture.runAsync(() -> models.make(settings.tab()), thread("models"));
         // Before there is any component, the look can be made on any thread.
         settings.look().theme().install(settings.look().textPercent());
-        keep(settings, file, place, problems);
+        keep(kept, file, place, problems);
         SwingClasses.load(settings.look().language().locale());
         // What fails here fails again, and is told, where the panel is made.
         made.exceptionally(again -> null).join();
@@ -71,6 +77,7 @@ public final class WindowStart {
 
     private void openFrame(LabModels models, LabsFile labsFile) {
         frame = new LabFrame(models, tabs, settings, file, labsFile);
+        frame.startAgainIn(kept.look().language());
         frame.addWindowListener(
                 new WindowAdapter() {
                     @Override

@@ -14,7 +14,7 @@ import rasterlab.engine.study.Method;
  * @param labels of the lab that shows the hazards
  * @param shownAs what stands before hazards' names in their keys
  */
-record TopicTexts(Texts texts, String part, Texts labels, String shownAs) {
+public record TopicTexts(Texts texts, String part, Texts labels, String shownAs) {
     /** A lab with texts of its own, and what its keys have before names. */
     private record Source(String lab, String part) {}
 
@@ -59,7 +59,7 @@ record TopicTexts(Texts texts, String part, Texts labels, String shownAs) {
     }
 
     /** Empty where no lab has such texts: the engine's English serves then. */
-    static Optional<TopicTexts> of(String topic, Language language) {
+    public static Optional<TopicTexts> of(String topic, Language language) {
         return Optional.ofNullable(SOURCES.get(topic))
                 .map(
                         source -> {
@@ -79,9 +79,17 @@ record TopicTexts(Texts texts, String part, Texts labels, String shownAs) {
     }
 
     /** What is special about the hazard; empty where the engine's English serves. */
-    Optional<String> hazard(Hazard<?> hazard) {
+    public Optional<String> hazard(Hazard<?> hazard) {
         String key = "hazard." + part + hazard.name();
         return texts.has(key) ? Optional.of(texts.text(key)) : Optional.empty();
+    }
+
+    /**
+     * @param what "formula", "cost" or "failures"
+     * @param english the engine's, where the lab has no other words
+     */
+    public String about(Method<?> method, String what, String english) {
+        return texts.textOr(key(method) + "." + what, english);
     }
 
     /** What the keys of a method's texts begin with. */

@@ -42,7 +42,10 @@ class HazardsCommandTest {
         var matrix = new HazardMatrix("line", List.of("dda"), List.of("steep"), List.of(cell));
         assertFalse(matrix.asRecorded());
         var out = new ByteArrayOutputStream();
-        HazardText.print(matrix, new PrintStream(out, true, StandardCharsets.UTF_8));
+        HazardText.print(
+                matrix,
+                new PrintStream(out, true, StandardCharsets.UTF_8),
+                ReportLanguage.EN.texts());
         List<String> lines = out.toString(StandardCharsets.UTF_8).lines().toList();
         assertEquals("steep  wrong !", lines.get(1));
         assertEquals(

@@ -51,6 +51,41 @@ class RussianComplaintsTest {
                 "tour --out EMPTY --lang ru"
             })
     void tellsInRussian(String call) throws Exception {
+        assertToldInRussian(call);
+    }
+
+    @ParameterizedTest(name = "./lab {0} is answered in English")
+    @ValueSource(
+            strings = {
+                "methods lien --lang ru",
+                "--lang ru methods line more",
+                "hazards lien --lang ru",
+                "rneder --lang ru",
+                "run line --lang ru",
+                "run line bersenham --lang ru",
+                "run line bresenham --lang ru",
+                "render --lang ru",
+                "render vaes --out a.png --lang ru",
+                "render vase --lang ru",
+                "render vase --out a.gif --lang ru",
+                "render vase --out FOLDER/a.png --size 0x4 --lang ru",
+                "render vase --out FOLDER/a.png --zoom x --lang ru",
+                "render vase --out FOLDER/a.png --camera 1,2 --lang ru",
+                "render vase --out FOLDER/a.png --up y --lang ru",
+                "render vase --out FOLDER/a.png --eyes 3deg --lang ru",
+                "opengl --lang ru",
+                "opengl --out FOLDER/a.png --set scene --lang ru",
+                "opengl --out FOLDER/a.png --set sence=quad --lang ru",
+                "completion more --lang ru",
+                "help rneder --lang ru",
+                "grader serve --lang ru",
+                "bench raster --lang ru"
+            })
+    void everyCommandTellsInRussian(String call) throws Exception {
+        assertToldInRussian(call);
+    }
+
+    private void assertToldInRussian(String call) throws Exception {
         Path empty = Files.createFile(folder.resolve("a.java"));
         byte[] png = "\u0089PNG\r\n\u001a\n....".getBytes(StandardCharsets.ISO_8859_1);
         Path picture = Files.write(folder.resolve("b.java"), png);
@@ -66,6 +101,14 @@ class RussianComplaintsTest {
         String said = ran.err().replace(folder.toString(), "");
         assertTrue(Pattern.compile("[а-яё]{3}").matcher(said).find(), said);
         assertFalse(ENGLISH.matcher(said.replaceAll("`[^`]*`|\\./lab [a-z]+", "")).find(), said);
+    }
+
+    @ParameterizedTest(name = "names are in straight quotes after: ./lab {0}")
+    @ValueSource(strings = {"check --lang ru", "check line-wu --lang ru", "opengl --lang ru"})
+    void namesAreInRussianQuotes(String call) {
+        String said = Ran.lab(call.split(" ")).err();
+        assertTrue(said.contains("«"), said);
+        assertFalse(said.contains("'"), said);
     }
 
     @Test

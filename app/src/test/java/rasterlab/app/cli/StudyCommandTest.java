@@ -76,10 +76,10 @@ class StudyCommandTest {
         var study = new Study("line", "pixel", "pixels", List.of(endless));
         assertEquals(
                 List.of("naive-textbook", "w", "–", "–", "–", "–", "endless"),
-                List.of(StudyTable.narrow(study).get(2).trim().split(" +")));
+                List.of(StudyTable.narrow(study, ReportLanguage.EN).get(2).trim().split(" +")));
         assertEquals(
                 List.of("naive-textbook", "w", "16", "–", "–", "–", "–", "endless"),
-                List.of(StudyTable.wide(study).get(1).trim().split(" +")));
+                List.of(StudyTable.wide(study, ReportLanguage.EN).get(1).trim().split(" +")));
     }
 
     @ParameterizedTest(name = "the table of {0} is wider than a terminal")
@@ -102,7 +102,8 @@ class StudyCommandTest {
                                 ""));
         var lines =
                 StudyTable.narrow(
-                        new Study(topic.name(), topic.item(), topic.errorUnit(), measured));
+                        new Study(topic.name(), topic.item(), topic.errorUnit(), measured),
+                        ReportLanguage.EN);
         for (String line : lines) assertTrue(line.length() <= StudyTable.WIDTH, line);
         assertEquals("--wide adds what was counted: comparisons", lines.get(lines.size() - 1));
     }

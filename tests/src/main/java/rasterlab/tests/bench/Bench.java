@@ -26,6 +26,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import rasterlab.app.cli.ReportLanguage;
 import rasterlab.tests.bench.pipeline.PipelineBench;
 import rasterlab.tests.bench.window.WindowBench;
 
@@ -77,18 +78,34 @@ public final class Bench implements Callable<Integer> {
             description = "only says what is wrong with the others: before Java warns of vectors")
     private boolean argumentsOnly;
 
-    public static void main(String[] arguments) {
-        System.exit(commandLine(System.err).execute(arguments));
+    @Option(
+            names = "--lang",
+            paramLabel = "LANGUAGE",
+            description =
+                    "of what people read: en or ru; default: en. Names of works are the same in both")
+    private ReportLanguage language = ReportLanguage.EN;
+
+    private final BenchWords words;
+
+    private Bench(BenchWords words) {
+        this.words = words;
     }
 
-    static CommandLine commandLine(PrintStream err) {
-        var command = new CommandLine(new Bench());
-        return command.setParameterExceptionHandler(
-                (wrong, given) -> {
-                    String name = command.getCommandName();
-                    err.println(name + ": " + wrong.getMessage() + " (see `" + name + " --help`)");
-                    return CommandLine.ExitCode.USAGE;
-                });
+    public static void main(String[] arguments) {
+        var words = new BenchWords(ReportLanguage.asked(arguments).inWindow());
+        System.exit(commandLine(words, System.err).execute(arguments));
+    }
+
+    static CommandLine commandLine(BenchWords words, PrintStream err) {
+        CommandLine command = words.worn(new CommandLine(new Bench(words)));
+        return command.registerConverter(ReportLanguage.class, ReportLanguage::named)
+                .setParameterExceptionHandler(
+                        (wrong, given) -> {
+                            String name = command.getCommandName();
+                            String said = words.said(wrong.getMessage());
+                            err.println(name + ": " + said + " " + words.text("see", name));
+                            return CommandLine.ExitCode.USAGE;
+                        });
     }
 
     /** What can be measured; the {@code ./lab} scripts know these names too. */
@@ -103,11 +120,11 @@ public final class Bench implements Callable<Integer> {
         requireSense();
         if (argumentsOnly) return 0;
         if (group.equals(WINDOW)) {
-            new WindowBench(quick ? 1 : 5, quick ? 5 : 60, minutes, System.out).run();
+            new WindowBench(quick ? 1 : 5, quick ? 5 : 60, minutes, words, System.out).run();
             return 0;
         }
         if (group.equals(PIPELINE)) {
-            new PipelineBench(quick, only, System.out).run();
+            new PipelineBench(quick, only, words, System.out).run();
             return 0;
         }
         List<Goal> goals = goals();
@@ -115,26 +132,18 @@ public final class Bench implements Callable<Integer> {
         for (int round = 0; round < (quick ? 1 : ROUNDS); round++)
             rounds.add(timings(new Runner(options(goals).build()).run()));
         System.out.println();
-        new GoalTable(goals, rounds).print(System.out);
+        new GoalTable(goals, rounds).print(words, System.out);
         return 0;
     }
 
     private void requireSense() {
-        if (!groups().contains(group))
-            throw wrong(
-                    "unknown group '" + group + "'; allowed are " + String.join(", ", groups()));
-        if (minutes < 0) throw wrong("--minutes must be at least 0, got " + minutes);
-        if (minutes > 0 && !group.equals(WINDOW))
-            throw wrong("--minutes goes with the group window, not with " + group);
-        if (!only.isEmpty() && group.equals(WINDOW))
-            throw wrong("--only goes with the groups raster and pipeline, not with window");
+        if (!groups().contains(group)) throw wrong("group", group, String.join(", ", groups()));
+        if (minutes < 0) throw wrong("minutes.negative", String.valueOf(minutes));
+        if (minutes > 0 && !group.equals(WINDOW)) throw wrong("minutes.group", group);
+        if (!only.isEmpty() && group.equals(WINDOW)) throw wrong("only.group");
         List<String> works = works();
         if (works.stream().noneMatch(work -> work.contains(only)))
-            throw wrong(
-                    "no goal has '"
-                            + only
-                            + "' in its work; there are "
-                            + String.join("; ", works));
+            throw wrong("only.none", only, String.join("; ", works));
     }
 
     /** What {@code --only} chooses from; empty text alone for the group that has no choice. */
@@ -148,8 +157,8 @@ public final class Bench implements Callable<Integer> {
         return GROUPS.get(group).get().stream().filter(goal -> goal.work().contains(only)).toList();
     }
 
-    private ParameterException wrong(String message) {
-        return new ParameterException(spec.commandLine(), message);
+    private ParameterException wrong(String key, Object... arguments) {
+        return new ParameterException(spec.commandLine(), words.text(key, arguments));
     }
 
     private ChainedOptionsBuilder options(List<Goal> goals) {

@@ -21,10 +21,9 @@ record GoalTable(List<Goal> goals, List<Map<Timing.Key, Timing>> rounds) {
      * Writes one line for each goal: times of the middle round with their quartiles, the median of
      * the rounds' ratios with their range, and whether it is met.
      */
-    void print(PrintStream out) {
-        out.println("work | ours, ns | peer, ns | ratio (range) | goal | met");
-        out.println("--- | --- | --- | --- | --- | ---");
-        for (Goal goal : goals) out.println(line(goal));
+    void print(BenchWords words, PrintStream out) {
+        out.println(words.head("head.raster"));
+        for (Goal goal : goals) out.println(line(goal, words));
     }
 
     private record Pair(Timing ours, Timing peer) {
@@ -33,7 +32,7 @@ record GoalTable(List<Goal> goals, List<Map<Timing.Key, Timing>> rounds) {
         }
     }
 
-    private String line(Goal goal) {
+    private String line(Goal goal, BenchWords words) {
         List<Pair> pairs =
                 rounds.stream()
                         .map(
@@ -56,7 +55,7 @@ record GoalTable(List<Goal> goals, List<Map<Timing.Key, Timing>> rounds) {
                 pairs.get(0).ratio(),
                 pairs.get(pairs.size() - 1).ratio(),
                 goal.ratio(),
-                middle.ratio() >= goal.ratio() ? "yes" : "no");
+                middle.ratio() >= goal.ratio() ? words.text("yes") : words.text("no"));
     }
 
     private static Timing timing(Map<Timing.Key, Timing> round, Goal goal, String method) {

@@ -7,7 +7,12 @@ import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.cli.ReportLanguage;
+import rasterlab.app.language.Language;
 
 class BenchTest {
     private final ByteArrayOutputStream err = new ByteArrayOutputStream();
@@ -57,8 +62,41 @@ class BenchTest {
         assertEquals(2, run("--arguments-only", "raster", "--only", "nosuch"));
     }
 
+    @ParameterizedTest(name = "./lab bench {0} is answered in English")
+    @ValueSource(
+            strings = {
+                "--lang ru",
+                "rasta --lang=ru",
+                "raster --only nosuch --lang ru",
+                "raster --minutes 3 --lang ru",
+                "window --minutes x --lang ru",
+                "raster --lnag --lang ru",
+                "raster more --lang ru"
+            })
+    void tellsInRussian(String call) {
+        assertEquals(2, run(call.split(" ")));
+        assertTrue(
+                said().matches("./lab bench: .*[а-яё]{3}.* \\(см\\. `./lab bench --help`\\)"),
+                said());
+        String told = said().replaceAll("`[^`]*`|; есть .*|^./lab bench", "");
+        assertTrue(told.matches("(?s)(?!.*\\b[a-z]{2,} [a-z]{2,}).*"), told);
+        assertTrue(!told.contains("'"), told);
+    }
+
+    @Test
+    @DisplayName("help and the head of the table stay English")
+    void helpAndHeadsAreRussianToo() {
+        var words = new BenchWords(Language.RUSSIAN);
+        String help = Bench.commandLine(words, System.err).getUsageMessage();
+        assertTrue(help.startsWith("Вызов: ./lab bench"), help);
+        String told = help.replace("raster, pipeline", "").replace("./lab bench", "");
+        assertTrue(told.matches("(?s)(?!.*\\b[a-z]{2,} [a-z]{2,}).*"), help);
+        assertTrue(words.head("head.raster").contains("отношение"));
+    }
+
     private int run(String... arguments) {
-        return Bench.commandLine(new PrintStream(err, true, StandardCharsets.UTF_8))
+        var words = new BenchWords(ReportLanguage.asked(arguments).inWindow());
+        return Bench.commandLine(words, new PrintStream(err, true, StandardCharsets.UTF_8))
                 .execute(arguments);
     }
 

@@ -42,7 +42,8 @@ class RasterGoalsTest {
         Goal goal = RasterGoals.all().get(0);
         var bytes = new ByteArrayOutputStream();
         var rounds = List.of(round(goal, 10, 45), round(goal, 10, 30), round(goal, 20, 100));
-        new GoalTable(List.of(goal), rounds).print(new PrintStream(bytes, true));
+        new GoalTable(List.of(goal), rounds)
+                .print(BenchWords.ENGLISH, new PrintStream(bytes, true));
         assertTrue(bytes.toString().contains(" | 4.50 (3.00–5.00) | "), bytes.toString());
     }
 

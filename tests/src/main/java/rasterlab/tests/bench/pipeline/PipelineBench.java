@@ -10,6 +10,7 @@ import rasterlab.app.opengl.context.NoOpenGl;
 import rasterlab.app.opengl.context.OffscreenContext;
 import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.tests.bench.BenchWords;
 
 /**
  * The pipeline's goals: one line each, printed as soon as it is measured.
@@ -25,14 +26,16 @@ public final class PipelineBench {
 
     private final boolean quick;
     private final String only;
+    private final BenchWords words;
     private final PrintStream out;
 
     /**
      * @param only what a line's work must contain
      */
-    public PipelineBench(boolean quick, String only, PrintStream out) {
+    public PipelineBench(boolean quick, String only, BenchWords words, PrintStream out) {
         this.quick = quick;
         this.only = only;
+        this.words = words;
         this.out = out;
     }
 
@@ -43,15 +46,15 @@ public final class PipelineBench {
         int cores = Runtime.getRuntime().availableProcessors();
         List<Way> ways = Way.all();
         try {
-            out.println("our pipeline runs " + Way.names());
+            out.println(words.text("runs", Way.names()));
             String missing = "";
             try (var gl = OffscreenContext.open(OffscreenContext.Profile.CORE)) {
                 out.println(machine(cores) + "; OpenGL: " + gl.renderer());
                 print(wanted(openGlJobs(quick, ways, cores)));
             } catch (NoOpenGl e) {
-                missing = "no OpenGL here: " + e.getMessage();
+                missing = words.text("no-opengl", e.getMessage());
                 out.println(machine(cores) + "; " + missing);
-                out.println(Row.HEAD);
+                out.println(words.head("head.pipeline"));
                 for (Job job : wanted(openGlJobs(quick, ways, cores)))
                     out.println(Row.without(job.work, missing));
             }
@@ -120,7 +123,7 @@ public final class PipelineBench {
     }
 
     private void print(List<Job> jobs) {
-        out.println(Row.HEAD);
+        out.println(words.head("head.pipeline"));
         printRows(jobs);
     }
 

@@ -13,10 +13,6 @@ import java.util.Locale;
  * @param note what else was seen
  */
 record Row(String work, String ours, String peer, double ratio, double goal, String note) {
-    static final String HEAD =
-            "work | ours, ms | peer, ms | ratio | goal | met | note\n"
-                    + "--- | --- | --- | --- | --- | --- | ---";
-
     static Row without(String work, String missing) {
         return new Row(work, "–", "–", Double.NaN, 0, missing);
     }

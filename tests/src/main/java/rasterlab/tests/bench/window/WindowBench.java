@@ -31,6 +31,7 @@ import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.LabsFile;
 import rasterlab.app.shell.SettingsFile;
 import rasterlab.engine.line.Segment;
+import rasterlab.tests.bench.BenchWords;
 
 /** The window's goals: its start, frames a second while dragging, memory after long use. */
 public final class WindowBench {
@@ -81,6 +82,7 @@ public final class WindowBench {
     private final int starts;
     private final double seconds;
     private final int minutes;
+    private final BenchWords words;
     private final PrintStream out;
     private final FrameWatch frames = new FrameWatch();
     private final EventWatch events = new EventWatch();
@@ -91,17 +93,18 @@ public final class WindowBench {
      * @param seconds that each thing is dragged
      * @param minutes of use whose growth of memory is measured; 0 for none
      */
-    public WindowBench(int starts, double seconds, int minutes, PrintStream out) {
+    public WindowBench(int starts, double seconds, int minutes, BenchWords words, PrintStream out) {
         this.starts = starts;
         this.seconds = seconds;
         this.minutes = minutes;
+        this.words = words;
         this.out = out;
     }
 
     /** Prints the table; without a display only that there is none. */
     public void run() throws IOException, InterruptedException {
         if (GraphicsEnvironment.isHeadless()) {
-            out.println("no display: the window is not measured");
+            out.println(words.text("no-display"));
             return;
         }
         out.printf(
@@ -114,8 +117,7 @@ public final class WindowBench {
                 SIZE.width,
                 SIZE.height,
                 seconds);
-        out.println("work | figure | goal | met");
-        out.println("--- | --- | --- | ---");
+        out.println(words.head("head.window"));
         start();
         try (var folder = new SettingsFolder()) {
             open(folder.settings());
@@ -296,7 +298,7 @@ public final class WindowBench {
     }
 
     private void row(String work, String figure, String goal, boolean met) {
-        out.println(work + " | " + figure + " | " + goal + " | " + (met ? "yes" : "no"));
+        out.println(work + " | " + figure + " | " + goal + " | " + words.text(met ? "yes" : "no"));
     }
 
     /** The parts on the screen that draw in the background. */

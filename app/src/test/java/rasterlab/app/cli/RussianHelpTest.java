@@ -1,0 +1,79 @@
+package rasterlab.app.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.language.Language;
+
+/** Every command takes {@code --lang}, and what it prints for people is in that language. */
+class RussianHelpTest {
+    /** Two words one after the other, not in capitals, as the names of values are. */
+    private static final Pattern ENGLISH =
+            Pattern.compile("(?<![-./`\"])\\b[A-Z]?[a-z]+ [a-z]+\\b");
+
+    static Stream<String> commands() {
+        var console = Console.of(System.in, System.out, System.err, ReportLanguage.EN);
+        return Lab.commandLine(console).getSubcommands().keySet().stream();
+    }
+
+    @ParameterizedTest(name = "./lab help {0} speaks English in Russian")
+    @MethodSource("commands")
+    void helpIsRussian(String command) {
+        assertRussian(Ran.lab("help", command, "--lang", "ru"));
+    }
+
+    @Test
+    @DisplayName("./lab help speaks English in Russian")
+    void helpOfAllIsRussian() {
+        assertRussian(Ran.lab("help", "--lang=ru"));
+        assertEquals(Ran.lab("help", "--lang=ru").out(), Ran.lab("--lang", "ru", "--help").out());
+    }
+
+    private static void assertRussian(Ran ran) {
+        ran.assertDone();
+        assertTrue(ran.out().contains("Вызов: "), ran.out());
+        List<String> english =
+                ran.out()
+                        .lines()
+                        .map(
+                                line ->
+                                        line.replaceAll(
+                                                "`[^`]*`|\\./lab.*|'.*'|Scene files|line bresenham",
+                                                ""))
+                        .filter(line -> ENGLISH.matcher(line).find())
+                        .toList();
+        assertEquals(List.of(), english);
+    }
+
+    @Test
+    @DisplayName("methods are told in English in Russian")
+    void methodsAreToldInRussian() {
+        String said = Ran.lab("methods", "line", "--lang", "ru").out();
+        assertTrue(said.contains("  метод bresenham\n"), said);
+        assertTrue(said.contains("Оба конца — один и тот же пиксель."), said);
+        assertFalse(said.contains("computes"), said);
+    }
+
+    @ParameterizedTest(name = "{0} asks for another window than {1}")
+    @CsvSource({
+        "--lang ru, RUSSIAN",
+        "--lang=RU, RUSSIAN",
+        "--lang en, ENGLISH",
+        "--lang de,",
+        "--lang ru methods,",
+        "--lang,"
+    })
+    void languageAloneOpensTheWindow(String arguments, Language language) {
+        assertEquals(Optional.ofNullable(language), Lab.windowIn(arguments.split(" ")));
+    }
+}
