@@ -14,7 +14,6 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
-import javax.swing.JTextArea;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler.TransferSupport;
 import org.assertj.swing.edt.GuiActionRunner;
@@ -120,15 +119,5 @@ class WindowDialogsTest extends WindowHarness {
 
     private void awaitSaid(String sentence) {
         await(sentence, () -> status().equals(sentence));
-    }
-
-    private String status() {
-        return robot
-                .finder()
-                .findAll(frame, part -> "status".equals(part.getName()) && part.isShowing())
-                .stream()
-                .map(part -> ((JTextArea) part).getText())
-                .findFirst()
-                .orElse("");
     }
 }
