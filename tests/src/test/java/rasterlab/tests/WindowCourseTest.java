@@ -10,6 +10,7 @@ import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import rasterlab.app.shell.LabTheme;
 import rasterlab.tests.grading.GraderClient;
 import rasterlab.tests.grading.ServerProcess;
 import rasterlab.tests.grading.Solutions;
@@ -40,6 +41,8 @@ class WindowCourseTest extends WindowHarness {
         await("it is told", () -> noticed("no answer"));
         await("the keyboard is back where it was asked for", () -> isToHaveKeyboard("server"));
         assertEquals("class A {}", window.textBox("source").text());
+        GuiActionRunner.execute(() -> frame.wear(frame.look().with(LabTheme.DARK)));
+        robot.waitForIdle();
         window.button("server").click();
         JOptionPaneFixture again = window.optionPane();
         assertEquals("http://127.0.0.1:1", again.textBox("join.address").text());

@@ -164,12 +164,12 @@ final class CaseTable extends JTable {
         choose(chosen);
     }
 
-    /** Chooses the case of that name; one that is not there leaves none chosen. */
+    /** Chooses the case of that name and has it in sight; one that is not there leaves none. */
     void choose(String name) {
         for (int i = 0; i < rows.cases.size(); i++)
             if (rows.cases.get(i).name().equals(name)) {
                 setRowSelectionInterval(i, i);
-                scrollToChosen();
+                scrollRectToVisible(getCellRect(i, 0, true));
             }
     }
 

@@ -5,7 +5,6 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.time.format.FormatStyle;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JOptionPane;
@@ -24,6 +23,7 @@ final class EditorBar extends JPanel {
     private static final int GAP = 4;
 
     private final transient ExerciseLabModel model;
+    private final transient WindowEditor kept;
     private final transient SourceEditor editor;
     private final transient Texts texts;
     private final transient RunButtons running;
@@ -31,18 +31,20 @@ final class EditorBar extends JPanel {
     private final JButton redo;
     private final JButton draft;
     private final JButton copy;
-    private transient Optional<JoinForm> joinForm = Optional.empty();
 
     /**
+     * @param kept outlives the bar
      * @param onFailure told when there is no clipboard
      */
     EditorBar(
             ExerciseLabModel model,
+            WindowEditor kept,
             SourceEditor editor,
             Texts texts,
             Consumer<Throwable> onFailure) {
         super(new FlowRows(GAP));
         this.model = model;
+        this.kept = kept;
         this.editor = editor;
         this.texts = texts;
         var check = button("check", texts, model::check);
@@ -148,8 +150,10 @@ final class EditorBar extends JPanel {
     }
 
     private void askServer() {
-        if (joinForm.isEmpty())
-            joinForm = Optional.of(new JoinForm(texts, model.state().account()));
-        joinForm.get().ask(this, model);
+        var form =
+                new JoinForm(
+                        texts, kept.typed().orElse(JoinForm.Typed.first(model.state().account())));
+        form.ask(this, model);
+        kept.type(form.typed());
     }
 }

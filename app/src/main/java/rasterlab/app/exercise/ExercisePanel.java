@@ -78,7 +78,7 @@ public final class ExercisePanel extends LabPanel {
     }
 
     private void addBar() {
-        bar = new EditorBar(model, editor, texts, onFailure);
+        bar = new EditorBar(model, kept, editor, texts, onFailure);
     }
 
     private void addResult() {

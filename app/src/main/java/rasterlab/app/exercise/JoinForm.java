@@ -16,10 +16,7 @@ import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Texts;
 
-/**
- * Asks for a server and a course on it, or for a token that the student has already. What was typed
- * stands there again the next time, for the server may have refused it.
- */
+/** Asks for a server and a course on it, or for a token that the student has already. */
 final class JoinForm extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -31,6 +28,14 @@ final class JoinForm extends JPanel {
     private final JPasswordField token = new JPasswordField(24);
     private final JButton join;
     private final JButton cancel;
+
+    /** What a later form begins with, for the server may refuse it. A token is typed anew. */
+    record Typed(String address, String code, String student) {
+        static Typed first(Optional<Account> account) {
+            return new Typed(
+                    account.map(Account::toString).orElse("http://localhost:8080"), "", "");
+        }
+    }
 
     /** The answers below the form; the first empty field is what is typed in. */
     private final class Question extends JOptionPane {
@@ -71,7 +76,7 @@ final class JoinForm extends JPanel {
         }
     }
 
-    JoinForm(Texts texts, Optional<Account> account) {
+    JoinForm(Texts texts, Typed before) {
         super(new MigLayout("insets 0, gap 8 8, wrap 2", "[][grow,fill]"));
         this.texts = texts;
         join = button("join.ok");
@@ -80,7 +85,9 @@ final class JoinForm extends JPanel {
         known.setName("join.known");
         known.setMnemonic(texts.mnemonic("join.known"));
         known.setDisplayedMnemonicIndex(texts.mnemonicIndex("join.known"));
-        address.setText(account.map(Account::toString).orElse("http://localhost:8080"));
+        address.setText(before.address());
+        code.setText(before.code());
+        student.setText(before.student());
         row("join.address", address);
         row("join.code", code);
         row("join.name", student);
@@ -123,10 +130,12 @@ final class JoinForm extends JPanel {
         return field.getDocument().getLength() == 0 || field.getText().isBlank();
     }
 
+    Typed typed() {
+        return new Typed(address.getText(), code.getText(), student.getText());
+    }
+
     /** Shows the form until it is answered; the model is told a whole answer. */
     void ask(Component parent, ExerciseLabModel model) {
-        // The theme may have changed since it was shown last.
-        Stream.of(this, join, cancel).forEach(SwingUtilities::updateComponentTreeUI);
         var question = new Question();
         JDialog dialog =
                 question.createDialog(SwingUtilities.getRoot(parent), texts.text("join.title"));

@@ -170,7 +170,10 @@ final class ResultPane extends JPanel {
         cases.revalidate();
         cards.show(answer, sourceRefused ? "remarks" : "cases");
         sayHead(state, outcome);
-        if (other) chosen.ifPresent(table::choose);
+        if (other) {
+            chosen.ifPresent(table::choose);
+            table.scrollToChosen();
+        }
         showChosen();
     }
 

@@ -6,16 +6,26 @@ import javax.swing.JPanel;
 import rasterlab.app.language.Texts;
 
 /**
- * The one editor of a window, and how the rooms around it were left. The panels of its languages
- * and themes wear it in turn, so that caret, selection, scroll and what can be undone outlive each
- * of them. On the event thread.
+ * The one editor of a window, how the rooms around it were left, and what was typed for a course.
+ * The panels of its languages and themes wear it in turn, so that caret, selection, scroll and what
+ * can be undone outlive each of them. On the event thread.
  */
 public final class WindowEditor {
     private final RoomsKept rooms = new RoomsKept();
     private Optional<SourceEditor> made = Optional.empty();
+    private Optional<JoinForm.Typed> typed = Optional.empty();
 
     RoomsKept rooms() {
         return rooms;
+    }
+
+    /** What was typed last for a course; empty before anything was. */
+    Optional<JoinForm.Typed> typed() {
+        return typed;
+    }
+
+    void type(JoinForm.Typed forACourse) {
+        typed = Optional.of(forACourse);
     }
 
     SourceEditor of(ExerciseLabModel model) {

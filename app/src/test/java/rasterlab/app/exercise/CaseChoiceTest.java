@@ -7,6 +7,7 @@ import static rasterlab.app.exercise.ShownResult.pane;
 import static rasterlab.app.exercise.ShownResult.show;
 
 import java.awt.EventQueue;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -93,6 +94,37 @@ class CaseChoiceTest {
                     assertEquals(0, cases(made.get()).getVisibleRect().y);
                     made.get().close();
                 });
+    }
+
+    @Test
+    @DisplayName("the list jumps with every case that is judged")
+    void listStaysWhereItIsWhileCasesAreJudged() throws Exception {
+        var made = new AtomicReference<ResultPane>();
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    made.set(pane(Language.ENGLISH, kept, FAILURES::add));
+                    show(made.get(), judged(1), Optional.empty());
+                });
+        OffscreenPainter.paint(made.get(), 775, 180);
+        EventQueue.invokeAndWait(
+                () -> {
+                    JTable cases = cases(made.get());
+                    cases.setRowSelectionInterval(4, 4);
+                    Rectangle seen = cases.getVisibleRect();
+                    seen.y = cases.getCellRect(4, 0, true).y;
+                    cases.scrollRectToVisible(seen);
+                    for (int judged = 2; judged < 5; judged++) {
+                        show(made.get(), judged(judged), Optional.empty());
+                        assertEquals(seen.y, cases.getVisibleRect().y);
+                    }
+                    made.get().close();
+                });
+    }
+
+    private static Work judged(int cases) {
+        List<TriedCase> all = wrong().cases();
+        return new Work(Work.Phase.CHECKING, cases, all.size(), all.subList(0, cases));
     }
 
     private static JTable cases(ResultPane pane) {

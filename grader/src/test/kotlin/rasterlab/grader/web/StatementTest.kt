@@ -79,7 +79,7 @@ class StatementTest {
         assertTrue("(\\foo is no command that is known here)" in english, english)
         assertTrue("(the closing $$ is missing)" in english && "<p>rest</p>" in english, english)
         assertTrue("""aria-label="x"""" in english, english)
-        assertTrue("команда \\foo здесь не известна" in markdownAsHtml(broken, Formulas(), "ru") { it })
+        assertTrue("команда \\foo здесь неизвестна" in markdownAsHtml(broken, Formulas(), "ru") { it })
     }
 
     private fun html(markdown: String) = markdownAsHtml(markdown, Formulas(), "en") { it }
