@@ -85,7 +85,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         return mode == LineMode.SEGMENT ? mode : figures.state().scene().mode();
     }
 
-    /** Shows another mode, with what it had; undo does not go back from it. */
+    /** Shows another mode, with what it had; undo goes back from it among figures only. */
     public void chooseMode(LineMode next) {
         if (next != LineMode.SEGMENT) figures.chooseMode(next);
         mode = next;

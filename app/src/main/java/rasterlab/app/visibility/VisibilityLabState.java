@@ -15,8 +15,7 @@ import rasterlab.app.canvas.HazardNote;
  * @param step how many of them are made
  * @param pixel what happened at the chosen pixel; empty while that is found out
  * @param chosen the chosen pixel
- * @param problem why a file was not opened or saved, "" if nothing went wrong or something was
- *     changed since
+ * @param problem why a file was not opened, "" if nothing went wrong or something was changed since
  * @param note in what the scene is other than the hazard that it was opened for
  * @param medianNanos median time of the last pictures of the present method and size; 0 while there
  *     are too few
