@@ -36,7 +36,7 @@ final class SceneSaving {
     /** Where no file holds the scene, asks for one first and saves the scene there. */
     void tellCommand(Consumer<String> told) {
         VisibilityCommand command = VisibilityCommand.now(model);
-        if (command.needsFile())
+        if (VisibilityCommand.needsFile(model))
             ask("copy.title", saved -> told.accept(command.drawnFrom(saved.file()).text()));
         else told.accept(command.text());
     }

@@ -40,16 +40,21 @@ record VisibilityCommand(
         List<String> outlined) {
     static VisibilityCommand now(VisibilityLabModel model) {
         VisibilityChoice choice = model.state().choice();
-        SceneChoice shown = choice.shown();
-        Optional<Path> saved = model.saved().filter(one -> one.holds(shown)).map(SavedScene::file);
         Optional<Raster> picture = model.state().picture().map(Picture::raster);
         return new VisibilityCommand(
                 choice,
-                shown.file().or(() -> saved),
+                file(model),
                 model.shownZoom(),
                 picture.map(Raster::width).orElse(800),
                 picture.map(Raster::height).orElse(600),
                 methods(choice).stream().filter(model::drawsEdges).toList());
+    }
+
+    /** That holds the scene, where one does. */
+    private static Optional<Path> file(VisibilityLabModel model) {
+        SceneChoice shown = model.state().choice().shown();
+        return shown.file()
+                .or(() -> model.saved().filter(one -> one.holds(shown)).map(SavedScene::file));
     }
 
     private static List<String> methods(VisibilityChoice choice) {
@@ -74,9 +79,13 @@ record VisibilityCommand(
                 .collect(Collectors.joining("\n"));
     }
 
-    /** Whether no name and no file brings the scene back, so that it has to be saved first. */
-    boolean needsFile() {
-        return !choice.view().isChart() && !choice.shown().named() && file.isEmpty();
+    /**
+     * Whether no name and no file brings the scene back, so that it has to be saved first. Needs no
+     * command, which takes long for many vertices.
+     */
+    static boolean needsFile(VisibilityLabModel model) {
+        VisibilityChoice choice = model.state().choice();
+        return !choice.view().isChart() && !choice.shown().named() && file(model).isEmpty();
     }
 
     /** Whether a file says more than the scene. */

@@ -126,10 +126,7 @@ public final class VisibilityPanel extends LabPanel {
         actions.refreshUndo();
         actions.hint(
                 "copyCommand",
-                texts.text(
-                        VisibilityCommand.now(model).needsFile()
-                                ? "copy.unsaved"
-                                : "copy.command"));
+                texts.text(VisibilityCommand.needsFile(model) ? "copy.unsaved" : "copy.command"));
     }
 
     private Chips chips() {

@@ -10,13 +10,13 @@ import rasterlab.engine.visibility.VisibilityWork;
 
 /** The live numbers of a state as the inspector writes them. */
 final class VisibilityReadings {
+    private final VisibilityLabModel model;
     private final VisibilityLabState state;
-    private final double shownZoom;
     private final Texts texts;
 
     VisibilityReadings(VisibilityLabModel model, Texts texts) {
+        this.model = model;
         state = model.state();
-        shownZoom = model.shownZoom();
         this.texts = texts;
     }
 
@@ -27,7 +27,7 @@ final class VisibilityReadings {
                 angle(choice.camera().thetaRadians()),
                 angle(choice.camera().phiRadians()),
                 number(choice.camera().rho(), 1),
-                "× " + number(shownZoom, 2),
+                "× " + number(model.shownZoom(), 2),
                 frameTime(),
                 size());
     }

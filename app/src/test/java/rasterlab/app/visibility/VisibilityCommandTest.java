@@ -140,18 +140,18 @@ class VisibilityCommandTest {
         var failures = new CopyOnWriteArrayList<Throwable>();
         try (var model = new VisibilityLabModel(new Renderer()::render, thread, failures::add)) {
             model.resize(211, 97);
-            assertFalse(VisibilityCommand.now(model).needsFile());
+            assertFalse(VisibilityCommand.needsFile(model));
             var body = new VisibleFacesTopic().hazards().get(0).input();
             model.choose(TopicView.of("visible-faces-cube", body, "back-face", "back-face")::shown);
-            assertTrue(VisibilityCommand.now(model).needsFile());
+            assertTrue(VisibilityCommand.needsFile(model));
             model.keep(SceneFiles.save(folder.resolve("a.scene.json"), model.state().choice()));
             model.choose(choice -> choice.withVisibility("z32"));
             model.turn(0.3, 0.1);
             thread.settle(model::settle);
-            assertFalse(VisibilityCommand.now(model).needsFile());
+            assertFalse(VisibilityCommand.needsFile(model));
             assertDrawsTheSame(model);
             model.choose(choice -> choice.withView(StageView.GROWTH));
-            assertFalse(VisibilityCommand.now(model).needsFile());
+            assertFalse(VisibilityCommand.needsFile(model));
             assertEquals(List.of(), failures);
         }
     }
@@ -164,9 +164,9 @@ class VisibilityCommandTest {
             var bodies = new VisibleFacesTopic().hazards();
             model.choose(TopicView.of("a", bodies.get(0).input(), "back-face", "back-face")::shown);
             model.keep(new SavedScene(folder.resolve("a.json"), model.state().choice().shown()));
-            assertFalse(VisibilityCommand.now(model).needsFile());
+            assertFalse(VisibilityCommand.needsFile(model));
             model.choose(TopicView.of("b", bodies.get(3).input(), "back-face", "back-face")::shown);
-            assertTrue(VisibilityCommand.now(model).needsFile());
+            assertTrue(VisibilityCommand.needsFile(model));
         }
     }
 
