@@ -214,14 +214,6 @@ public record VisibilityChoice(
         return draft.choice();
     }
 
-    /**
-     * Whether wrong pixels are counted for it: where they are marked, and else as long as the eye
-     * stays, for counting is slower than turning.
-     */
-    boolean isCounted(VisibilityChoice before) {
-        return difference || camera.equals(before.camera) && zoom == before.zoom;
-    }
-
     /** The picture without edges, which are no matter of visibility. */
     RenderRequest plain(int width, int height) {
         return plain(visibility, width, height);

@@ -34,7 +34,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private final LatestOnly<RenderRequest, Optional<Drawn>> walks;
     private final LatestOnly<PixelReport.Question, PixelReport> histories;
     private final History<VisibilityChoice> history =
-            new History<>(() -> state().choice(), this::draw);
+            new History<>(() -> state().choice(), choice -> draw(choice, true));
     private final FrameTimes times = new FrameTimes();
     private final List<Consumer<VisibilityLabState>> listeners = new ArrayList<>();
     private final SceneOpening files;
@@ -130,7 +130,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         Raster.checkSize(newWidth, newHeight);
         stage = sized;
         times.clear();
-        draw(state.choice());
+        draw(state.choice(), true);
     }
 
     /** Says why a file was not opened as asked; "" if it was. */
@@ -154,12 +154,21 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
      * @throws IllegalArgumentException if the engine does not know a chosen name
      */
     public void choose(UnaryOperator<VisibilityChoice> change) {
+        change(change, true);
+    }
+
+    /** The same of the eye alone: wrong pixels that are not marked are not counted. */
+    private void move(UnaryOperator<VisibilityChoice> change) {
+        change(change, false);
+    }
+
+    private void change(UnaryOperator<VisibilityChoice> change, boolean counted) {
         VisibilityChoice next = change.apply(state.choice());
         if (next.equals(state.choice())) return;
         next.plain(2, 1); // Refuses unknown names before anything is remembered.
         if (!next.comparison().isEmpty()) next.plain(next.comparison(), 2, 1);
         history.remember();
-        draw(next);
+        draw(next, counted);
     }
 
     /**
@@ -184,12 +193,12 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Turns the eye by angles in radians; φ stays in [0, 2π) and so does θ. */
     public void turn(double dTheta, double dPhi) {
-        choose(choice -> choice.withCamera(Cameras.turned(choice.camera(), dTheta, dPhi)));
+        move(choice -> choice.withCamera(Cameras.turned(choice.camera(), dTheta, dPhi)));
     }
 
     /** Moves the eye away by a factor, within the distances that suit the scene. */
     public void retreat(double factor) {
-        choose(
+        move(
                 choice ->
                         choice.withCamera(
                                 Cameras.retreated(
@@ -198,7 +207,12 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Brings the eye to a place. */
     public void look(SphericalView camera) {
-        choose(choice -> choice.withCamera(camera));
+        move(choice -> choice.withCamera(camera));
+    }
+
+    /** Enlarges the picture by a factor. */
+    public void zoom(double factor) {
+        move(choice -> choice.zoomed(factor));
     }
 
     public void beginDrag() {
@@ -277,12 +291,12 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     @Override
     public void bringBack(VisibilityChoice choice) {
         choice.plain(1, 1); // Refuses unknown names.
-        draw(choice);
+        draw(choice, true);
     }
 
     /** Shows what was kept of the user's files; there is nothing to undo afterwards. */
     void bringBackOpened(VisibilityChoice choice) {
-        draw(choice);
+        draw(choice, true);
         history.forget();
     }
 
@@ -319,7 +333,11 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         rows.end();
     }
 
-    private void draw(VisibilityChoice choice) {
+    /**
+     * @param counted whether wrong pixels are counted that are not marked: that is slower than
+     *     turning
+     */
+    private void draw(VisibilityChoice choice, boolean counted) {
         VisibilityChoice old = state.choice();
         boolean other = !choice.visibility().equals(old.visibility());
         boolean moved = !choice.shown().equals(old.shown());
@@ -332,7 +350,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         histories.cancel();
         if (!stage.known()) return;
         pictures.ask(stage.frame(choice, state.step()));
-        compared = Optional.of(choice).filter(now -> now.isCounted(old)).map(stage::plain);
+        compared = Optional.of(choice).filter(now -> counted || now.difference()).map(stage::plain);
         compared.ifPresent(differences::ask);
         if (choice.drawing()) walks.ask(stage.request(choice, choice.visibility()));
         askPixel();

@@ -80,14 +80,8 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         bindPixel(KeyEvent.VK_LEFT, -1, 0);
         bindPixel(KeyEvent.VK_RIGHT, 1, 0);
         for (String key : new String[] {"typed +", "typed ="})
-            KeyBinding.whenFocused(
-                    this,
-                    KeyStroke.getKeyStroke(key),
-                    () -> model.choose(choice -> choice.zoomed(ZOOM)));
-        KeyBinding.whenFocused(
-                this,
-                KeyStroke.getKeyStroke("typed -"),
-                () -> model.choose(choice -> choice.zoomed(1 / ZOOM)));
+            KeyBinding.whenFocused(this, KeyStroke.getKeyStroke(key), () -> model.zoom(ZOOM));
+        KeyBinding.whenFocused(this, KeyStroke.getKeyStroke("typed -"), () -> model.zoom(1 / ZOOM));
     }
 
     private void addReadOut() {
@@ -375,7 +369,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         public void mouseWheelMoved(MouseWheelEvent e) {
             if (model.state().choice().view().isChart()) return;
             double turned = e.getPreciseWheelRotation();
-            if (e.isControlDown()) model.choose(choice -> choice.zoomed(Math.pow(ZOOM, -turned)));
+            if (e.isControlDown()) model.zoom(Math.pow(ZOOM, -turned));
             else model.retreat(Math.pow(WHEEL, turned));
         }
     }

@@ -114,6 +114,22 @@ class WrongRowsTest {
         assertEquals("newell: –", value("other").getText());
     }
 
+    @Test
+    @DisplayName("a view that differs by the eye alone is not counted until something else changes")
+    void viewOfAChipIsCounted() {
+        model.choose(HazardView.OPENING::shown);
+        model.turn(0.1, 0);
+        model.choose(HazardView.OPENING::shown);
+        thread.settle(model::settle);
+        inspector.refresh();
+        String counted = value("wrongPixels").getText();
+        assertTrue(counted.matches("[0-9]+ pixels?"), counted);
+        model.zoom(1.25);
+        thread.settle(model::settle);
+        inspector.refresh();
+        assertEquals("–", value("wrongPixels").getText(), "counted while the eye moves");
+    }
+
     @ParameterizedTest(name = "the sign of wrong faces has other colours than marked areas: {0}")
     @EnumSource(Language.class)
     void signOfWrongFacesIsInTheColoursOfTheMarks(Language language) {
