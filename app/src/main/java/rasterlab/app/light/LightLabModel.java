@@ -13,9 +13,9 @@ import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.KeptFile;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.LatestReading;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.canvas.Unlike;
-import rasterlab.app.outcome.Complaint;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.color.Colors;
 import rasterlab.engine.pipeline.Renderer;
@@ -37,27 +37,15 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     /** What undo brings back. */
     record Chosen(LightChoice light, boolean colours, ColourChoice colour) {}
 
-    /**
-     * A file to open over what was shown.
-     *
-     * @param back whether only its body is, which an earlier run has shown
-     */
-    private record Asked(Path file, LightChoice before, boolean back) {}
-
-    /**
-     * @param opened empty where there is a problem
-     */
-    private record Answer(Asked asked, Optional<OpenedLitScene> opened, String problem) {}
-
     /** The body drawn last; only the worker's thread uses it. */
     private record Made(Body body, Scene scene) {}
 
     private final LatestOnly<LightFrame, LightFrame.Drawn> pictures;
-    private final LatestOnly<Asked, Answer> files;
+    private final LatestReading reader;
     private final PictureMaker maker;
     private final History<Chosen> history = new History<>(this::chosen, this::show);
     private final List<Consumer<LightLabState>> listeners = new ArrayList<>();
-    private final KeptFile<LitFile, Body> keptFile;
+    private final KeptFile<LitFile, Body, LitSceneOpening.Answer> keptFile;
     private final RowLabModel rows;
     private Optional<Made> made = Optional.empty();
     private Optional<LitSceneFile> saved = Optional.empty();
@@ -92,41 +80,30 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
                         this::drawn,
                         (frame, drawn) -> events.execute(() -> accept(drawn)),
                         onFailure);
-        files =
-                new LatestOnly<>(
-                        "lit scene file",
-                        (asked, cancelled) -> opened(asked),
-                        (asked, answer) -> events.execute(() -> accept(answer)),
-                        onFailure);
-        keptFile =
-                new KeptFile<>(
-                        LitFile.class,
-                        () -> state().choice().body(),
-                        LitFile::of,
-                        body -> body,
-                        (kept, before) -> read(kept));
-    }
-
-    private static Answer opened(Asked asked) {
-        try {
-            OpenedLitScene scene =
-                    asked.back()
-                            ? OpenedLitScene.again(asked.file(), asked.before())
-                            : OpenedLitScene.read(asked.file(), asked.before());
-            return new Answer(asked, Optional.of(scene), "");
-        } catch (Complaint complaint) {
-            return new Answer(asked, Optional.empty(), complaint.getMessage());
-        }
+        reader = new LatestReading("lit scene file", events, onFailure);
+        keptFile = new KeptFile<>(new LitSceneOpening(this), reader);
     }
 
     /** Opens a scene file; what goes wrong, or is not shown of it, is told in the state. */
     public void open(Path file) {
-        files.ask(new Asked(file, state.choice(), false));
+        keptFile.open(LitSceneOpening.reading(file, state.choice()));
     }
 
-    private boolean read(LitFile kept) {
-        kept.file().ifPresent(file -> files.ask(new Asked(file, state.choice(), true)));
-        return kept.file().isPresent();
+    /** Says why a file was not opened, or what of it is not shown. */
+    void tellProblem(String problem) {
+        publish(state.choice(), state.drawn(), problem);
+    }
+
+    /** Lights a scene of the user's. */
+    void open(LightChoice light) {
+        history.remember();
+        show(new Chosen(light, false, state.colour()));
+    }
+
+    /** Lights a body that an earlier run has shown; there is nothing to undo afterwards. */
+    void bringBack(Body body) {
+        history.forget();
+        show(new Chosen(state.choice().with(body), state.colours(), state.colour()));
     }
 
     private LightFrame.Drawn drawn(LightFrame frame, BooleanSupplier cancelled) {
@@ -316,7 +293,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
     public void settle() throws InterruptedException {
-        files.settle();
+        reader.settle();
         pictures.settle();
         rows.settle();
     }
@@ -324,7 +301,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     /** Ends the threads; the one that draws closes what it draws by. */
     @Override
     public void close() {
-        files.close();
+        reader.close();
         pictures.close(maker::close);
         rows.end();
     }
@@ -349,40 +326,6 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     private void accept(LightFrame.Drawn drawn) {
         publish(state.choice(), Optional.of(drawn), state.problem());
-    }
-
-    private void accept(Answer answer) {
-        if (answer.asked().back()) {
-            keptFile.awaited().ifPresent(kept -> bringBack(kept, answer));
-            return;
-        }
-        if (answer.opened().isEmpty()) {
-            publish(state.choice(), state.drawn(), answer.problem());
-            keptFile.again();
-            return;
-        }
-        OpenedLitScene scene = answer.opened().get();
-        if (scene.whole())
-            saved = Optional.of(new LitSceneFile(answer.asked().file(), scene.choice()));
-        keptFile.forget();
-        history.remember();
-        show(new Chosen(scene.choice(), false, state.colour()));
-        String notes = String.join("; ", scene.notes());
-        if (!notes.isEmpty())
-            publish(state.choice(), state.drawn(), answer.asked().file() + ": " + notes);
-    }
-
-    private void bringBack(LitFile kept, Answer answer) {
-        if (answer.opened().isPresent()) {
-            Body body = answer.opened().get().choice().body().withNormals(kept.normals());
-            String told = state.problem();
-            history.forget();
-            show(new Chosen(state.choice().with(body), state.colours(), state.colour()));
-            publish(state.choice(), state.drawn(), told);
-            return;
-        }
-        String instead = "; the scene " + state.choice().body().name() + " is shown instead";
-        publish(state.choice(), state.drawn(), answer.problem() + instead);
     }
 
     private void publish(LightChoice choice, Optional<LightFrame.Drawn> drawn, String problem) {

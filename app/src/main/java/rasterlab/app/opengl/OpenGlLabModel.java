@@ -7,11 +7,13 @@ import java.util.Optional;
 import java.util.concurrent.Executor;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.KeptFile;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.LatestReading;
 import rasterlab.app.opengl.OpenGlLabState.Pictures;
 import rasterlab.app.opengl.call.FrameCalls;
 import rasterlab.app.opengl.call.GlCall;
@@ -36,8 +38,8 @@ import rasterlab.engine.texture.Texture;
 public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     private final Executor events;
     private final LatestOnly<Question, Answer> pictures;
-    private final LatestOnly<Asked, ImageLoading> files;
-    private final KeptFile<KeptImage, GlChoice> keptImage;
+    private final LatestReading reader;
+    private final KeptFile<KeptImage, GlChoice, ImageLoading> keptImage;
     private final History<GlChoice> history =
             new History<>(() -> state().choice(), choice -> draw(choice, state().touched()));
     private final List<Consumer<OpenGlLabState>> listeners = new ArrayList<>();
@@ -48,11 +50,6 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     private int width;
     private int height;
     private OpenGlLabState state;
-
-    /**
-     * @param back whether an earlier run has shown it
-     */
-    private record Asked(Path file, boolean back) {}
 
     /**
      * @param openGl the picture that OpenGL's window has drawn already; empty where the model draws
@@ -77,19 +74,8 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
                         this::answer,
                         (question, answer) -> events.execute(() -> accept(question, answer)),
                         onFailure);
-        files =
-                new LatestOnly<>(
-                        "image",
-                        (asked, cancelled) -> ImageLoading.of(asked.file(), textureLimit()),
-                        (asked, loading) -> events.execute(() -> accept(asked, loading)),
-                        onFailure);
-        keptImage =
-                new KeptFile<>(
-                        KeptImage.class,
-                        () -> state().choice(),
-                        KeptImage::of,
-                        choice -> List.of(choice.get(Setting.IMAGE), choice.file()),
-                        (kept, before) -> read(kept));
+        reader = new LatestReading("image", events, onFailure);
+        keptImage = new KeptFile<>(new ImageOpening(this), reader);
         state =
                 new OpenGlLabState(
                         GlChoice.first(),
@@ -221,12 +207,29 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
 
     /** Makes an image file the texture; what is wrong with it is in the state then. */
     public void open(Path file) {
-        files.ask(new Asked(file, false));
+        keptImage.open(reading(file));
     }
 
-    private boolean read(KeptImage kept) {
-        kept.file().ifPresent(file -> files.ask(new Asked(file, true)));
-        return kept.file().isPresent();
+    Supplier<ImageLoading> reading(Path file) {
+        int limit = textureLimit();
+        return () -> ImageLoading.of(file, limit);
+    }
+
+    /** Makes the user's image the texture. */
+    void open(GlChoice.ImageTexture image) {
+        change(state.choice().withFile(image), Setting.IMAGE);
+    }
+
+    /** The same of an image of an earlier run; there is nothing to undo afterwards. */
+    void bringBack(GlChoice.ImageTexture image, boolean shown) {
+        history.forget();
+        draw(state.choice().withFile(image, shown), state.touched());
+    }
+
+    /** Says what is wrong with the user's image; empty for nothing. */
+    void tellProblem(Optional<String> problem) {
+        state = with(state.choice(), problem, state.touched());
+        tell();
     }
 
     public void beginDrag() {
@@ -272,14 +275,14 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
 
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
     public void settle() throws InterruptedException {
-        files.settle();
+        reader.settle();
         pictures.settle();
     }
 
     /** Ends the threads; the one that draws gives OpenGL's objects back when it is done. */
     @Override
     public void close() {
-        files.close();
+        reader.close();
         pictures.close(
                 () -> {
                     offscreen.close();
@@ -307,36 +310,6 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
                 answer.pictures(),
                 missing.isPresent() ? Optional.empty() : report,
                 missing);
-    }
-
-    private void accept(Asked asked, ImageLoading loading) {
-        if (asked.back()) {
-            keptImage.awaited().ifPresent(kept -> bringBack(kept, loading));
-            return;
-        }
-        if (loading.image().isPresent()) {
-            keptImage.forget();
-            change(state.choice().withFile(loading.image().get()), Setting.IMAGE);
-            return;
-        }
-        state = with(state.choice(), loading.problem(), Setting.IMAGE);
-        tell();
-        keptImage.again();
-    }
-
-    private void bringBack(KeptImage kept, ImageLoading loading) {
-        GlChoice choice = state.choice();
-        if (loading.image().isPresent()) {
-            Optional<String> told = state.problem();
-            history.forget();
-            draw(choice.withFile(loading.image().get(), kept.shown()), state.touched());
-            state = with(state.choice(), told, state.touched());
-        } else {
-            Optional<String> problem =
-                    loading.problem().map(said -> said + "; an image of the lab is shown instead");
-            state = with(choice, problem, Setting.IMAGE);
-        }
-        tell();
     }
 
     private OpenGlLabState with(GlChoice choice, Optional<String> problem, Setting touched) {

@@ -45,7 +45,16 @@ record ComingBack(OpenedFiles.View view, VisibilityChoice before) {
     }
 
     private SceneFiles.Answer shown(SceneChoice scene, String problem) {
-        return new SceneFiles.Answer(now -> seen(now, scene), problem);
+        return new SceneFiles.Answer(
+                now -> {
+                    try {
+                        return seen(now, scene);
+                    } catch (IllegalArgumentException e) {
+                        throw new IllegalArgumentException(
+                                file() + ": " + e.getMessage() + instead(), e);
+                    }
+                },
+                problem);
     }
 
     /** What the user chose since the reading began stays. */

@@ -2,7 +2,6 @@ package rasterlab.app.visibility;
 
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.function.Consumer;
 import rasterlab.engine.scene.catalogue.Scenes;
 import rasterlab.engine.transform.SphericalView;
 
@@ -31,12 +30,6 @@ record OpenedFiles(Optional<View> view) {
             if (scene.isEmpty() && picture.isEmpty())
                 throw new IllegalArgumentException("neither a scene's file nor a picture's");
         }
-    }
-
-    /** Gives what is to be read to who reads it; whether there is any. */
-    boolean read(Consumer<View> reader) {
-        view.ifPresent(reader);
-        return view.isPresent();
     }
 
     static OpenedFiles of(VisibilityChoice choice) {

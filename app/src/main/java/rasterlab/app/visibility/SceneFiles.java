@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Supplier;
 import java.util.function.UnaryOperator;
 import rasterlab.app.model.ModelFile;
 import rasterlab.app.model.SceneText;
@@ -35,35 +36,28 @@ final class SceneFiles {
     private SceneFiles() {}
 
     /**
-     * A file to read.
-     *
-     * @param back what is read of an earlier run; empty for a file that the user opens
-     */
-    record Task(Path file, Optional<ComingBack> back) {
-        static Task of(Path opened) {
-            return new Task(opened, Optional.empty());
-        }
-
-        static Task of(ComingBack back) {
-            return new Task(back.file(), Optional.of(back));
-        }
-    }
-
-    /**
      * @param change what was read makes of the choice
      * @param problem in one line with the place in the file; "" if there was none
      */
     record Answer(UnaryOperator<VisibilityChoice> change, String problem) {}
 
-    static Answer done(Task task) {
-        String instead = task.back.map(ComingBack::instead).orElse("");
+    /** What the user opens. */
+    static Answer read(Path file) {
+        return read(file, () -> new Answer(opened(file), ""), "");
+    }
+
+    /** What an earlier run showed. */
+    static Answer read(ComingBack back) {
+        return read(back.file(), back::read, back.instead());
+    }
+
+    private static Answer read(Path file, Supplier<Answer> reading, String instead) {
         try {
-            if (task.back.isPresent()) return task.back.get().read();
-            return new Answer(opened(task.file), "");
+            return reading.get();
         } catch (Complaint complaint) {
             return new Answer(choice -> choice, complaint.getMessage() + instead);
         } catch (IllegalArgumentException e) {
-            return new Answer(choice -> choice, task.file + ": " + e.getMessage() + instead);
+            return new Answer(choice -> choice, file + ": " + e.getMessage() + instead);
         }
     }
 

@@ -1,88 +1,77 @@
 package rasterlab.app.visibility;
 
 import java.nio.file.Path;
-import java.util.concurrent.Executor;
-import java.util.function.Consumer;
+import java.util.Optional;
+import java.util.function.Supplier;
 import rasterlab.app.canvas.KeptFile;
-import rasterlab.app.canvas.LatestOnly;
-import rasterlab.app.canvas.Settling;
 
-/** Reads scenes in the background: those that the user opens, and those of an earlier run. */
-final class SceneOpening implements Settling, AutoCloseable {
+/** Shows the user's scenes, models and pictures in the lab. */
+final class SceneOpening implements KeptFile.Lab<OpenedFiles, VisibilityChoice, SceneFiles.Answer> {
     private final VisibilityLabModel model;
-    private final LatestOnly<SceneFiles.Task, SceneFiles.Answer> files;
-    private final KeptFile<OpenedFiles, VisibilityChoice> kept;
 
-    /**
-     * @param events runs what it is given on the thread of the model
-     * @param onFailure told what reading threw that is no fault of a file, on any thread
-     */
-    SceneOpening(VisibilityLabModel model, Executor events, Consumer<Throwable> onFailure) {
+    SceneOpening(VisibilityLabModel model) {
         this.model = model;
-        files =
-                new LatestOnly<>(
-                        "scene file",
-                        (task, cancelled) -> SceneFiles.done(task),
-                        (task, answer) -> events.execute(() -> accept(task, answer)),
-                        onFailure);
-        kept =
-                new KeptFile<>(
-                        OpenedFiles.class,
-                        () -> model.state().choice(),
-                        OpenedFiles::of,
-                        VisibilityChoice::shown,
-                        this::read);
     }
 
-    private boolean read(OpenedFiles opened, VisibilityChoice before) {
-        return opened.read(view -> files.ask(SceneFiles.Task.of(new ComingBack(view, before))));
+    @Override
+    public Class<OpenedFiles> keptType() {
+        return OpenedFiles.class;
     }
 
-    void open(Path file) {
-        files.ask(SceneFiles.Task.of(file));
+    @Override
+    public VisibilityChoice shown() {
+        return model.state().choice();
     }
 
-    KeptFile<OpenedFiles, VisibilityChoice> kept() {
-        return kept;
+    @Override
+    public OpenedFiles files(VisibilityChoice shown) {
+        return OpenedFiles.of(shown);
     }
 
-    private void accept(SceneFiles.Task task, SceneFiles.Answer answer) {
-        if (task.back().isPresent()) acceptBack(answer);
-        else acceptOpened(answer);
+    @Override
+    public SceneChoice place(VisibilityChoice shown) {
+        return shown.shown();
     }
 
-    private void acceptOpened(SceneFiles.Answer answer) {
-        model.tellProblem(answer.problem());
+    static Supplier<SceneFiles.Answer> reading(Path file) {
+        return () -> SceneFiles.read(file);
+    }
+
+    @Override
+    public Optional<Supplier<SceneFiles.Answer>> reading(
+            OpenedFiles kept, VisibilityChoice before) {
+        return kept.view().map(view -> () -> SceneFiles.read(new ComingBack(view, before)));
+    }
+
+    @Override
+    public boolean open(SceneFiles.Answer read) {
+        model.tellProblem(read.problem());
         try {
-            if (answer.problem().isEmpty()) model.choose(answer.change());
+            if (read.problem().isEmpty()) model.choose(read.change());
         } catch (IllegalArgumentException e) {
             model.tellProblem(e.getMessage());
         }
-        if (model.state().problem().isEmpty()) kept.forget();
-        else kept.again();
+        return model.state().problem().isEmpty();
     }
 
-    /** What was told of a file opened meanwhile is told on, unless there is a new problem. */
-    private void acceptBack(SceneFiles.Answer answer) {
-        if (kept.awaited().isEmpty()) return;
-        VisibilityLabState state = model.state();
-        String told = answer.problem().isEmpty() ? state.problem() : answer.problem();
+    @Override
+    public String bringBack(OpenedFiles kept, SceneFiles.Answer read) {
         try {
-            VisibilityChoice next = answer.change().apply(state.choice());
-            if (!next.equals(state.choice())) model.bringBackOpened(next);
+            VisibilityChoice next = read.change().apply(shown());
+            if (!next.equals(shown())) model.bringBackOpened(next);
+            return read.problem();
         } catch (IllegalArgumentException e) {
-            told = e.getMessage();
+            return e.getMessage();
         }
-        model.tellProblem(told);
     }
 
     @Override
-    public void settle() throws InterruptedException {
-        files.settle();
+    public String told() {
+        return model.state().problem();
     }
 
     @Override
-    public void close() {
-        files.close();
+    public void tell(String problem) {
+        model.tellProblem(problem);
     }
 }

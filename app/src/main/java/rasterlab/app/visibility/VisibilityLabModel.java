@@ -11,7 +11,9 @@ import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.HazardNote;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.KeptFile;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.LatestReading;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -37,7 +39,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
             new History<>(() -> state().choice(), choice -> draw(choice, true));
     private final FrameTimes times = new FrameTimes();
     private final List<Consumer<VisibilityLabState>> listeners = new ArrayList<>();
-    private final SceneOpening files;
+    private final LatestReading reader;
+    private final KeptFile<OpenedFiles, VisibilityChoice, SceneFiles.Answer> files;
     private final ChartStudies charts;
     private final RowLabModel rows;
     private Optional<Frame> compared = Optional.empty();
@@ -78,7 +81,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
                         PixelReport::of,
                         (asked, found) -> events.execute(() -> accept(found)),
                         onFailure);
-        files = new SceneOpening(this, events, onFailure);
+        reader = new LatestReading("scene file", events, onFailure);
+        files = new KeptFile<>(new SceneOpening(this), reader);
     }
 
     public VisibilityLabState state() {
@@ -264,7 +268,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Opens a scene, a model or a texture; what goes wrong is told in the state. */
     public void open(Path file) {
-        files.open(file);
+        files.open(SceneOpening.reading(file));
     }
 
     void keep(SavedScene scene) {
@@ -302,12 +306,12 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** What of the user's files is shown; brought back after the choice itself. */
     public Kept<OpenedFiles> keptFiles() {
-        return files.kept();
+        return files;
     }
 
     /** Waits until the pictures of every choice so far are made or dropped. Any other thread. */
     public void settle() throws InterruptedException {
-        files.settle();
+        reader.settle();
         walks.settle();
         pictures.settle();
         differences.settle();
@@ -328,7 +332,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         differences.close(after);
         walks.close();
         histories.close();
-        files.close();
+        reader.close();
         charts.close();
         rows.end();
     }

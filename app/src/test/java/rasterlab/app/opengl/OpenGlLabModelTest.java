@@ -16,7 +16,6 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
-import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import rasterlab.app.language.Complaints;
@@ -224,7 +223,7 @@ class OpenGlLabModelTest {
         assertEquals(Setting.IMAGE, model.state().touched());
     }
 
-    @RepeatedTest(20)
+    @Test
     @DisplayName("a broken file opened meanwhile costs the image that is coming back, unsaid")
     void brokenFileDoesNotStopAnImageThatComesBack(@TempDir Path folder)
             throws IOException, InterruptedException {

@@ -121,7 +121,7 @@ class FileComplaintsTest {
             })
     void brokenFileIsToldInRussian(String name, String content) throws IOException {
         Path file = Files.writeString(folder.resolve(name), content);
-        SceneFiles.Answer answer = SceneFiles.done(SceneFiles.Task.of(file));
+        SceneFiles.Answer answer = SceneFiles.read(file);
         assertRussian(answer.problem().isEmpty() ? refusal(answer) : answer.problem());
     }
 
@@ -153,7 +153,7 @@ class FileComplaintsTest {
     @DisplayName("a file that is not there, or cannot be written, is told in English")
     void fileOfNoUseIsToldInRussian() throws IOException {
         for (String name : new String[] {"none.obj", "none.scene.json", "none.png"})
-            assertRussian(SceneFiles.done(SceneFiles.Task.of(folder.resolve(name))).problem());
+            assertRussian(SceneFiles.read(folder.resolve(name)).problem());
         Path inNoFolder = folder.resolve("gone").resolve("one.scene.json");
         assertRussian(
                 assertThrows(
@@ -164,17 +164,17 @@ class FileComplaintsTest {
         byte[] signature = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
         System.arraycopy(signature, 0, half, 0, signature.length);
         Path broken = Files.write(folder.resolve("half.png"), half);
-        String said = SceneFiles.done(SceneFiles.Task.of(broken)).problem();
+        String said = SceneFiles.read(broken).problem();
         assertTrue(Complaints.said(Language.RUSSIAN, said).contains("изображение"), said);
         for (String name : new String[] {"half.scene.json", "half.obj"}) {
             Path picture = Files.write(folder.resolve(name), half);
-            String refused = SceneFiles.done(SceneFiles.Task.of(picture)).problem();
+            String refused = SceneFiles.read(picture).problem();
             assertTrue(refused.contains("looks like a PNG picture"), refused);
             assertRussian(refused);
         }
         Path notText = folder.resolve("latin.scene.json");
         Files.write(notText, "\u00e9".getBytes(StandardCharsets.ISO_8859_1));
-        assertRussian(SceneFiles.done(SceneFiles.Task.of(notText)).problem());
+        assertRussian(SceneFiles.read(notText).problem());
     }
 
     /** Damage of one sign or two, and what the parser says of each kind of it. */
@@ -195,7 +195,7 @@ class FileComplaintsTest {
         }
         for (String text : texts) {
             Path file = Files.writeString(folder.resolve("one.scene.json"), text);
-            String problem = SceneFiles.done(SceneFiles.Task.of(file)).problem();
+            String problem = SceneFiles.read(file).problem();
             if (problem.contains("not JSON")) assertRussianPlace(file, problem);
         }
     }
@@ -216,7 +216,7 @@ class FileComplaintsTest {
     void pipeIsToldInRussian() throws Exception {
         for (String name : new String[] {"one.obj", "one.scene.json", "one.png"}) {
             Path pipe = Pipe.at(folder.resolve(name));
-            SceneFiles.Answer answer = SceneFiles.done(SceneFiles.Task.of(pipe));
+            SceneFiles.Answer answer = SceneFiles.read(pipe);
             assertRussian(answer.problem());
             assertTrue(answer.problem().contains("pipe"), answer.problem());
         }
@@ -237,7 +237,7 @@ class FileComplaintsTest {
                 InputStream.nullInputStream(),
                 new PrintStream(OutputStream.nullOutputStream()),
                 new PrintStream(err));
-        String problem = SceneFiles.done(SceneFiles.Task.of(file)).problem();
+        String problem = SceneFiles.read(file).problem();
         assertEquals("./lab render: " + problem, err.toString(StandardCharsets.UTF_8).strip());
         assertTrue(problem.startsWith(file + ": $.look.textureImage: "), problem);
     }

@@ -2,6 +2,7 @@ package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -18,6 +19,7 @@ import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.engine.raster.Raster;
+import rasterlab.engine.texture.TextureEnvironment;
 import rasterlab.engine.transform.SphericalView;
 
 class KeptChoiceTest {
@@ -222,19 +224,94 @@ class KeptChoiceTest {
     }
 
     @Test
-    @DisplayName("a scene that is gone is told of no more once another file is broken")
-    void goneFileIsToldAfterABrokenOne(@TempDir Path folder) throws IOException {
+    @DisplayName(
+            "a scene that is gone, or a broken file opened meanwhile, is told for a moment only")
+    void goneFileIsToldBesideABrokenOne(@TempDir Path folder) throws IOException {
         Path file = tent(folder);
         open(file);
         Files.delete(file);
         try (VisibilityLabModel next = next()) {
             restarted(next);
-            next.open(Files.writeString(folder.resolve("broken.obj"), "v 0 zero 0\n"));
+            Path broken = Files.writeString(folder.resolve("broken.obj"), "v 0 zero 0\n");
+            next.open(broken);
             thread.settle(next::settle);
+            String first = next.state().problem();
+            assertTrue(first.startsWith(broken + ":1"), first);
             thread.settle(next::settle);
-            String problem = next.state().problem();
-            assertEquals(file + ": no such file to read; the scene vase is shown instead", problem);
+            String second = file + ": no such file to read; the scene vase is shown instead";
+            String both = next.state().problem();
+            assertEquals(first + "; besides, " + second, both);
+            assertEquals(
+                    Complaints.said(Language.RUSSIAN, first)
+                            + "; кроме того, "
+                            + Complaints.said(Language.RUSSIAN, second),
+                    Complaints.said(Language.RUSSIAN, both));
         }
+    }
+
+    @Test
+    @DisplayName("a picture that has lost its colours costs the scene for the environment chosen")
+    void decalIsGivenUpForAGreyPicture(@TempDir Path folder) throws IOException {
+        model.choose(choice -> choice.withScene("globe"));
+        Path file = folder.resolve("flag.png");
+        ImageIO.write(new BufferedImage(4, 2, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
+        open(file);
+        var decal = Optional.of(TextureEnvironment.Mode.DECAL);
+        model.choose(choice -> choice.with(choice.look().withEnvironment(decal).withCue(0.4)));
+        assertEquals(decal, model.state().choice().look().change().environment());
+        ImageIO.write(new BufferedImage(4, 2, BufferedImage.TYPE_BYTE_GRAY), "png", file.toFile());
+        try (VisibilityLabModel next = next()) {
+            restarted(next);
+            thread.settle(next::settle);
+            assertEquals("", next.state().problem());
+            VisibilityChoice opened = next.state().choice();
+            assertEquals(Optional.of(file), opened.shown().image());
+            assertEquals(1, opened.shown().fewestComponents());
+            assertEquals(Optional.empty(), opened.look().change().environment());
+            assertEquals(0.4, opened.look().cue());
+        }
+    }
+
+    @Test
+    @DisplayName("a scene that cannot be seen as it was is dropped without a word of its file")
+    void fileOfAViewThatIsNotIsNamed(@TempDir Path folder) throws IOException {
+        Path file = tent(folder);
+        VisibilityChoice before = model.state().choice();
+        model.keptFiles()
+                .bringBack(
+                        new OpenedFiles(
+                                Optional.of(
+                                        new OpenedFiles.View(
+                                                Optional.of(file),
+                                                Optional.empty(),
+                                                before.camera(),
+                                                99,
+                                                before.look()))));
+        thread.settle(model::settle);
+        assertEquals(before, model.state().choice());
+        String problem = model.state().problem();
+        assertEquals(
+                file
+                        + ": zoom must be in [0.25, 32.0], got 99.0; the scene vase is shown"
+                        + " instead",
+                problem);
+        assertEquals(
+                file
+                        + ": увеличение должно быть в [0,25; 32], получено 99; вместо неё показана"
+                        + " сцена vase",
+                Complaints.said(Language.RUSSIAN, problem));
+    }
+
+    @Test
+    @DisplayName("a texture without colours is refused for a decal in English")
+    void missingColoursAreSaidInBothLanguages() {
+        var refused =
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> new TextureEnvironment(TextureEnvironment.Mode.DECAL, 1, 0));
+        assertEquals(
+                "режиму DECAL нужна текстура из 3 или 4 компонентов, получено 1",
+                Complaints.said(Language.RUSSIAN, refused.getMessage()));
     }
 
     @Test

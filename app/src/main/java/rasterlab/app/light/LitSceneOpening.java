@@ -1,0 +1,95 @@
+package rasterlab.app.light;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import rasterlab.app.canvas.KeptFile;
+import rasterlab.app.outcome.Complaint;
+
+/** Shows the user's scenes in the lab; of an earlier run's only the body. */
+final class LitSceneOpening implements KeptFile.Lab<LitFile, Body, LitSceneOpening.Answer> {
+    /**
+     * @param opened empty where there is a problem
+     */
+    record Answer(Path file, Optional<OpenedLitScene> opened, String problem) {}
+
+    private final LightLabModel model;
+
+    LitSceneOpening(LightLabModel model) {
+        this.model = model;
+    }
+
+    @Override
+    public Class<LitFile> keptType() {
+        return LitFile.class;
+    }
+
+    @Override
+    public Body shown() {
+        return model.state().choice().body();
+    }
+
+    @Override
+    public LitFile files(Body shown) {
+        return LitFile.of(shown);
+    }
+
+    @Override
+    public Body place(Body shown) {
+        return shown;
+    }
+
+    /**
+     * @param before what is shown, of which stays what the file does not say
+     */
+    static Supplier<Answer> reading(Path file, LightChoice before) {
+        return () -> read(file, scene -> OpenedLitScene.read(scene, before));
+    }
+
+    @Override
+    public Optional<Supplier<Answer>> reading(LitFile kept, Body before) {
+        LightChoice now = model.state().choice();
+        return kept.file().map(file -> () -> read(file, scene -> OpenedLitScene.again(scene, now)));
+    }
+
+    private static Answer read(Path file, Function<Path, OpenedLitScene> reader) {
+        try {
+            return new Answer(file, Optional.of(reader.apply(file)), "");
+        } catch (Complaint complaint) {
+            return new Answer(file, Optional.empty(), complaint.getMessage());
+        }
+    }
+
+    @Override
+    public boolean open(Answer read) {
+        if (read.opened().isEmpty()) {
+            tell(read.problem());
+            return false;
+        }
+        OpenedLitScene scene = read.opened().get();
+        model.open(scene.choice());
+        if (scene.whole()) model.keep(new LitSceneFile(read.file(), scene.choice()));
+        String notes = String.join("; ", scene.notes());
+        if (!notes.isEmpty()) tell(read.file() + ": " + notes);
+        return true;
+    }
+
+    @Override
+    public String bringBack(LitFile kept, Answer read) {
+        if (read.opened().isEmpty())
+            return read.problem() + "; the scene " + shown().name() + " is shown instead";
+        model.bringBack(read.opened().get().choice().body().withNormals(kept.normals()));
+        return "";
+    }
+
+    @Override
+    public String told() {
+        return model.state().problem();
+    }
+
+    @Override
+    public void tell(String problem) {
+        model.tellProblem(problem);
+    }
+}
