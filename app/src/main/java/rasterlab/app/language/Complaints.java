@@ -2,8 +2,11 @@ package rasterlab.app.language;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.UnaryOperator;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -12,45 +15,50 @@ import java.util.regex.Pattern;
  * each the numbers.
  *
  * <p>A sentence is found by the English pattern that it fits, the one with most words of its own
- * first; what stands in its places is translated likewise. A sentence that fits none, such as one
- * of the operating system, stays as it is.
+ * first; what stands in its places is translated likewise, but for what is quoted and, in a place
+ * such as {@code {0,name}}, what somebody has named: a file may be called "nothing" or "1.0". A
+ * sentence that fits none, such as one of the operating system, stays as it is.
  */
 public final class Complaints {
-    private static final Pattern PLACE = Pattern.compile("\\{(\\d)}");
+    private static final Pattern PLACE = Pattern.compile("(['\"]?)\\{(\\d)(,name)?}");
 
     /** Compiled once: they are also asked for while a picture is painted. */
     private static final List<Sentence> SENTENCES = sentences();
 
     private final Texts translations;
-    private final Language language;
+    private final UnaryOperator<String> numbers;
 
     /**
      * @param pattern with a group for each place, in the order of {@code places}
+     * @param names numbers of the places that stay as they are
      * @param ownLength letters outside the places
      */
-    private record Sentence(String key, Pattern pattern, List<Integer> places, int ownLength) {
+    private record Sentence(
+            String key, Pattern pattern, List<Integer> places, Set<Integer> names, int ownLength) {
         static Sentence of(String key, String english) {
             var pattern = new StringBuilder();
             var places = new ArrayList<Integer>();
+            var names = new HashSet<Integer>();
             Matcher place = PLACE.matcher(english);
             int end = 0;
             int own = english.length();
             while (place.find()) {
-                pattern.append(Pattern.quote(english.substring(end, place.start())))
-                        .append("(.+?)");
-                places.add(Integer.parseInt(place.group(1)));
+                int number = Integer.parseInt(place.group(2));
+                pattern.append(Pattern.quote(english.substring(end, place.end(1)))).append("(.+?)");
+                places.add(number);
+                if (!place.group(1).isEmpty() || place.group(3) != null) names.add(number);
                 end = place.end();
-                own -= place.group().length();
+                own -= end - place.end(1);
             }
             pattern.append(Pattern.quote(english.substring(end)));
             return new Sentence(
-                    key, Pattern.compile(pattern.toString(), Pattern.DOTALL), places, own);
+                    key, Pattern.compile(pattern.toString(), Pattern.DOTALL), places, names, own);
         }
     }
 
-    private Complaints(Language language) {
+    private Complaints(Language language, UnaryOperator<String> numbers) {
         translations = Texts.of("language", "complaints", language);
-        this.language = language;
+        this.numbers = numbers;
     }
 
     private static List<Sentence> sentences() {
@@ -66,7 +74,13 @@ public final class Complaints {
 
     /** The sentence in that language. */
     public static String said(Language language, String english) {
-        return new Complaints(language).said(english).orElse(english);
+        UnaryOperator<String> numbers = number -> NumberForm.of(number, language);
+        return new Complaints(language, numbers).said(english).orElse(english);
+    }
+
+    /** The same with numbers as Java writes and reads them, for who has to type them. */
+    public static String saidToTypist(Language language, String english) {
+        return new Complaints(language, UnaryOperator.identity()).said(english).orElse(english);
     }
 
     private Optional<String> said(String english) {
@@ -82,10 +96,11 @@ public final class Complaints {
         return PLACE.matcher(text)
                 .replaceAll(
                         place -> {
-                            int number = Integer.parseInt(place.group(1));
+                            int number = Integer.parseInt(place.group(2));
                             String value = found.group(sentence.places.indexOf(number) + 1);
-                            String own = NumberForm.of(value, language);
-                            return Matcher.quoteReplacement(said(value).orElse(own));
+                            if (!sentence.names.contains(number))
+                                value = said(value).orElse(numbers.apply(value));
+                            return Matcher.quoteReplacement(place.group(1) + value);
                         });
     }
 }

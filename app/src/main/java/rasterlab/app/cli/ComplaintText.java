@@ -1,0 +1,53 @@
+package rasterlab.app.cli;
+
+import java.util.Collection;
+import picocli.CommandLine;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.UnmatchedArgumentException;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.outcome.Complaint;
+
+/**
+ * What is wrong with a command line, in one language. Numbers stay as they are typed: scripts and
+ * people may take them from here.
+ */
+public record ComplaintText(ReportLanguage language) {
+    /** Names that picocli quotes, of which a sentence may have any number. */
+    private static final String QUOTED = "(?<![\\p{L}\\d])'([^']*)'(?![\\p{L}\\d])";
+
+    public String of(ParameterException e) {
+        return said(explanation(e));
+    }
+
+    String of(Complaint complaint) {
+        return said(complaint.getMessage());
+    }
+
+    private static String explanation(ParameterException e) {
+        if (!(e instanceof UnmatchedArgumentException unmatched)) return lowerFirst(e.getMessage());
+        String wrong = unmatched.getUnmatched().get(0);
+        CommandLine command = e.getCommandLine();
+        boolean option = unmatched.isUnknownOption();
+        boolean subcommand = !option && !command.getSubcommands().isEmpty();
+        Collection<String> known =
+                option
+                        ? command.getCommandSpec().optionsMap().keySet()
+                        : command.getSubcommands().keySet();
+        return "unknown "
+                + (option ? "option" : subcommand ? "command" : "argument")
+                + " '"
+                + wrong
+                + "'"
+                + Closest.to(wrong, known).map(near -> "; did you mean '" + near + "'?").orElse("");
+    }
+
+    private static String lowerFirst(String sentence) {
+        return Character.toLowerCase(sentence.charAt(0)) + sentence.substring(1);
+    }
+
+    private String said(String english) {
+        return language == ReportLanguage.EN
+                ? english
+                : Complaints.saidToTypist(language.inWindow(), english).replaceAll(QUOTED, "«$1»");
+    }
+}
