@@ -6,9 +6,16 @@ if "%root:~-1%"=="\" set "root=%root:~0,-1%"
 set "state=%root%\target\lab"
 set "log=%state%\build.log"
 set "stamp=%state%\built"
+rem In front of a program of its own, --lang is one of that program's options; "=" parts words like a space.
+set "command=%~1"
+set "language="
+if "%~1"=="--lang" for %%W in (bench grader) do if "%~3"=="%%W" (
+    set "command=%%W"
+    set "language=--lang %~2"
+)
 set "parts=app,grader"
 rem The benchmarks are built only for who measures.
-if "%~1"=="bench" (
+if "%command%"=="bench" (
     set "stamp=%state%\built-bench"
     set "parts=tests"
 )
@@ -73,16 +80,16 @@ echo lab: built 1>&2
 set "module=app"
 set "main=rasterlab.app.Main"
 set "arguments=%*"
-if "%~1"=="bench" (
+if "%command%"=="bench" (
     set "module=tests"
     set "main=rasterlab.tests.bench.Bench"
-    for /f "tokens=1,* delims= " %%A in ("%*") do set "arguments=%%B"
 )
-if "%~1"=="grader" (
+if "%command%"=="grader" (
     set "module=grader"
     set "main=rasterlab.grader.MainKt"
-    for /f "tokens=1,* delims= " %%A in ("%*") do set "arguments=%%B"
 )
+if not "%module%"=="app" for /f "tokens=1,* delims= " %%A in ("%*") do set "arguments=%%B"
+if defined language for /f "tokens=1-3,* delims== " %%A in ("%*") do set "arguments=%language% %%D"
 set "native="
 if %major% GEQ 24 set "native=--enable-native-access=ALL-UNNAMED"
 rem Only what draws many pictures gains by the Vector API: the first ones are slower, and Java warns of it,

@@ -4,6 +4,8 @@ import picocli.CommandLine
 import picocli.CommandLine.Command
 import picocli.CommandLine.HelpCommand
 import picocli.CommandLine.Model.CommandSpec
+import picocli.CommandLine.Option
+import picocli.CommandLine.ScopeType
 import picocli.CommandLine.Spec
 import rasterlab.engine.ProductVersion
 import rasterlab.grader.storage.CannotStart
@@ -25,9 +27,22 @@ private class GraderCommand : Runnable {
     @Spec
     lateinit var spec: CommandSpec
 
+    @Option(
+        names = ["--lang"],
+        paramLabel = "LANGUAGE",
+        scope = ScopeType.INHERIT,
+        description = [
+            "en or ru, taken as by every command of ./lab; what is printed here is in English,",
+            "and the server's pages are in their reader's language.",
+        ],
+    )
+    var language = Tongue.EN
+
     override fun run(): Unit =
         throw CommandLine.ParameterException(spec.commandLine(), "which command? see ./lab grader --help")
 }
+
+internal enum class Tongue { EN, RU }
 
 private class GraderVersion : CommandLine.IVersionProvider {
     override fun getVersion() = arrayOf("Rasterlab ${ProductVersion.text()}")
@@ -40,6 +55,7 @@ fun main(arguments: Array<String>) {
 /** Every failure ends in one line; its stack is in the log, if there is one already. */
 internal fun commandLine(): CommandLine =
     CommandLine(GraderCommand())
+        .setCaseInsensitiveEnumValuesAllowed(true)
         .setParameterExceptionHandler { failure, _ -> refuse(failure.commandLine, failure.message) }
         .setExecutionExceptionHandler { failure, command, _ ->
             val log = logOnlyToFile(failure)

@@ -1,6 +1,7 @@
 package rasterlab.app.cli;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
@@ -8,6 +9,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 import rasterlab.app.light.MachBandsChart;
 import rasterlab.app.line.BrightnessChart;
 import rasterlab.app.outcome.PngFile;
@@ -28,7 +30,7 @@ import rasterlab.engine.visibility.hidden.Growth;
  */
 record Chart(
         String name,
-        Supplier<TextTable> table,
+        Function<Texts, TextTable> table,
         Function<Language, byte[]> svg,
         Function<Language, byte[]> png,
         Supplier<String> csv) {
@@ -71,7 +73,7 @@ record Chart(
                 brightness(methods),
                 new Chart(
                         "visibility-growth",
-                        () -> growth(growth),
+                        texts -> growth(growth, texts),
                         language -> growth.svg(language, ChartLook.PAPER),
                         language -> PngFile.bytes(growth.image(language, ChartLook.PAPER)),
                         growth::csv));
@@ -81,19 +83,22 @@ record Chart(
         Supplier<BrightnessChart> chart = () -> new BrightnessChart(methods);
         return new Chart(
                 OF_METHODS,
-                () -> brightness(chart.get()),
+                texts -> brightness(chart.get(), texts),
                 language -> chart.get().svg(language),
                 language -> PngFile.bytes(chart.get().image(language)),
                 () -> chart.get().csv());
     }
 
-    private static TextTable brightness(BrightnessChart chart) {
-        var table = new TextTable("method", "0 deg", "30 deg", "45 deg", "90 deg");
+    private static TextTable brightness(BrightnessChart chart, Texts texts) {
+        List<Integer> angles = List.of(0, 30, 45, 90);
+        var heads = new ArrayList<>(List.of(texts.text("chart.method")));
+        for (int angle : angles) heads.add(texts.text("chart.degrees", angle));
+        var table = new TextTable(heads);
         for (String method : chart.methods())
             table.add(
                     Stream.concat(
                                     Stream.of(method),
-                                    Stream.of(0, 30, 45, 90)
+                                    angles.stream()
                                             .map(degrees -> chart.light(method).get(degrees))
                                             .map(Chart::lightOrNone))
                             .toList());
@@ -113,8 +118,8 @@ record Chart(
         };
     }
 
-    private static TextTable perspective() {
-        var table = new TextTable("z'/dz'", "gamma", "stretch");
+    private static TextTable perspective(Texts texts) {
+        var table = new TextTable("z'/dz'", "gamma", texts.text("chart.stretch"));
         for (PerspectiveAmount.Sample sample : PerspectiveChart.table())
             table.add(
                     List.of(
@@ -124,8 +129,13 @@ record Chart(
         return table;
     }
 
-    private static TextTable depthPrecision() {
-        var table = new TextTable("format", "far/near", "measured", "predicted");
+    private static TextTable depthPrecision(Texts texts) {
+        var table =
+                new TextTable(
+                        texts.text("chart.format"),
+                        "far/near",
+                        texts.text("chart.measured"),
+                        texts.text("chart.predicted"));
         for (DepthPrecision.Sample sample : DepthPrecisionChart.table())
             table.add(
                     List.of(
@@ -136,8 +146,12 @@ record Chart(
         return table;
     }
 
-    private static TextTable machBands() {
-        var table = new TextTable("shading", "largest step", "largest bend per face");
+    private static TextTable machBands(Texts texts) {
+        var table =
+                new TextTable(
+                        texts.text("chart.shading"),
+                        texts.text("chart.step"),
+                        texts.text("chart.bend"));
         MachBandsChart.profiles()
                 .forEach(
                         (shading, profile) ->
@@ -153,8 +167,13 @@ record Chart(
         return String.format(Locale.ROOT, "%.3f", share);
     }
 
-    private static TextTable growth(GrowthChart growth) {
-        var table = new TextTable("method", "N, one area", "N, one size", "n");
+    private static TextTable growth(GrowthChart growth, Texts texts) {
+        var table =
+                new TextTable(
+                        texts.text("chart.method"),
+                        texts.text("chart.area"),
+                        texts.text("chart.size"),
+                        "n");
         for (String method : growth.methods())
             table.add(
                     Stream.concat(

@@ -8,19 +8,19 @@ import rasterlab.app.language.Complaints;
 import rasterlab.app.outcome.Complaint;
 
 /**
- * What is wrong with a command line, in one language. Numbers stay as they are typed: scripts and
- * people may take them from here.
+ * What is wrong with a command line or what it names, in one language. Numbers stay as they are
+ * typed: scripts and people may take them from here.
  */
 public record ComplaintText(ReportLanguage language) {
     /** Names that picocli quotes, of which a sentence may have any number. */
     private static final String QUOTED = "(?<![\\p{L}\\d])'([^']*)'(?![\\p{L}\\d])";
 
     public String of(ParameterException e) {
-        return said(explanation(e));
+        return of(explanation(e));
     }
 
     String of(Complaint complaint) {
-        return said(complaint.getMessage());
+        return of(complaint.getMessage());
     }
 
     private static String explanation(ParameterException e) {
@@ -45,7 +45,8 @@ public record ComplaintText(ReportLanguage language) {
         return Character.toLowerCase(sentence.charAt(0)) + sentence.substring(1);
     }
 
-    private String said(String english) {
+    /** A sentence of the engine. */
+    String of(String english) {
         return language == ReportLanguage.EN
                 ? english
                 : Complaints.saidToTypist(language.inWindow(), english).replaceAll(QUOTED, "«$1»");

@@ -13,12 +13,13 @@ import java.util.Locale;
  * @param err progress and complaints
  * @param language of what people read
  */
-record Console(InputStream in, PrintStream out, PrintStream err, ReportLanguage language) {
+public record Console(InputStream in, PrintStream out, PrintStream err, ReportLanguage language) {
     /**
      * Text goes out in UTF-8, also where the system's locale is set to plain ASCII, but for a
      * Windows console, which shows only its own code page.
      */
-    static Console of(InputStream in, PrintStream out, PrintStream err, ReportLanguage language) {
+    public static Console of(
+            InputStream in, PrintStream out, PrintStream err, ReportLanguage language) {
         return new Console(
                 in,
                 new PrintStream(out, false, charset("stdout.encoding")),

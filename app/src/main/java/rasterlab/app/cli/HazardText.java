@@ -3,7 +3,10 @@ package rasterlab.app.cli;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.study.FirstDifference;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.engine.study.HazardTrial.Cell;
 
@@ -32,6 +35,11 @@ final class HazardText {
         return cell.verdict().kind().code() + (cell.asRecorded() ? "" : " !");
     }
 
+    private static String said(String detail, Language language) {
+        Texts words = Texts.of("study", language);
+        return Complaints.saidToTypist(language, FirstDifference.said(words, detail));
+    }
+
     private static String difference(Cell cell, Texts texts) {
         String detail = cell.verdict().detail();
         String differs =
@@ -41,6 +49,6 @@ final class HazardText {
                         cell.hazard(),
                         cell.verdict().kind().code(),
                         cell.recorded().code());
-        return differs + (detail.isEmpty() ? "" : "; " + detail);
+        return differs + (detail.isEmpty() ? "" : "; " + said(detail, texts.language()));
     }
 }

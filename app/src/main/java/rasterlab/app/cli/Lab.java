@@ -85,6 +85,7 @@ public final class Lab {
                 .registerConverter(Integer.class, NumberText::whole)
                 .registerConverter(int.class, NumberText::whole)
                 .setAbbreviatedOptionsAllowed(false)
+                .setExpandAtFiles(false)
                 .setParameterExceptionHandler(failures::wrongArguments)
                 .setExecutionExceptionHandler(failures::failed);
     }

@@ -62,6 +62,7 @@ final class SceneArgument {
      * @throws IllegalArgumentException for an unknown name or a detail the scene has not
      */
     ShownScene open(Console console) {
+        var complaints = new ComplaintText(console.language());
         String name = scene.toLowerCase(Locale.ROOT);
         boolean model = name.endsWith(".obj");
         boolean view = name.endsWith(SceneText.EXTENSION);
@@ -77,7 +78,7 @@ final class SceneArgument {
                     ModelFile.read(
                             Path.of(scene),
                             up == null ? UpAxis.Z : UpAxis.named(up),
-                            note -> console.tell("note", note)));
+                            note -> console.tell("note", complaints.of(note))));
         return plain(detail == null ? Scenes.named(scene) : Scenes.named(scene, detail));
     }
 

@@ -41,11 +41,15 @@ public final class Texts {
 
     /** The same for a library that looks up its own keys. */
     public static ResourceBundle bundle(String feature, String bundle, Language language) {
+        return bundle("rasterlab.app." + feature + "." + bundle, language);
+    }
+
+    /** The same of any package, by the bundle's whole name. */
+    public static ResourceBundle bundle(String name, Language language) {
         var onlyAsked =
                 ResourceBundle.Control.getNoFallbackControl(
                         ResourceBundle.Control.FORMAT_PROPERTIES);
-        return ResourceBundle.getBundle(
-                "rasterlab.app." + feature + "." + bundle, language.locale(), onlyAsked);
+        return ResourceBundle.getBundle(name, language.locale(), onlyAsked);
     }
 
     public Language language() {

@@ -6,8 +6,8 @@ import java.util.regex.Pattern;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 
-/** What comparisons of pixels say in English, in the window's language. */
-final class FirstDifference {
+/** What comparisons of pixels say in English, in another language. */
+public final class FirstDifference {
     private static final Pattern PLACE = Pattern.compile("\\((-?\\d+), (-?\\d+)\\)");
 
     /** Of a method that does not end: how many of what it gave, and how many are right. */
@@ -25,8 +25,12 @@ final class FirstDifference {
 
     private FirstDifference() {}
 
-    /** The sentence with what is about pixels translated; the rest stays as it is. */
-    static String said(Texts texts, String detail) {
+    /**
+     * The sentence with what is about pixels translated; the rest stays as it is.
+     *
+     * @param texts of this package
+     */
+    public static String said(Texts texts, String detail) {
         String said = detail;
         for (Sentence each : SENTENCES)
             said =

@@ -38,7 +38,6 @@ final class HazardNames extends JTable {
 
     void show(Topic<?, ?, ?> topic, List<? extends Hazard<?>> hazards, TopicNames called) {
         names.shown = hazards.stream().map(each -> called.hazard(topic, each)).toList();
-        names.tips = hazards.stream().map(each -> called.hazard(topic, each)).toList();
         names.fireTableDataChanged();
         var metrics = getFontMetrics(getFont());
         int width =
@@ -57,7 +56,7 @@ final class HazardNames extends JTable {
         public java.awt.Component getTableCellRendererComponent(
                 JTable table, Object value, boolean on, boolean focused, int row, int column) {
             super.getTableCellRendererComponent(table, value, on, false, row, column);
-            setToolTipText(names.tips.get(row));
+            setToolTipText(names.shown.get(row));
             return this;
         }
     }
@@ -67,9 +66,6 @@ final class HazardNames extends JTable {
 
         private final String heading;
         private transient List<String> shown = List.of();
-
-        /** With the names that commands take. */
-        private transient List<String> tips = List.of();
 
         Names(String heading) {
             this.heading = heading;

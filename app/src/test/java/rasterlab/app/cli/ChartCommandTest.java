@@ -52,6 +52,18 @@ class ChartCommandTest {
         assertEquals("", ran.out());
     }
 
+    @ParameterizedTest(name = "heads of the table stay English: {0}")
+    @ValueSource(strings = {"perspective", "depth-precision", "mach-bands", "line-brightness"})
+    void headsAreRussian(String chart) {
+        String english = Ran.lab("chart", chart).out().lines().findFirst().orElseThrow();
+        String russian =
+                Ran.lab("chart", chart, "--lang", "ru").out().lines().findFirst().orElseThrow();
+        for (String head : english.strip().split(" {2,}"))
+            if (head.matches("[a-z ]{5,}") && !head.equals("gamma"))
+                assertFalse(russian.contains(head), russian);
+        assertTrue(Pattern.compile("[а-я]{5}").matcher(russian).find(), russian);
+    }
+
     @Test
     void tableShowsWhereGammaRunsAway() {
         Ran ran = Ran.lab("chart", "perspective");

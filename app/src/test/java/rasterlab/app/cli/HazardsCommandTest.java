@@ -41,14 +41,19 @@ class HazardsCommandTest {
         var cell = new Cell("steep", "dda", verdict, Verdict.Kind.EXACT);
         var matrix = new HazardMatrix("line", List.of("dda"), List.of("steep"), List.of(cell));
         assertFalse(matrix.asRecorded());
-        var out = new ByteArrayOutputStream();
-        HazardText.print(
-                matrix,
-                new PrintStream(out, true, StandardCharsets.UTF_8),
-                ReportLanguage.EN.texts());
-        List<String> lines = out.toString(StandardCharsets.UTF_8).lines().toList();
+        List<String> lines = printed(matrix, ReportLanguage.EN);
         assertEquals("steep  wrong !", lines.get(1));
         assertEquals(
                 "! dda on steep: wrong, recorded is exact; pixel (1, 2) is missing", lines.get(2));
+        String russian = printed(matrix, ReportLanguage.RU).get(2);
+        assertFalse(russian.contains("missing"), russian);
+        assertTrue(russian.contains("пиксел"), russian);
+    }
+
+    private static List<String> printed(HazardMatrix matrix, ReportLanguage language) {
+        var out = new ByteArrayOutputStream();
+        HazardText.print(
+                matrix, new PrintStream(out, true, StandardCharsets.UTF_8), language.texts());
+        return out.toString(StandardCharsets.UTF_8).lines().toList();
     }
 }

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -102,6 +103,18 @@ class RenderModelTest {
             Ran ran = render("--visibility", visibility);
             if (ran.exitCode() != 3) ran.assertDone();
         }
+    }
+
+    @Test
+    @DisplayName("a note is in English behind a Russian label")
+    void whatIsLeftOutIsToldInRussian() throws Exception {
+        model(CUBE + "f 1 1 2\nf 1 1 2\nfoo 1\n", MATERIALS, 1, 1);
+        Ran ran = render("--lang", "ru");
+        ran.assertDone();
+        String said = ran.err().replace(folder.toString(), "");
+        assertTrue(said.contains(": грань без площади пропущена, таких мест: 2"), said);
+        assertTrue(said.contains(": неизвестное «foo» пропущено"), said);
+        assertFalse(said.contains("was"), said);
     }
 
     @Test

@@ -8,11 +8,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Commands that speak Russian say in Russian, too, what is wrong with their arguments. */
@@ -22,67 +24,73 @@ class RussianComplaintsTest {
             Pattern.compile(
                     "(?<![/.`-])\\b[a-z]{2,} [a-z]{2,}\\b|(?<= )(an?|and|got|is|of|or|the|to)(?= )");
 
+    private static final String CALLS =
+            """
+            check --lang ru
+            check line-bresenham --lang ru
+            check line-wu A.java --lang=ru
+            check line-bresenham FOLDER/none.java --lang ru
+            check line-bresenham FOLDER --lang ru
+            check line-bresenham EMPTY --lang ru
+            check line-bresenham PICTURE --lang RU
+            check line-bresenham EMPTY more --lang ru
+            check line-bresenham EMPTY --lnag ru --lang ru
+            check line-bresenham EMPTY --out --lang ru
+            check line-bresenham EMPTY --lang ru --lang ru
+            chart --lang ru
+            chart perspectiv --lang ru
+            chart perspective --out a.gif --lang ru
+            chart perspective --out FOLDER/none/a.svg --lang ru
+            chart perspective --methods dda --lang ru
+            chart line-brightness --methods dad --lang ru
+            chart line-brightness --methods dda, --lang ru
+            study --lang ru
+            study lien --lang ru
+            study line --out a.gif --lang ru
+            study line --out FOLDER --lang ru
+            tour more --lang ru
+            tour --lang ru --out
+            tour --out EMPTY --lang ru
+            methods lien --lang ru
+            --lang ru methods line more
+            hazards lien --lang ru
+            rneder --lang ru
+            run line --lang ru
+            run line bersenham --lang ru
+            run fill stacks --lang ru
+            render vase --out FOLDER/a.png --detail 3 --lang ru
+            run line bresenham --lang ru
+            render --lang ru
+            render vaes --out a.png --lang ru
+            render vase --lang ru
+            render vase --out a.gif --lang ru
+            render vase --out FOLDER/a.png --size 0x4 --lang ru
+            render vase --out FOLDER/a.png --size 4 --lang ru
+            render vase --out FOLDER/a.png --zoom x --lang ru
+            render vase --out FOLDER/a.png --zoom 1e-9 --lang ru
+            render vase --out FOLDER/a.png --clip-plane 1,2 --lang ru
+            render sphere --out FOLDER/a.png --detail 0 --lang ru
+            render vase --out FOLDER/a.png --near 3 --far 2 --lang ru
+            render vase --out FOLDER/a.png --camera 1,2 --lang ru
+            render vase --out FOLDER/a.png --up y --lang ru
+            render vase --out FOLDER/a.png --eyes 3deg --lang ru
+            opengl --lang ru
+            opengl --out FOLDER/a.png --set scene --lang ru
+            opengl --out FOLDER/a.png --set sence=quad --lang ru
+            completion more --lang ru
+            help rneder --lang ru
+            grader serve --lang ru
+            bench raster --lang ru
+            """;
+
     @TempDir Path folder;
 
+    static Stream<String> calls() {
+        return CALLS.lines();
+    }
+
     @ParameterizedTest(name = "./lab {0} is answered in English")
-    @ValueSource(
-            strings = {
-                "check --lang ru",
-                "check line-bresenham --lang ru",
-                "check line-wu A.java --lang=ru",
-                "check line-bresenham FOLDER/none.java --lang ru",
-                "check line-bresenham FOLDER --lang ru",
-                "check line-bresenham EMPTY --lang ru",
-                "check line-bresenham PICTURE --lang RU",
-                "check line-bresenham EMPTY more --lang ru",
-                "check line-bresenham EMPTY --lnag ru --lang ru",
-                "check line-bresenham EMPTY --out --lang ru",
-                "check line-bresenham EMPTY --lang ru --lang ru",
-                "chart --lang ru",
-                "chart perspectiv --lang ru",
-                "chart perspective --out a.gif --lang ru",
-                "chart perspective --out FOLDER/none/a.svg --lang ru",
-                "chart perspective --methods dda --lang ru",
-                "chart line-brightness --methods dad --lang ru",
-                "chart line-brightness --methods dda, --lang ru",
-                "study --lang ru",
-                "study lien --lang ru",
-                "study line --out a.gif --lang ru",
-                "study line --out FOLDER --lang ru",
-                "tour more --lang ru",
-                "tour --lang ru --out",
-                "tour --out EMPTY --lang ru",
-                "methods lien --lang ru",
-                "--lang ru methods line more",
-                "hazards lien --lang ru",
-                "rneder --lang ru",
-                "run line --lang ru",
-                "run line bersenham --lang ru",
-                "run fill stacks --lang ru",
-                "render vase --out FOLDER/a.png --detail 3 --lang ru",
-                "run line bresenham --lang ru",
-                "render --lang ru",
-                "render vaes --out a.png --lang ru",
-                "render vase --lang ru",
-                "render vase --out a.gif --lang ru",
-                "render vase --out FOLDER/a.png --size 0x4 --lang ru",
-                "render vase --out FOLDER/a.png --size 4 --lang ru",
-                "render vase --out FOLDER/a.png --zoom x --lang ru",
-                "render vase --out FOLDER/a.png --zoom 1e-9 --lang ru",
-                "render vase --out FOLDER/a.png --clip-plane 1,2 --lang ru",
-                "render sphere --out FOLDER/a.png --detail 0 --lang ru",
-                "render vase --out FOLDER/a.png --near 3 --far 2 --lang ru",
-                "render vase --out FOLDER/a.png --camera 1,2 --lang ru",
-                "render vase --out FOLDER/a.png --up y --lang ru",
-                "render vase --out FOLDER/a.png --eyes 3deg --lang ru",
-                "opengl --lang ru",
-                "opengl --out FOLDER/a.png --set scene --lang ru",
-                "opengl --out FOLDER/a.png --set sence=quad --lang ru",
-                "completion more --lang ru",
-                "help rneder --lang ru",
-                "grader serve --lang ru",
-                "bench raster --lang ru"
-            })
+    @MethodSource("calls")
     void tellsInRussian(String call) throws Exception {
         Path empty = Files.createFile(folder.resolve("a.java"));
         byte[] png = "\u0089PNG\r\n\u001a\n....".getBytes(StandardCharsets.ISO_8859_1);
@@ -158,6 +166,15 @@ class RussianComplaintsTest {
     void whatWasTypedStays(String call, String said) {
         String told = Ran.lab((call + " --lang ru").split(" ")).err();
         assertTrue(told.contains(said), told);
+    }
+
+    @Test
+    @DisplayName("words are taken from a file, in another language than the one asked for")
+    void aFileOfWordsIsNoCommand() throws Exception {
+        Path words = Files.writeString(folder.resolve("words"), "methods line");
+        Ran ran = Ran.lab("@" + words, "--lang", "ru");
+        assertEquals(2, ran.exitCode(), ran.out());
+        assertTrue(ran.err().contains("неизвестная команда «@"), ran.err());
     }
 
     @ParameterizedTest(name = "names are in straight quotes after: ./lab {0}")

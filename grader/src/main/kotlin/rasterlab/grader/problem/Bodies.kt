@@ -48,7 +48,7 @@ fun Application.waitForBodies(patience: Duration) {
 /** What [read] makes of the body, if all of it comes in time. */
 suspend fun <T : Any> ApplicationCall.inTime(read: suspend () -> T): T {
     val patience = application.attributes[PATIENCE]
-    return withTimeoutOrNull(patience) { read() } ?: throw Rejection.TooSlow(patience)
+    return withTimeoutOrNull(patience) { read() } ?: throw Rejection.TooSlow(patience.inWholeSeconds)
 }
 
 /** The body, never keeping more than [limit] bytes of it. */

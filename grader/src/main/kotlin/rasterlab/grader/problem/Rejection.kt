@@ -13,7 +13,6 @@ import io.ktor.http.HttpStatusCode.Companion.TooManyRequests
 import io.ktor.http.HttpStatusCode.Companion.Unauthorized
 import io.ktor.http.HttpStatusCode.Companion.UnprocessableEntity
 import io.ktor.http.HttpStatusCode.Companion.UnsupportedMediaType
-import kotlin.time.Duration
 
 /**
  * Why the server does not do what it was asked.
@@ -103,8 +102,8 @@ sealed class Rejection(
     ) : Rejection("Content-Type is '$found', expected $expected", "wrong-media-type")
 
     class TooSlow(
-        patience: Duration,
-    ) : Rejection("the body did not arrive within $patience", "too-slow")
+        seconds: Long,
+    ) : Rejection("the body did not arrive within $seconds s", "too-slow")
 
     class TooManyQueued(
         limit: Int,

@@ -1,7 +1,7 @@
 package rasterlab.tests.bench;
 
 import java.io.IOException;
-import java.io.PrintStream;
+import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -26,6 +26,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import rasterlab.app.cli.ComplaintText;
+import rasterlab.app.cli.Console;
 import rasterlab.app.cli.ReportLanguage;
 import rasterlab.tests.bench.pipeline.PipelineBench;
 import rasterlab.tests.bench.window.WindowBench;
@@ -85,25 +87,35 @@ public final class Bench implements Callable<Integer> {
                     "of what people read: en or ru; default: en. Names of works are the same in both")
     private ReportLanguage language = ReportLanguage.EN;
 
+    private final Console console;
     private final BenchWords words;
 
-    private Bench(BenchWords words) {
-        this.words = words;
+    private Bench(Console console) {
+        this.console = console;
+        words = new BenchWords(console.language().inWindow());
     }
 
     public static void main(String[] arguments) {
-        var words = new BenchWords(ReportLanguage.asked(arguments).inWindow());
-        System.exit(commandLine(words, System.err).execute(arguments));
+        ReportLanguage language = ReportLanguage.asked(arguments);
+        var console = Console.of(System.in, System.out, System.err, language);
+        int code = commandLine(console).execute(arguments);
+        console.out().flush();
+        System.exit(code);
     }
 
-    static CommandLine commandLine(BenchWords words, PrintStream err) {
-        CommandLine command = words.worn(new CommandLine(new Bench(words)));
-        return command.registerConverter(ReportLanguage.class, ReportLanguage::named)
+    static CommandLine commandLine(Console console) {
+        var bench = new Bench(console);
+        var complaints = new ComplaintText(console.language());
+        CommandLine command = bench.words.worn(new CommandLine(bench));
+        return command.setOut(new PrintWriter(console.out(), true))
+                .setErr(new PrintWriter(console.err(), true))
+                .setExpandAtFiles(false)
+                .registerConverter(ReportLanguage.class, ReportLanguage::named)
                 .setParameterExceptionHandler(
                         (wrong, given) -> {
                             String name = command.getCommandName();
-                            String said = words.said(wrong.getMessage());
-                            err.println(name + ": " + said + " " + words.text("see", name));
+                            String see = bench.words.text("see", name);
+                            console.err().println(name + ": " + complaints.of(wrong) + " " + see);
                             return CommandLine.ExitCode.USAGE;
                         });
     }
@@ -120,19 +132,19 @@ public final class Bench implements Callable<Integer> {
         requireSense();
         if (argumentsOnly) return 0;
         if (group.equals(WINDOW)) {
-            new WindowBench(quick ? 1 : 5, quick ? 5 : 60, minutes, words, System.out).run();
+            new WindowBench(quick ? 1 : 5, quick ? 5 : 60, minutes, words, console.out()).run();
             return 0;
         }
         if (group.equals(PIPELINE)) {
-            new PipelineBench(quick, only, words, System.out).run();
+            new PipelineBench(quick, only, words, console.out()).run();
             return 0;
         }
         List<Goal> goals = goals();
         var rounds = new ArrayList<Map<Timing.Key, Timing>>();
         for (int round = 0; round < (quick ? 1 : ROUNDS); round++)
             rounds.add(timings(new Runner(options(goals).build()).run()));
-        System.out.println();
-        new GoalTable(goals, rounds).print(words, System.out);
+        console.out().println();
+        new GoalTable(goals, rounds).print(words, console.out());
         return 0;
     }
 

@@ -4,8 +4,8 @@ import java.text.MessageFormat;
 import java.util.Locale;
 import java.util.ResourceBundle;
 import picocli.CommandLine;
-import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 
 /**
  * What the benchmarks say to people, in one language; names of works and methods are the same in
@@ -19,6 +19,16 @@ public record BenchWords(Language language) {
         return new MessageFormat(bundle().getString(key), Locale.ROOT).format(arguments);
     }
 
+    /** What is measured on. */
+    public String machine() {
+        return text(
+                "machine",
+                System.getProperty("os.name"),
+                System.getProperty("os.arch"),
+                String.valueOf(Runtime.getRuntime().availableProcessors()),
+                Runtime.version().toString());
+    }
+
     /** The table's head with the line that Markdown wants below it. */
     public String head(String key) {
         String head = text(key);
@@ -30,18 +40,7 @@ public record BenchWords(Language language) {
         return language == Language.ENGLISH ? command : command.setResourceBundle(bundle());
     }
 
-    /** What picocli says in English. */
-    String said(String english) {
-        if (language == Language.ENGLISH) return english;
-        String sentence = Character.toLowerCase(english.charAt(0)) + english.substring(1);
-        return Complaints.said(language, sentence).replaceAll("'([^']*)'", "«$1»");
-    }
-
     private ResourceBundle bundle() {
-        var onlyAsked =
-                ResourceBundle.Control.getNoFallbackControl(
-                        ResourceBundle.Control.FORMAT_PROPERTIES);
-        return ResourceBundle.getBundle(
-                "rasterlab.tests.bench.words", language.locale(), onlyAsked);
+        return Texts.bundle("rasterlab.tests.bench.words", language);
     }
 }

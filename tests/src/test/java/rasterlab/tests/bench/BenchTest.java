@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
+import java.io.InputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -11,6 +12,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.cli.Console;
 import rasterlab.app.cli.ReportLanguage;
 import rasterlab.app.language.Language;
 
@@ -71,7 +73,9 @@ class BenchTest {
                 "raster --minutes 3 --lang ru",
                 "window --minutes x --lang ru",
                 "raster --lnag --lang ru",
-                "raster more --lang ru"
+                "raster more --lang ru",
+                "raster more again --lang ru",
+                "raster --minute 3 --lang ru"
             })
     void tellsInRussian(String call) {
         assertEquals(2, run(call.split(" ")));
@@ -87,17 +91,27 @@ class BenchTest {
     @DisplayName("help and the head of the table stay English")
     void helpAndHeadsAreRussianToo() {
         var words = new BenchWords(Language.RUSSIAN);
-        String help = Bench.commandLine(words, System.err).getUsageMessage();
+        String help = Bench.commandLine(console(ReportLanguage.RU)).getUsageMessage();
         assertTrue(help.startsWith("Вызов: ./lab bench"), help);
         String told = help.replace("raster, pipeline", "").replace("./lab bench", "");
         assertTrue(told.matches("(?s)(?!.*\\b[a-z]{2,} [a-z]{2,}).*"), help);
         assertTrue(words.head("head.raster").contains("отношение"));
     }
 
+    @Test
+    void helpIsPrintedInUtf8() {
+        assertEquals(0, run("--help", "--lang", "ru"));
+        assertTrue(said().startsWith("Вызов: ./lab bench"), said());
+    }
+
     private int run(String... arguments) {
-        var words = new BenchWords(ReportLanguage.asked(arguments).inWindow());
-        return Bench.commandLine(words, new PrintStream(err, true, StandardCharsets.UTF_8))
-                .execute(arguments);
+        return Bench.commandLine(console(ReportLanguage.asked(arguments))).execute(arguments);
+    }
+
+    /** Over streams that know only ASCII, as where the system's locale is C. */
+    private Console console(ReportLanguage language) {
+        var ascii = new PrintStream(err, true, StandardCharsets.US_ASCII);
+        return Console.of(InputStream.nullInputStream(), ascii, ascii, language);
     }
 
     private String said() {

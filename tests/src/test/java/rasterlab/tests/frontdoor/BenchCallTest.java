@@ -19,6 +19,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.tests.ChildProcess;
@@ -55,6 +56,20 @@ class BenchCallTest {
         assertFalse(run.out().contains("/engine/vector-options"), run.out());
     }
 
+    @ParameterizedTest(name = "./lab {0} is not: {1}")
+    @CsvSource({
+        "--lang ru bench raster, rasterlab.tests.bench.Bench --lang ru raster",
+        "--lang=ru bench raster, rasterlab.tests.bench.Bench --lang=ru raster",
+        "--lang ru grader serve, rasterlab.grader.MainKt --lang ru serve",
+        "--lang ru methods line, rasterlab.app.Main --lang ru methods line",
+        "--lang ru, rasterlab.app.Main --lang ru"
+    })
+    void languageMayStandInFrontOfEachProgram(String words, String started) throws IOException {
+        var run = calledWith(List.of(words.split(" ")));
+        assertEquals(0, run.exit(), run.err());
+        assertTrue(run.out().strip().endsWith(started), run.out());
+    }
+
     private boolean asksForVectors(String... arguments) throws IOException {
         var run = called(arguments);
         assertEquals(0, run.exit(), run.err());
@@ -63,11 +78,16 @@ class BenchCallTest {
     }
 
     private ChildProcess called(String... arguments) throws IOException {
+        return calledWith(Stream.concat(Stream.of("bench"), Stream.of(arguments)).toList());
+    }
+
+    private ChildProcess calledWith(List<String> words) throws IOException {
         FreshCopy.copySources(folder);
-        var stamp = Files.createDirectories(folder.resolve("target/lab")).resolve("built-bench");
-        Files.writeString(stamp, "");
-        var command = new ArrayList<>(List.of(folder.resolve("lab").toString(), "bench"));
-        command.addAll(List.of(arguments));
+        var state = Files.createDirectories(folder.resolve("target/lab"));
+        for (var stamp : List.of("built", "built-bench"))
+            Files.writeString(state.resolve(stamp), "");
+        var command = new ArrayList<>(List.of(folder.resolve("lab").toString()));
+        command.addAll(words);
         var home = Map.of("JAVA_HOME", sayingJava().toString());
         return ChildProcess.run(folder, home, Duration.ofMinutes(1), command);
     }

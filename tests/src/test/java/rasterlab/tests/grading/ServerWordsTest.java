@@ -1,10 +1,15 @@
 package rasterlab.tests.grading;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.HashSet;
+import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Complaints;
@@ -15,6 +20,17 @@ import rasterlab.grader.problem.Rejection;
 class ServerWordsTest {
     private static final Pattern ENGLISH =
             Pattern.compile("\\b(the|no|of|at|you|only|must|this)\\b");
+
+    /** What the window never brings about, since it makes requests as they should be. */
+    private static final Set<Class<?>> OF_OTHER_CLIENTS =
+            Set.of(
+                    Rejection.NotSignedIn.class,
+                    Rejection.ForeignOrigin.class,
+                    Rejection.Malformed.class,
+                    Rejection.BadKey.class,
+                    Rejection.UnknownLanguage.class,
+                    Rejection.WrongMethod.class,
+                    Rejection.WrongMediaType.class);
 
     /** What a student can bring about by what the window sends. */
     static Stream<Rejection> rejections() {
@@ -29,9 +45,18 @@ class ServerWordsTest {
                 new Rejection.EmptySource(),
                 new Rejection.NotUtf8("byte 3"),
                 new Rejection.TooLarge(65536),
+                new Rejection.TooSlow(30),
                 new Rejection.TooManyQueued(5, 10),
                 new Rejection.TooFast(6, 10),
                 new Rejection.NoRoom());
+    }
+
+    @Test
+    @DisplayName("a refusal is neither tried nor known to come from other clients only")
+    void everyRefusalIsTried() {
+        var known = new HashSet<Class<?>>(OF_OTHER_CLIENTS);
+        rejections().map(Rejection::getClass).forEach(known::add);
+        assertEquals(Set.of(Rejection.class.getPermittedSubclasses()), known);
     }
 
     @ParameterizedTest
@@ -40,5 +65,6 @@ class ServerWordsTest {
         assertTrue(ENGLISH.matcher(rejection.getMessage()).find(), "looks for what is not said");
         String said = Complaints.said(Language.RUSSIAN, rejection.getMessage());
         assertFalse(ENGLISH.matcher(said).find(), said);
+        assertFalse(Pattern.compile("\\d s\\b").matcher(said).find(), said);
     }
 }

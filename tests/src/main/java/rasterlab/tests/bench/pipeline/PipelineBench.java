@@ -46,31 +46,22 @@ public final class PipelineBench {
         int cores = Runtime.getRuntime().availableProcessors();
         List<Way> ways = Way.all();
         try {
-            out.println(words.text("runs", Way.names()));
+            out.println(Way.names(words));
             String missing = "";
             try (var gl = OffscreenContext.open(OffscreenContext.Profile.CORE)) {
-                out.println(machine(cores) + "; OpenGL: " + gl.renderer());
+                out.println(words.machine() + "; OpenGL: " + gl.renderer());
                 print(wanted(openGlJobs(quick, ways, cores)));
             } catch (NoOpenGl e) {
                 missing = words.text("no-opengl", e.getMessage());
-                out.println(machine(cores) + "; " + missing);
+                out.println(words.machine() + "; " + missing);
                 out.println(words.head("head.pipeline"));
                 for (Job job : wanted(openGlJobs(quick, ways, cores)))
-                    out.println(Row.without(job.work, missing));
+                    out.println(Row.without(job.work, missing).line(words));
             }
             printRows(wanted(ownJobs(quick, ways)));
         } finally {
             ways.forEach(Way::close);
         }
-    }
-
-    private static String machine(int cores) {
-        return "%s %s, %d cores, Java %s"
-                .formatted(
-                        System.getProperty("os.name"),
-                        System.getProperty("os.arch"),
-                        cores,
-                        Runtime.version());
     }
 
     /** What there is to measure, in the table's order. */
@@ -128,6 +119,6 @@ public final class PipelineBench {
     }
 
     private void printRows(List<Job> jobs) {
-        for (Job job : jobs) job.rows.get().forEach(out::println);
+        for (Job job : jobs) for (Row row : job.rows.get()) out.println(row.line(words));
     }
 }

@@ -1,6 +1,7 @@
 package rasterlab.tests.bench.pipeline;
 
 import java.util.Locale;
+import rasterlab.tests.bench.BenchWords;
 
 /**
  * One line of the table.
@@ -17,8 +18,7 @@ record Row(String work, String ours, String peer, double ratio, double goal, Str
         return new Row(work, "–", "–", Double.NaN, 0, missing);
     }
 
-    @Override
-    public String toString() {
+    String line(BenchWords words) {
         boolean judged = goal > 0 && !Double.isNaN(ratio);
         return String.format(
                 Locale.ROOT,
@@ -28,7 +28,7 @@ record Row(String work, String ours, String peer, double ratio, double goal, Str
                 peer,
                 Double.isNaN(ratio) ? "–" : String.format(Locale.ROOT, "%.2f", ratio),
                 goal > 0 ? String.format(Locale.ROOT, "%.2f", goal) : "–",
-                judged ? ratio >= goal ? "yes" : "no" : "–",
+                judged ? words.text(ratio >= goal ? "yes" : "no") : "–",
                 note);
     }
 }

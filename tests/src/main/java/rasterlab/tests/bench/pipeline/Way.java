@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.tests.bench.BenchWords;
 
 /** A pipeline that computes so many pixels at a time. */
 record Way(Lanes lanes, TrianglePipeline pipeline) implements AutoCloseable {
@@ -21,10 +22,10 @@ record Way(Lanes lanes, TrianglePipeline pipeline) implements AutoCloseable {
     }
 
     /** Which of them run, and why not both. */
-    static String names() {
+    static String names(BenchWords words) {
         return Lanes.missing().isEmpty()
-                ? "with and without the Vector API"
-                : "without the Vector API: " + Lanes.missing();
+                ? words.text("runs.both")
+                : words.text("runs.plain", Lanes.missing());
     }
 
     String name() {

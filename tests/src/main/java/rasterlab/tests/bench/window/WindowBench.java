@@ -107,16 +107,9 @@ public final class WindowBench {
             out.println(words.text("no-display"));
             return;
         }
-        out.printf(
-                Locale.ROOT,
-                "%s %s, %d cores, Java %s, window of %d×%d, each dragged for %.0f s%n%n",
-                System.getProperty("os.name"),
-                System.getProperty("os.arch"),
-                Runtime.getRuntime().availableProcessors(),
-                Runtime.version(),
-                SIZE.width,
-                SIZE.height,
-                seconds);
+        String size = SIZE.width + "×" + SIZE.height;
+        String length = String.format(Locale.ROOT, "%.0f", seconds);
+        out.println(words.machine() + words.text("window", size, length) + "\n");
         out.println(words.head("head.window"));
         start();
         try (var folder = new SettingsFolder()) {
@@ -182,7 +175,7 @@ public final class WindowBench {
     private void drag(LabFrame frame, LabModels models, Work work) throws InterruptedException {
         Optional<Drag> gripped = grip(frame, work);
         if (gripped.isEmpty()) {
-            out.println(work.name() + " | not measured: there is no " + work.grip() + " | |");
+            out.println(work.name() + " | " + words.text("window.missing", work.grip()) + " | |");
             return;
         }
         Drag drag = gripped.get();
@@ -199,7 +192,7 @@ public final class WindowBench {
         double perSecond = shown.size() / ((System.nanoTime() - begun) / 1e9);
         row(
                 work.name(),
-                "%.0f frames a second".formatted(perSecond),
+                words.text("window.frames", "%.0f".formatted(perSecond)),
                 "≥ %.0f".formatted(FRAMES_GOAL),
                 perSecond >= FRAMES_GOAL);
         double longest = longest(begun, shown);
