@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 
 /**
  * A pipe, which nobody should open: a real one would have its reader wait for ever. Who opens this
@@ -30,7 +31,7 @@ public final class Pipe {
     /** Waits until somebody opens the pipe to read. */
     private static void write(Path file) {
         try {
-            Files.writeString(file, "bytes of a pipe");
+            Files.writeString(file, "bytes of a pipe", StandardOpenOption.WRITE);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
