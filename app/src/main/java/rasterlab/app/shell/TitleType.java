@@ -36,9 +36,10 @@ final class TitleType {
     static void fit(JTabbedPane pane) {
         Font label = UIManager.getFont("Label.font");
         float whole = label.getSize2D();
-        int rows = 1;
-        while (rows < MOST && rows(pane, label, SMALLEST[rows - 1] * whole) > rows) rows++;
         float least = Math.min(whole, LEAST);
+        int rows = 1;
+        while (rows < MOST && rows(pane, label, Math.max(least, SMALLEST[rows - 1] * whole)) > rows)
+            rows++;
         float size = whole;
         while (size > least && rows(pane, label, size) > rows) size = Math.max(least, size - STEP);
         if (pane.getFont().getSize2D() == size && height(rows).equals(height(pane))) return;
@@ -67,15 +68,10 @@ final class TitleType {
         int room = pane.getWidth() - wide(pane, "leading") - wide(pane, "trailing");
         FontMetrics metrics = pane.getFontMetrics(label.deriveFont(size));
         Insets around = UIScale.scale(insets(size / label.getSize2D(), true));
-        int separator = UIScale.scale(1);
         int rows = 1;
         int taken = 0;
         for (int i = 0; i < pane.getTabCount(); i++) {
-            int wide =
-                    metrics.stringWidth(pane.getTitleAt(i))
-                            + around.left
-                            + around.right
-                            + separator;
+            int wide = metrics.stringWidth(pane.getTitleAt(i)) + around.left + around.right;
             if (taken > 0 && taken + wide > room) {
                 rows++;
                 taken = 0;

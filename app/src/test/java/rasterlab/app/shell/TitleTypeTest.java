@@ -3,6 +3,7 @@ package rasterlab.app.shell;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Rectangle;
@@ -142,6 +143,29 @@ class TitleTypeTest {
                     pane.setSelectedIndex(TABS.length - 1);
                     layOut(pane, 1280);
                     assertEquals(first, places(pane));
+                });
+    }
+
+    @ParameterizedTest(
+            name = "a row of several is as high as one alone, or the other way: {0}, {1}, {2} %")
+    @MethodSource("looks")
+    void heightOfRowsGoesWithTheirCount(Language language, LabTheme theme, int percent)
+            throws InterruptedException {
+        OffscreenPainter.onEventThread(
+                () -> {
+                    DesktopType.install(theme, percent);
+                    TabbedLabs pane = laidOut(language, 2600);
+                    for (int width = 2600; width >= 800; width -= 7) {
+                        layOut(pane, width);
+                        List<Rectangle> places = places(pane);
+                        long rows = places.stream().mapToInt(place -> place.y).distinct().count();
+                        int high = places.get(0).height;
+                        int text = pane.getFontMetrics(pane.getFont()).getHeight();
+                        int one = UIScale.scale(40);
+                        String found = rows + " rows of " + high + " in " + width;
+                        if (rows == 1) assertEquals(one, high, found);
+                        else assertTrue(high <= Math.max(one / 2 + 1, text + 8), found);
+                    }
                 });
     }
 
