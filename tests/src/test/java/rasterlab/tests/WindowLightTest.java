@@ -147,7 +147,11 @@ class WindowLightTest extends WindowHarness {
         dialog.fileNameTextBox().pressAndReleaseKeys(KeyEvent.VK_ENTER);
         await("the command is copied", () -> copied().contains("./lab render " + file));
         assertTrue(Files.readString(file).contains("\"light\""));
-        await("that is said", () -> status().startsWith("On the clipboard"));
+        long commands = copied().lines().count();
+        assertTrue(commands > 1, copied());
+        await(
+                "their number is told",
+                () -> status().startsWith("On the clipboard: the " + commands + " commands that"));
     }
 
     /** What the clipboard has; "" where that is no text. */

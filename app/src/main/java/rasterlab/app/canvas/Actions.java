@@ -34,7 +34,9 @@ public final class Actions extends JPanel {
     private final WrappedText status = new WrappedText("status");
 
     private transient Optional<History<?>> history = Optional.empty();
-    private transient Optional<Copying> copying = Optional.empty();
+
+    /** Told what could not be copied; set by {@link #addPicture}. */
+    private transient Optional<Consumer<Throwable>> onFailure = Optional.empty();
 
     public Actions(Texts texts) {
         grid = new MigLayout("insets 0 2 0 10, gap 6, wrap 2", "[grow,fill,50%][grow,fill,50%]");
@@ -75,28 +77,33 @@ public final class Actions extends JPanel {
     /**
      * Adds buttons that save and copy what the lab shows.
      *
-     * @param onFailure told what could not be copied or saved
+     * @param refused told what could not be copied or saved
      */
-    public void addPicture(ShownPicture picture, Consumer<Throwable> onFailure) {
-        var saving = new PictureSaving(picture, this, texts.language(), this::saved, onFailure);
-        var clipboard = new Copying(onFailure);
-        copying = Optional.of(clipboard);
+    public void addPicture(ShownPicture picture, Consumer<Throwable> refused) {
+        var saving = new PictureSaving(picture, this, texts.language(), this::saved, refused);
+        onFailure = Optional.of(refused);
+        Runnable drawing = () -> tell(texts.text("copied.copySvg"));
         add("savePicture", saving::ask);
-        add("copyPicture", () -> clipboard.picture(picture, this::copied));
-        add("copySvg", () -> clipboard.svg(picture, () -> tell(texts.text("copied.copySvg"))));
+        add("copyPicture", () -> Copying.toSystem().picture(picture, this::copied, refused));
+        add("copySvg", () -> Copying.toSystem().svg(picture, drawing, refused));
     }
 
     /**
      * Adds a button that copies a text, behind those of {@link #addPicture}.
      *
-     * @param key the button's name; what is said of the copied text is {@code copied.KEY}
+     * @param key the button's name; what is said of the copied text is {@code copied.KEY}, whose
+     *     argument is how many lines it has
      * @param text makes the text, at once or after it has asked the user, and tells it; or tells
      *     nothing
      */
     public void addCopy(String key, Consumer<Consumer<String>> text) {
-        Copying clipboard = copying.orElseThrow();
-        Runnable copied = () -> tell(texts.text("copied." + key));
-        add(key, () -> text.accept(made -> clipboard.text(made, copied)));
+        Consumer<Throwable> refused = onFailure.orElseThrow();
+        add(key, () -> text.accept(made -> copy(key, made, refused)));
+    }
+
+    private void copy(String key, String text, Consumer<Throwable> refused) {
+        String copied = texts.text("copied." + key, text.lines().count());
+        Copying.toSystem().text(text, () -> tell(copied), refused);
     }
 
     private void copied(BufferedImage dots) {

@@ -94,13 +94,19 @@ public final class LatestOnly<Q, A> implements AutoCloseable {
     }
 
     private void run() {
-        for (Optional<Q> question = next(); question.isPresent(); question = next())
-            answer(question.get(), currentSign());
+        while (answered(next()))
+            ; // No variable here: it would keep the last question while the next is waited for.
         try {
             atEnd().run();
         } catch (Throwable e) {
             failed.accept(e);
         }
+    }
+
+    /** Whether there was a question. */
+    private boolean answered(Optional<Q> question) {
+        question.ifPresent(asked -> answer(asked, currentSign()));
+        return question.isPresent();
     }
 
     private synchronized Runnable atEnd() {

@@ -51,7 +51,6 @@ final class EditorBar extends JPanel {
         var submit = button("submit", texts, this::submit);
         var server = button("server", texts, this::askServer);
         var cancel = button("cancel", texts, model::cancel);
-        var copying = new Copying(onFailure);
         running = new RunButtons(List.of(check, submit, server), cancel, editor::focus);
         undo = button("undo", texts, editor::undo);
         redo = button("redo", texts, editor::redo);
@@ -67,7 +66,7 @@ final class EditorBar extends JPanel {
                 button(
                         "copyCommand",
                         texts,
-                        () -> model.command().ifPresent(line -> copying.text(line, this::copied)));
+                        () -> model.command().ifPresent(line -> copy(line, onFailure)));
         add(copy);
         add(typeSize());
         add(draft);
@@ -140,8 +139,8 @@ final class EditorBar extends JPanel {
                 == JOptionPane.OK_OPTION;
     }
 
-    private void copied() {
-        model.tell(Notice.of("copied"));
+    private void copy(String command, Consumer<Throwable> onFailure) {
+        Copying.toSystem().text(command, () -> model.tell(Notice.of("copied")), onFailure);
     }
 
     private void submit() {

@@ -44,9 +44,9 @@ final class ErrorDialog {
         copy.setName("error.copy");
         copy.setMnemonic(texts.mnemonic("error.copy"));
         copy.setDisplayedMnemonicIndex(texts.mnemonicIndex("error.copy"));
-        var copying = new Copying(refused -> area.selectAll());
+        Runnable copied = () -> copy.setText(texts.text("error.copied"));
         copy.addActionListener(
-                e -> copying.text(details, () -> copy.setText(texts.text("error.copied"))));
+                e -> Copying.toSystem().text(details, copied, refused -> area.selectAll()));
 
         var panel = new JPanel(new MigLayout("insets 0, wrap 1, gap 8", "[grow,fill]"));
         var sentence = new WrappedText("error.sentence");

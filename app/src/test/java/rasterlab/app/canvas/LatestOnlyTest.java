@@ -3,8 +3,10 @@ package rasterlab.app.canvas;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.ref.WeakReference;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CancellationException;
@@ -13,6 +15,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.Semaphore;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -123,5 +126,24 @@ class LatestOnlyTest {
         assertTrue(givenBack.isEmpty());
         mayEnd.release();
         assertEquals("test", givenBack.take());
+    }
+
+    @Test
+    @DisplayName("the last question is kept, and all it holds, until there is another")
+    void answeredQuestionIsLetGo() throws InterruptedException {
+        try (var words =
+                new LatestOnly<byte[], Integer>(
+                        "let go", (q, cancelled) -> q.length, (q, a) -> {}, failures::add)) {
+            WeakReference<byte[]> question = asked(words);
+            words.settle();
+            while (question.get() != null && !Thread.currentThread().isInterrupted()) System.gc();
+            assertNull(question.get());
+        }
+    }
+
+    private static WeakReference<byte[]> asked(LatestOnly<byte[], Integer> words) {
+        var question = new byte[1000];
+        words.ask(question);
+        return new WeakReference<>(question);
     }
 }
