@@ -102,6 +102,7 @@ class ClosedWindowTest {
                 new LabFrame(
                         models,
                         LabSettings.first(Language.ENGLISH).with(LabLook.first(Language.ENGLISH)),
+                        Language.ENGLISH,
                         new SettingsFile(settings, each -> problems.add(each.toString())),
                         LabsFile.beside(settings, each -> problems.add(each.toString())),
                         failures::add);

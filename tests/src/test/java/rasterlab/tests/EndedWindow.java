@@ -32,6 +32,7 @@ final class EndedWindow {
                 new LabFrame(
                         models,
                         LabSettings.first(Language.ENGLISH),
+                        Language.ENGLISH,
                         new SettingsFile(settings, System.err::println),
                         LabsFile.beside(settings, System.err::println),
                         Throwable::printStackTrace);

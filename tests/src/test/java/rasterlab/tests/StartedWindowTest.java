@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
@@ -64,6 +65,14 @@ class StartedWindowTest {
         assertEquals(List.of("line ENGLISH"), opened(1));
     }
 
+    @Test
+    @DisplayName("what fails before there is a window is told in English")
+    void earlyFailureIsToldInTheLanguageAskedFor() throws Exception {
+        leaveAt("line");
+        String title = Texts.of("shell", Language.RUSSIAN).text("error.title");
+        assertEquals(List.of(title), opened(FailedStart.class, 1, "--lang", "ru"));
+    }
+
     private void leaveAt(String tab) {
         new SettingsFile(
                         settings(),
@@ -83,13 +92,18 @@ class StartedWindowTest {
         return folder.resolve("window.properties");
     }
 
-    /** The first windows of a new process. */
     private List<String> opened(int windows, String... arguments) throws Exception {
+        return opened(StartedWindow.class, windows, arguments);
+    }
+
+    /** The first windows of a new process. */
+    private List<String> opened(Class<?> program, int windows, String... arguments)
+            throws Exception {
         Process process =
                 new ProcessBuilder(
                                 JavaCommand.of(
                                         List.of("-Xmx400m", "-Drasterlab.settings=" + settings()),
-                                        StartedWindow.class.getName(),
+                                        program.getName(),
                                         List.of(arguments)))
                         .redirectError(ProcessBuilder.Redirect.INHERIT)
                         .start();

@@ -74,6 +74,7 @@ abstract class WindowHarness {
                                             Optional.empty(),
                                             false,
                                             true),
+                                    Language.ENGLISH,
                                     new SettingsFile(
                                             settings(), each -> problems.add(each.toString())),
                                     LabsFile.beside(

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /**
@@ -22,8 +23,14 @@ public final class LabContent extends JPanel {
     /**
      * @param shown name of the tab to show; an unknown one is the first
      * @param onLook told how the user wants the window to look
+     * @param onLanguage told the language that the user chose, which may be the present one
      */
-    public LabContent(LabTabs labs, String shown, LabLook look, Consumer<LabLook> onLook) {
+    public LabContent(
+            LabTabs labs,
+            String shown,
+            LabLook look,
+            Consumer<LabLook> onLook,
+            Consumer<Language> onLanguage) {
         super(new BorderLayout());
         Texts texts = Texts.of("shell", labs.language());
         pane = new TabbedLabs(labs.all(), labs.onFailure(), texts);
@@ -32,7 +39,8 @@ public final class LabContent extends JPanel {
         pane.fill();
         pane.putClientProperty("JTabbedPane.leadingComponent", brand());
         pane.putClientProperty(
-                "JTabbedPane.trailingComponent", new LookControls(texts, look, keys, onLook));
+                "JTabbedPane.trailingComponent",
+                new LookControls(texts, look, keys, onLook, onLanguage));
         pane.bindSteps(keys);
         add(pane);
         setTransferHandler(StrayDrop.on(this, texts));

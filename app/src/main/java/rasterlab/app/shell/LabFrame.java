@@ -37,7 +37,7 @@ public final class LabFrame extends JFrame {
     private final transient LabModels models;
     private final transient StateKeeper keeper;
     private transient LabSettings settings;
-    private transient Optional<Language> nextLanguage = Optional.empty();
+    private transient Language nextLanguage;
     private transient LabTabs tabs;
     private transient Optional<Coming> coming = Optional.empty();
     private LabContent content;
@@ -47,6 +47,7 @@ public final class LabFrame extends JFrame {
      * A frame that is not shown yet, with tabs of its own. On the event thread, with the settings'
      * theme installed.
      *
+     * @param nextLanguage kept for the next start, as long as none is chosen here
      * @param file where the settings are kept, soon after they change
      * @param labsFile where what the labs show is kept likewise
      * @param onFailure told what fails, on any thread
@@ -54,10 +55,17 @@ public final class LabFrame extends JFrame {
     public LabFrame(
             LabModels models,
             LabSettings settings,
+            Language nextLanguage,
             SettingsFile file,
             LabsFile labsFile,
             Consumer<Throwable> onFailure) {
-        this(models, tabs(models, settings, file, onFailure), settings, file, labsFile);
+        this(
+                models,
+                tabs(models, settings, file, onFailure),
+                settings,
+                nextLanguage,
+                file,
+                labsFile);
     }
 
     private static LabTabs tabs(
@@ -78,10 +86,12 @@ public final class LabFrame extends JFrame {
             LabModels models,
             LabTabs tabs,
             LabSettings settings,
+            Language nextLanguage,
             SettingsFile file,
             LabsFile labsFile) {
         this.models = models;
         this.settings = settings;
+        this.nextLanguage = nextLanguage;
         LabLayout.showInspectors(settings.controls());
         setName("lab");
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
@@ -104,11 +114,6 @@ public final class LabFrame extends JFrame {
         fill(tabs, settings.tab());
         placeOnScreen();
         keeper = new StateKeeper(file, labsFile, this::settings, models);
-    }
-
-    /** Keeps that language for the next start, as long as no language is chosen here. */
-    void startAgainIn(Language next) {
-        nextLanguage = Optional.of(next);
     }
 
     public LabLook look() {
@@ -140,6 +145,12 @@ public final class LabFrame extends JFrame {
 
     /** Tabs in the language that was chosen, until the one that is seen is made. */
     private record Coming(LabLook look, LabTabs tabs) {}
+
+    /** Speaks the language that the user chose, and keeps it, even if it is spoken already. */
+    private void choose(Language language) {
+        nextLanguage = language;
+        choose(look().with(language));
+    }
 
     /**
      * Does what the user chose: as {@link #wear}, but another language is worn when the tab that is
@@ -174,7 +185,7 @@ public final class LabFrame extends JFrame {
      */
     private void wear(LabLook look, Supplier<LabTabs> next) {
         LabLook before = settings.look();
-        if (look.language() != before.language()) nextLanguage = Optional.empty();
+        if (look.language() != before.language()) nextLanguage = look.language();
         settings = settings.with(look);
         String focus = focused();
         String seen = content.seen();
@@ -218,7 +229,7 @@ public final class LabFrame extends JFrame {
         setTitle(texts.text("title"));
         DialogTexts.install(language());
         tabs = next;
-        content = new LabContent(tabs, tab, look(), this::choose);
+        content = new LabContent(tabs, tab, look(), this::choose, this::choose);
         // The frame would lay out a new content pane at once; this is an event of its own.
         place.add(content);
         place.revalidate();
@@ -259,8 +270,7 @@ public final class LabFrame extends JFrame {
     /** The settings as the window stands now. */
     private LabSettings settings() {
         boolean filled = (getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH;
-        Language next = nextLanguage.orElse(language());
-        return settings.with(look().with(next))
+        return settings.with(look().with(nextLanguage))
                 .withControls(LabLayout.showsInspectors())
                 .at(content.shown(), filled ? unmaximised : getBounds(), filled);
     }

@@ -51,7 +51,8 @@ public final class LabSnapshot {
         prepare.accept(models);
         LabTabs tabs = LabTabs.create(models, language, failure::set);
         tabs.named(tab);
-        var content = new LabContent(tabs, tab, LabLook.first(language).with(theme), chosen -> {});
+        LabLook look = LabLook.first(language).with(theme);
+        var content = new LabContent(tabs, tab, look, chosen -> {}, chosen -> {});
         return new Made(models, tabs, content);
     }
 

@@ -24,16 +24,23 @@ final class LookControls extends JPanel {
     private final transient LabLook look;
     private final transient WindowKeys keys;
     private final transient Consumer<LabLook> onLook;
+    private final transient Consumer<Language> onLanguage;
 
     /**
      * @param keys given the keys of the choice
      */
-    LookControls(Texts texts, LabLook look, WindowKeys keys, Consumer<LabLook> onLook) {
+    LookControls(
+            Texts texts,
+            LabLook look,
+            WindowKeys keys,
+            Consumer<LabLook> onLook,
+            Consumer<Language> onLanguage) {
         super(new MigLayout("insets 0 8 0 10, gap 8", "push[][]", "[center,grow]"));
         this.texts = texts;
         this.look = look;
         this.keys = keys;
         this.onLook = onLook;
+        this.onLanguage = onLanguage;
         setOpaque(false);
         add(language());
         add(button());
@@ -51,7 +58,7 @@ final class LookControls extends JPanel {
         language.getAccessibleContext().setAccessibleName(texts.text("language"));
         language.setToolTipText(texts.text("language"));
         language.addActionListener(
-                e -> onLook.accept(look.with(Language.values()[language.getSelectedIndex()])));
+                e -> onLanguage.accept(Language.values()[language.getSelectedIndex()]));
         return language;
     }
 

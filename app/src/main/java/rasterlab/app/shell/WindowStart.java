@@ -76,8 +76,8 @@ public final class WindowStart {
     }
 
     private void openFrame(LabModels models, LabsFile labsFile) {
-        frame = new LabFrame(models, tabs, settings, file, labsFile);
-        frame.startAgainIn(kept.look().language());
+        Language next = kept.look().language();
+        frame = new LabFrame(models, tabs, settings, next, file, labsFile);
         frame.addWindowListener(
                 new WindowAdapter() {
                     @Override
@@ -127,7 +127,7 @@ public final class WindowStart {
     }
 
     private void show(Throwable failure) {
-        Language language = frame == null ? Language.ENGLISH : frame.language();
+        Language language = frame == null ? settings.look().language() : frame.language();
         new ErrorDialog(Texts.of("shell", language)).show(frame, failure);
     }
 }

@@ -108,6 +108,7 @@ class MnemonicsTest {
                                         tabs,
                                         "line",
                                         LabLook.first(language).with(theme),
+                                        chosen -> {},
                                         chosen -> {});
                         for (LabTab tab : tabs.all()) {
                             content.show(tab.name());

@@ -164,6 +164,7 @@ public final class WindowBench {
                 new LabFrame(
                         models,
                         LabSettings.first(Language.ENGLISH),
+                        Language.ENGLISH,
                         new SettingsFile(settings, out::println),
                         LabsFile.beside(settings, out::println),
                         failed -> failure.compareAndSet(null, failed));
