@@ -14,8 +14,11 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
+import javax.swing.JList;
+import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.TransferHandler.TransferSupport;
+import javax.swing.text.JTextComponent;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -71,7 +74,35 @@ class WindowDialogsTest extends WindowHarness {
         dialog.pressAndReleaseKeys(KeyEvent.VK_ENTER);
     }
 
+    @Test
+    @DisplayName("a file dropped on a text or a list is refused in silence")
+    void filesAreTakenWhereverTextOrAListIsSeen() {
+        for (String tab : List.of("coordinates", "light", "opengl", "study", "exercises")) {
+            show(tab);
+            for (Component part : robot.finder().findAll(frame, WindowDialogsTest::isRead))
+                assertTrue(takesFiles(part), tab + ": " + part.getName());
+        }
+    }
+
+    private static boolean isRead(Component part) {
+        boolean read = part instanceof JTextComponent text && !text.isEditable();
+        return (read || part instanceof JList || "source".equals(part.getName()))
+                && part.isShowing();
+    }
+
+    /** Whether the nearest drop target does that is at work. */
+    private static boolean takesFiles(Component part) {
+        for (Component each = part; each instanceof JComponent shown; each = each.getParent())
+            if (each.getDropTarget() != null && each.getDropTarget().isActive())
+                return shown.getTransferHandler().canImport(holding(shown, "a.obj"));
+        return false;
+    }
+
     private static TransferSupport holding(String file) {
+        return holding(new JPanel(), file);
+    }
+
+    private static TransferSupport holding(Component target, String file) {
         var files =
                 new Transferable() {
                     @Override
@@ -89,7 +120,7 @@ class WindowDialogsTest extends WindowHarness {
                         return List.of(Path.of(file).toFile());
                     }
                 };
-        return new TransferSupport(new javax.swing.JPanel(), files);
+        return new TransferSupport(target, files);
     }
 
     @Test

@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
@@ -8,7 +9,9 @@ import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
+import javax.swing.JComponent;
 import javax.swing.JOptionPane;
 import javax.swing.TransferHandler;
 import rasterlab.app.language.Complaints;
@@ -47,6 +50,14 @@ public final class FileDrop extends TransferHandler {
         texts = Texts.of("canvas", language);
         this.dropped = dropped;
         this.refused = refused;
+    }
+
+    /** Of the nearest component around that one that has any. */
+    public static Optional<FileDrop> around(Component inner) {
+        for (Container each = inner.getParent(); each != null; each = each.getParent())
+            if (each instanceof JComponent part
+                    && part.getTransferHandler() instanceof FileDrop drop) return Optional.of(drop);
+        return Optional.empty();
     }
 
     @Override

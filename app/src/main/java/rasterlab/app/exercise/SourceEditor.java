@@ -94,6 +94,8 @@ final class SourceEditor extends JPanel {
         area.getAccessibleContext().setAccessibleName(texts.text("source"));
         Font type = area.getFont();
         SwingUtilities.updateComponentTreeUI(this);
+        // The look and feel has just put its own in the place of any.
+        area.setTransferHandler(new SourceDrop());
         theme().apply(area);
         setType(type);
         area.getCaret().setBlinkRate(blinkRate);

@@ -44,6 +44,7 @@ public final class LabContent extends JPanel {
         pane.bindSteps(keys);
         add(pane);
         setTransferHandler(StrayDrop.on(this, texts));
+        DropThrough.within(this);
         pane.addChangeListener(
                 e -> {
                     pane.fill();

@@ -2,6 +2,7 @@ package rasterlab.app.shell;
 
 import java.awt.Component;
 import java.nio.file.Path;
+import java.util.Objects;
 import javax.swing.JOptionPane;
 import javax.swing.TransferHandler;
 import rasterlab.app.canvas.FileDrop;
@@ -26,10 +27,13 @@ final class StrayDrop {
                 JOptionPane.INFORMATION_MESSAGE);
     }
 
+    /**
+     * @param file called by its last name; a root has none and is called as it is
+     */
     static String sentence(Texts texts, Path file) {
         return texts.text(
                 "drop.stray",
-                file.getFileName(),
+                Objects.requireNonNullElse(file.getFileName(), file),
                 texts.text("tab.visibility"),
                 texts.text("tab.light"),
                 texts.text("tab.opengl"));

@@ -1,0 +1,27 @@
+package rasterlab.app.exercise;
+
+import java.util.Optional;
+import org.fife.ui.rtextarea.RTATextTransferHandler;
+import rasterlab.app.canvas.FileDrop;
+
+/** Takes text; a file that is dropped goes to what takes files around the editor. */
+final class SourceDrop extends RTATextTransferHandler {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public boolean canImport(TransferSupport support) {
+        return filesDrop(support).isPresent() || super.canImport(support);
+    }
+
+    @Override
+    public boolean importData(TransferSupport support) {
+        Optional<FileDrop> files = filesDrop(support);
+        return files.isPresent() ? files.get().importData(support) : super.importData(support);
+    }
+
+    /** Empty where it is text: also where a file is pasted by its name. */
+    private Optional<FileDrop> filesDrop(TransferSupport support) {
+        if (!support.isDrop() && super.canImport(support)) return Optional.empty();
+        return FileDrop.around(support.getComponent()).filter(drop -> drop.canImport(support));
+    }
+}
