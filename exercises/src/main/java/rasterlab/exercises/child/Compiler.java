@@ -67,7 +67,7 @@ final class Compiler {
                 "-implicit:none",
                 "-Xmaxerrs",
                 "20",
-                "-g:source,lines",
+                "-g",
                 "-classpath",
                 contractJar);
     }

@@ -30,7 +30,7 @@ final class MemoryFiles extends ForwardingJavaFileManager<StandardJavaFileManage
     /** A source of any name: the public class in it need not be called like the file. */
     static JavaFileObject source(String text) {
         return new SimpleJavaFileObject(
-                URI.create("memory:/Submission.java"), JavaFileObject.Kind.SOURCE) {
+                URI.create("memory:/" + Wire.SOURCE_FILE), JavaFileObject.Kind.SOURCE) {
             @Override
             public CharSequence getCharContent(boolean ignoreEncodingErrors) {
                 return text;

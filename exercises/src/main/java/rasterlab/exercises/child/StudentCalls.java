@@ -109,6 +109,7 @@ final class StudentCalls {
         out.writeByte(Wire.MESSAGE);
         out.writeUTF(Wire.cut(messageOf(thrown)));
         out.writeUTF(printed.take());
+        out.writeInt(lineOf(thrown));
         send(nonce, body.toByteArray());
     }
 
@@ -118,6 +119,18 @@ final class StudentCalls {
             return message == null ? "" : message;
         } catch (Throwable e) {
             return "(its getMessage() threw " + Wire.cut(e.getClass().getName()) + ")";
+        }
+    }
+
+    /** The innermost line of the student's own; 0 where the trace has none. */
+    private static int lineOf(Throwable thrown) {
+        try {
+            for (StackTraceElement call : thrown.getStackTrace())
+                if (Wire.SOURCE_FILE.equals(call.getFileName()))
+                    return Math.max(0, call.getLineNumber());
+            return 0;
+        } catch (Throwable e) {
+            return 0;
         }
     }
 

@@ -34,7 +34,10 @@ public final class Wire {
     /** Class name of an exception; a {@link #MESSAGE} with the same nonce follows. */
     public static final int THREW = 2;
 
-    /** The text of the exception. */
+    /**
+     * The text of the exception, what was printed, and the line of the source where it was thrown
+     * (int, 0 where none is known).
+     */
     public static final int MESSAGE = 3;
 
     /** Number of compiler messages, then line, column and text of each. */
@@ -60,6 +63,9 @@ public final class Wire {
 
     /** Exit status after a request that cannot be read. */
     public static final int EXIT_PROTOCOL = 66;
+
+    /** What class files call the student's source. */
+    public static final String SOURCE_FILE = "Submission.java";
 
     public static final int MOST_CLASSES = 200;
 

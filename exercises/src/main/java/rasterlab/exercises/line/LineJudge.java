@@ -62,7 +62,7 @@ public final class LineJudge {
                 answer.exception().equals(OutOfMemoryError.class.getName())
                         ? GradingVerdict.MEMORY_LIMIT
                         : GradingVerdict.RUNTIME_ERROR;
-        return Finding.of(verdict, Message.quoted(answer.thrown()));
+        return Finding.of(verdict, Message.quoted(answer.thrown()).and(answer.place()));
     }
 
     private Message difference(Segment segment, PixelRecording wanted, PixelRecording actual) {

@@ -51,7 +51,7 @@ final class CaseRun {
                     ? Optional.of(
                             Finding.of(
                                     GradingVerdict.RUNTIME_ERROR,
-                                    Message.of("creating", answer.thrown())))
+                                    Message.of("creating", answer.thrown()).and(answer.place())))
                     : Optional.empty();
         } catch (ChildLost lost) {
             return Optional.of(finding(lost));

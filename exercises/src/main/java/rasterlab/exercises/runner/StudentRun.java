@@ -92,7 +92,7 @@ final class StudentRun {
                         remaining(),
                         (status, in) ->
                                 status == Wire.THREW
-                                        ? threw(in.readUTF(), "", "")
+                                        ? threw(in.readUTF(), "", "", 0)
                                         : reading.read(status, in));
         return answer.ending() == Answer.Ending.THREW ? withMessage(answer) : answer;
     }
@@ -106,7 +106,8 @@ final class StudentRun {
                             threw(
                                     threw.exception(),
                                     Wire.cut(in.readUTF()),
-                                    Wire.cut(in.readUTF())));
+                                    Wire.cut(in.readUTF()),
+                                    in.readInt()));
         } catch (ChildLost lost) {
             over = true;
             return threw;
@@ -131,15 +132,20 @@ final class StudentRun {
         String printed = Wire.cut(in.readUTF());
         return status == Wire.DONE
                 ? returned(pixels, printed)
-                : new Answer(Answer.Ending.CUT, pixels, "", "", printed);
+                : new Answer(Answer.Ending.CUT, pixels, "", "", 0, printed);
     }
 
     private static Answer returned(PixelRecording pixels, String printed) {
-        return new Answer(Answer.Ending.RETURNED, pixels, "", "", printed);
+        return new Answer(Answer.Ending.RETURNED, pixels, "", "", 0, printed);
     }
 
-    private static Answer threw(String exception, String message, String printed) {
+    private static Answer threw(String exception, String message, String printed, int line) {
         return new Answer(
-                Answer.Ending.THREW, new PixelRecording(1), Wire.cut(exception), message, printed);
+                Answer.Ending.THREW,
+                new PixelRecording(1),
+                Wire.cut(exception),
+                message,
+                line,
+                printed);
     }
 }

@@ -165,16 +165,18 @@ class LineExerciseTest {
                     new LineTopic().record(method, segment, demand.mostPixels(segment)),
                     "",
                     "",
+                    0,
                     "");
         } catch (LimitReached reached) {
             PixelRecording recorded = (PixelRecording) reached.recorded();
-            return new Answer(Answer.Ending.CUT, recorded, "", "", "");
+            return new Answer(Answer.Ending.CUT, recorded, "", "", 0, "");
         } catch (IllegalArgumentException | ArithmeticException e) {
             return new Answer(
                     Answer.Ending.THREW,
                     new PixelRecording(1),
                     e.getClass().getName(),
                     e.getMessage(),
+                    0,
                     "");
         }
     }
@@ -184,7 +186,7 @@ class LineExerciseTest {
         Segment tied = new Segment(0, 0, 2, 1);
         PixelRecording upper = new PixelRecording(3);
         IntStream.of(0, 1, 2).forEach(x -> upper.plot(x, (x + 1) / 2));
-        Answer answer = new Answer(Answer.Ending.RETURNED, upper, "", "", "");
+        Answer answer = new Answer(Answer.Ending.RETURNED, upper, "", "", 0, "");
         LineCase loose = new LineCase(List.of(tied), false, false, 100, false);
         LineCase strict = new LineCase(List.of(tied), true, false, 100, false);
         assertEquals(Finding.OK, new LineJudge(loose, true).judge(tied, answer));
@@ -210,7 +212,7 @@ class LineExerciseTest {
             pixels.plot(pixel.charAt(0) - '0', pixel.charAt(2) - '0');
         Segment segment = new Segment(0, 0, 2, 0);
         LineCase demand = new LineCase(List.of(segment), true, true, 100, false);
-        Answer answer = new Answer(Answer.Ending.RETURNED, pixels, "", "", "");
+        Answer answer = new Answer(Answer.Ending.RETURNED, pixels, "", "", 0, "");
         String said = new LineJudge(demand, false).judge(segment, answer).said().in("ru");
         assertTrue(said.matches(".*(пиксел).*") && !said.contains("pixel"), said);
     }
@@ -238,7 +240,7 @@ class LineExerciseTest {
         LineCase demand = new LineCase(List.of(segment), false, false, 100, false);
         Finding finding =
                 new LineJudge(demand, true)
-                        .judge(segment, new Answer(Answer.Ending.RETURNED, wrong, "", "", ""));
+                        .judge(segment, new Answer(Answer.Ending.RETURNED, wrong, "", "", 0, ""));
         String scene = LineJudge.scene(segment, finding.drawn());
         assertTrue(scene.endsWith(",\"drawn\":[[0,-1],[1,0]]}"), scene);
     }
@@ -251,7 +253,7 @@ class LineExerciseTest {
         LineCase demand = new LineCase(List.of(segment), false, false, 1, false);
         Finding finding =
                 new LineJudge(demand, true)
-                        .judge(segment, new Answer(Answer.Ending.CUT, wrong, "", "", ""));
+                        .judge(segment, new Answer(Answer.Ending.CUT, wrong, "", "", 0, ""));
         String scene = LineJudge.scene(segment, finding.drawn());
         assertTrue(scene.endsWith(",\"drawn\":[[0,-1]],\"drawnCut\":true}"), scene);
     }
@@ -266,7 +268,7 @@ class LineExerciseTest {
         LineCase demand = new LineCase(List.of(segment), false, false, 100, false);
         Finding finding =
                 new LineJudge(demand, true)
-                        .judge(segment, new Answer(Answer.Ending.RETURNED, twice, "", "", ""));
+                        .judge(segment, new Answer(Answer.Ending.RETURNED, twice, "", "", 0, ""));
         assertEquals("pixel (1, 0) is drawn again", finding.said().toString().split(";")[0]);
     }
 }

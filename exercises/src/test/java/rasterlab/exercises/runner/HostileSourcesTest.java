@@ -348,8 +348,13 @@ class HostileSourcesTest {
                 argumentSet(
                         "division by zero",
                         "runtime_error",
-                        "java.lang.ArithmeticException: / by zero",
-                        method("out.plot(x0 / (y0 - y0), 0);\n")),
+                        "java.lang.ArithmeticException: / by zero; in line 6",
+                        method("\nout.plot(x0 / (y0 - y0), 0);\n")),
+                argumentSet(
+                        "nothing where an array should be",
+                        "runtime_error",
+                        "because \"row\" is null; in line 5",
+                        method("int[] row = null; row[0] = x0;\n")),
                 argumentSet(
                         "deep recursion",
                         "runtime_error",
