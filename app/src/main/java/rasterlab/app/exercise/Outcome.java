@@ -51,10 +51,33 @@ record Outcome(
                 report.nanosPerItem());
     }
 
+    /**
+     * Whether this one and that were said to the same text, and judge the case of that name alike.
+     */
+    boolean agrees(Outcome other, String name) {
+        return source.equals(other.source) && verdictOf(name).equals(other.verdictOf(name));
+    }
+
+    private Optional<String> verdictOf(String name) {
+        return cases.stream()
+                .filter(one -> one.name().equals(name))
+                .map(TriedCase::verdict)
+                .findFirst();
+    }
+
     /** Of the cases that went wrong and can be drawn, the one with the smallest picture. */
     Optional<TriedCase> smallestCounterexample() {
         return cases.stream()
                 .filter(one -> !one.right() && one.pictures().isPresent())
                 .min(Comparator.comparingInt(one -> one.pictures().orElseThrow().size()));
+    }
+
+    /**
+     * The case that tells most of what went wrong: the smallest counterexample; where nothing can
+     * be drawn, the first that went wrong, since those after a method was stopped were not run.
+     */
+    Optional<TriedCase> mostTelling() {
+        return smallestCounterexample()
+                .or(() -> cases.stream().filter(one -> !one.right()).findFirst());
     }
 }

@@ -153,15 +153,17 @@ final class ResultPane extends JPanel {
         boolean sourceRefused =
                 outcome.filter(one -> one.cases().isEmpty() && !one.remarks().isEmpty())
                         .isPresent();
-        boolean other = !state.exercise().id().equals(exercise) || !outcome.equals(shown);
+        boolean another = !state.exercise().id().equals(exercise);
+        boolean other = another || !outcome.equals(shown);
+        boolean begins = !another && outcome.isEmpty();
         exercise = state.exercise().id();
         shown = outcome;
         Optional<String> chosen =
-                kept.chosenCase(exercise, shown)
-                        .or(
-                                () ->
-                                        outcome.flatMap(Outcome::smallestCounterexample)
-                                                .map(TriedCase::name));
+                table.chosen()
+                        .filter(one -> begins)
+                        .map(TriedCase::name)
+                        .or(() -> kept.chosenCase(exercise, shown))
+                        .or(() -> outcome.flatMap(Outcome::mostTelling).map(TriedCase::name));
         table.show(
                 outcome.isPresent() || running ? merged(judged, untried) : untried,
                 name -> state.exercise().caseTitle(name, language));

@@ -15,7 +15,12 @@ final class RoomsKept {
      */
     private record Result(String exercise, boolean said) {}
 
-    private record Choice(Optional<Outcome> outcome, String name) {}
+    private record Choice(Optional<Outcome> outcome, String name) {
+        private boolean holdsIn(Optional<Outcome> result) {
+            return outcome.map(one -> result.filter(next -> next.agrees(one, name)).isPresent())
+                    .orElse(result.isEmpty());
+        }
+    }
 
     /** Of the room before the divider of that name, from 0 to 1. */
     double share(String divider, double usual) {
@@ -35,10 +40,13 @@ final class RoomsKept {
         chosen = Optional.of(room);
     }
 
-    /** Name of the case that was chosen last in that result; empty before one was. */
+    /**
+     * Name of the case that was chosen last in that result, or in one before that agrees with it;
+     * empty before one was.
+     */
     Optional<String> chosenCase(String exercise, Optional<Outcome> outcome) {
         return Optional.ofNullable(cases.get(new Result(exercise, outcome.isPresent())))
-                .filter(choice -> choice.outcome().equals(outcome))
+                .filter(choice -> choice.holdsIn(outcome))
                 .map(Choice::name);
     }
 

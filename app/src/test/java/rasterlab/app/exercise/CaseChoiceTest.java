@@ -12,6 +12,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -21,6 +22,7 @@ import javax.swing.JTable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
@@ -34,6 +36,8 @@ class CaseChoiceTest {
     private static final int SMALLEST = 5;
 
     private final RoomsKept kept = new RoomsKept();
+
+    @TempDir private Path folder;
 
     @AfterEach
     void noFailures() throws Exception {
@@ -69,8 +73,62 @@ class CaseChoiceTest {
                     ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
                     show(pane, Work.NONE, Optional.of(wrong()));
                     cases(pane).setRowSelectionInterval(2, 2);
-                    show(pane, Work.NONE, Optional.of(wrong()));
+                    show(pane, Work.NONE, Optional.of(wrong("another text")));
                     assertEquals(SMALLEST, cases(pane).getSelectedRow());
+                    pane.close();
+                });
+    }
+
+    @Test
+    @DisplayName(
+            "the choice jumps to the smallest counterexample when the same text is tried again")
+    void caseStaysChosenWhileItsTextIsJudgedAgainAndAlike() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
+                    show(pane, Work.NONE, Optional.empty());
+                    cases(pane).setRowSelectionInterval(4, 4);
+                    show(pane, Work.NONE, Optional.of(wrong()));
+                    cases(pane).setRowSelectionInterval(2, 2);
+                    show(pane, judged(1), Optional.empty());
+                    assertEquals(2, cases(pane).getSelectedRow());
+                    show(pane, Work.NONE, Optional.of(wrong()));
+                    assertEquals(2, cases(pane).getSelectedRow());
+                    pane.close();
+                });
+    }
+
+    @Test
+    @DisplayName("a case that is judged otherwise by now stays chosen")
+    void caseThatHangsIsShownRatherThanOneChosenBefore() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
+                    show(pane, Work.NONE, Optional.of(wrong()));
+                    show(
+                            pane,
+                            Work.NONE,
+                            Optional.of(ShownResult.outcome(GradingVerdict.TIME_LIMIT)));
+                    assertEquals(0, cases(pane).getSelectedRow());
+                    pane.close();
+                });
+    }
+
+    @Test
+    @DisplayName("no case is chosen in a result of an earlier run that has no pictures")
+    void resultThatIsBroughtBackIsShownByACaseThatWentWrong() throws Exception {
+        var file = folder.resolve("result.json");
+        OutcomeFile.write(
+                file, ShownResult.EXERCISE, ShownResult.outcome(GradingVerdict.RUNTIME_ERROR));
+        var broughtBack = OutcomeFile.read(file, ShownResult.EXERCISE);
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
+                    show(pane, Work.NONE, broughtBack);
+                    assertEquals(0, cases(pane).getSelectedRow());
                     pane.close();
                 });
     }
@@ -138,13 +196,17 @@ class CaseChoiceTest {
 
     /** Every case is drawn wrong, that of one row in the fewest pixels. */
     private static Outcome wrong() {
+        return wrong("");
+    }
+
+    private static Outcome wrong(String source) {
         Outcome plain = ShownResult.outcome(GradingVerdict.WRONG);
         List<TriedCase> cases =
                 plain.cases().stream()
                         .map(one -> drawn(one, plain.cases().indexOf(one) == SMALLEST ? 1 : 4))
                         .toList();
         return new Outcome(
-                "", 0, plain.verdict(), plain.points(), cases, List.of(), Said.NOTHING, 0);
+                source, 0, plain.verdict(), plain.points(), cases, List.of(), Said.NOTHING, 0);
     }
 
     private static TriedCase drawn(TriedCase one, int pixels) {

@@ -316,6 +316,18 @@ class ExerciseLabModelTest {
     }
 
     @Test
+    void endlessMethodIsToldByTheCaseThatItHungIn() throws Exception {
+        try (var trial = new Trial(folder)) {
+            trial.model.type(ENDLESS);
+            trial.model.check();
+            Outcome outcome = trial.awaitEnd().outcome().orElseThrow();
+            assertEquals("not run: stopped before it", outcome.cases().get(1).said().english());
+            String told = outcome.mostTelling().orElseThrow().said().english();
+            assertTrue(told.startsWith("no answer within"), told);
+        }
+    }
+
+    @Test
     void commandChecksTheTextThatIsKept() throws Exception {
         try (var trial = new Trial(folder)) {
             assertEquals(Optional.empty(), trial.model.command());
