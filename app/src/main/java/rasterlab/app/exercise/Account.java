@@ -7,8 +7,9 @@ import java.net.URI;
  *
  * @param server such as http://127.0.0.1:8080
  * @param token the student's secret
+ * @param student the name that was given on joining; "" where only a token is known
  */
-record Account(URI server, String token) {
+record Account(URI server, String token, String student) {
     /** Without the token, which is nobody else's business. */
     @Override
     public String toString() {

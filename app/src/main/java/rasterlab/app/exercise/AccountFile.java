@@ -37,7 +37,11 @@ final class AccountFile {
             kept.load(new StringReader(Files.readString(file)));
             String token = kept.getProperty("token", "");
             if (token.isEmpty()) throw new IOException(file + ": 'token' is missing");
-            return Optional.of(new Account(Account.server(kept.getProperty("server", "")), token));
+            return Optional.of(
+                    new Account(
+                            Account.server(kept.getProperty("server", "")),
+                            token,
+                            kept.getProperty("student", "")));
         } catch (IllegalArgumentException e) {
             throw new IOException(
                     file + ": 'server' is no http address: '" + e.getMessage() + "'", e);
@@ -49,6 +53,7 @@ final class AccountFile {
         var kept = new Properties();
         kept.setProperty("server", account.server().toString());
         kept.setProperty("token", account.token());
+        kept.setProperty("student", account.student());
         var text = new StringWriter();
         kept.store(text, null);
         Files.createDirectories(file.getParent());

@@ -52,7 +52,7 @@ final class CourseServer {
                         .build();
         String token = tree(answered(request)).path("token").asText();
         if (token.isEmpty()) throw new IOException("no token in the answer to /api/v1/join");
-        return new Account(server, token);
+        return new Account(server, token, name);
     }
 
     /**

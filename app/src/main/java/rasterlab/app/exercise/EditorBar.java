@@ -5,6 +5,7 @@ import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.time.format.FormatStyle;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JOptionPane;
@@ -149,9 +150,8 @@ final class EditorBar extends JPanel {
     }
 
     private void askServer() {
-        var form =
-                new JoinForm(
-                        texts, kept.typed().orElse(JoinForm.Typed.first(model.state().account())));
+        Optional<Account> joined = model.state().account();
+        var form = new JoinForm(texts, joined, kept.typed().orElse(JoinForm.Typed.first(joined)));
         form.ask(this, model);
         kept.type(form.typed());
     }

@@ -252,7 +252,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     /** Submits with a token that the student has already. */
     void signIn(String address, String token) {
-        server(address).ifPresent(server -> use(new Account(server, token.strip())));
+        server(address).ifPresent(server -> use(new Account(server, token.strip(), "")));
     }
 
     private void use(Account account) {

@@ -9,6 +9,7 @@ import javax.swing.JDialog;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JPasswordField;
+import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import javax.swing.event.DocumentEvent;
@@ -76,7 +77,10 @@ final class JoinForm extends JPanel {
         }
     }
 
-    JoinForm(Texts texts, Typed before) {
+    /**
+     * @param joined where the student is already
+     */
+    JoinForm(Texts texts, Optional<Account> joined, Typed before) {
         super(new MigLayout("insets 0, gap 8 8, wrap 2", "[][grow,fill]"));
         this.texts = texts;
         join = button("join.ok");
@@ -93,8 +97,22 @@ final class JoinForm extends JPanel {
         row("join.name", student);
         add(known, "span 2");
         row("join.token", token);
+        int width = getPreferredSize().width;
+        joined.ifPresent(account -> add(said(account, width), "span 2, growx, wmin 0", 0));
         known.addActionListener(e -> enableFields());
         enableFields();
+    }
+
+    /**
+     * @param width of the form, in which the words wrap: what they need is known before it is shown
+     */
+    private JTextArea said(Account account, int width) {
+        JTextArea words = Controls.words("join.joined");
+        String key = account.student().isEmpty() ? "join.joined" : "join.joinedAs";
+        words.setText(texts.text(key, account.toString(), account.student()));
+        words.setSize(width, Short.MAX_VALUE);
+        words.getAccessibleContext().setAccessibleName(texts.text("join.title"));
+        return words;
     }
 
     private JButton button(String key) {

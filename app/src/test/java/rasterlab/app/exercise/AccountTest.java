@@ -49,7 +49,7 @@ class AccountTest {
 
     @Test
     void isThereAgain() throws IOException {
-        var account = new Account(URI.create("http://localhost:8080"), "tö=ken");
+        var account = new Account(URI.create("http://localhost:8080"), "tö=ken", "Анна");
         new AccountFile(folder).save(account);
         assertEquals(Optional.of(account), new AccountFile(folder).load());
     }
@@ -58,8 +58,8 @@ class AccountTest {
     void isReadByItsOwnerOnly() throws IOException {
         assumeTrue(
                 Files.getFileStore(folder).supportsFileAttributeView("posix"), "no POSIX rights");
-        new AccountFile(folder).save(new Account(URI.create("http://localhost"), "t"));
-        new AccountFile(folder).save(new Account(URI.create("http://localhost"), "u"));
+        new AccountFile(folder).save(new Account(URI.create("http://localhost"), "t", ""));
+        new AccountFile(folder).save(new Account(URI.create("http://localhost"), "u", ""));
         assertEquals(
                 "rw-------",
                 PosixFilePermissions.toString(
@@ -75,7 +75,7 @@ class AccountTest {
 
     @Test
     void tokenIsNotPrinted() {
-        var account = new Account(URI.create("http://localhost"), "secret");
+        var account = new Account(URI.create("http://localhost"), "secret", "");
         assertFalse(account.toString().contains("secret"), account.toString());
     }
 }

@@ -92,7 +92,9 @@ class SubmittingTest {
                 assertEquals("joined", trial.state().notice().key());
             }
             try (var again = new Trial(folder)) {
-                assertEquals(server.address(), again.state().account().orElseThrow().toString());
+                Account account = again.state().account().orElseThrow();
+                assertEquals(server.address(), account.toString());
+                assertEquals("Ann", account.student());
             }
         }
     }
