@@ -183,6 +183,11 @@ final class ClipPainter {
         }
     }
 
+    /** Of a region's code: less than the ink, yet to be read on the ground and in the window. */
+    static Color code(StageColours colours) {
+        return MethodColours.mix(colours.axis(), colours.ink(), 0.5);
+    }
+
     /** Behind everything else. */
     private void paint(Drawn.Region region, List<Line2D> segments) {
         Rectangle view = g.getClipBounds();
@@ -193,7 +198,7 @@ final class ClipPainter {
         var seen = new Rectangle2D.Double(left, top, right - left, bottom - top);
         var places = new CodePlace(seen, labels, segments);
         Font label = g.getFont();
-        g.setColor(MethodColours.mix(colours.ground(), colours.axis(), 0.75));
+        g.setColor(code(colours));
         for (float larger : LARGER) {
             Font font = label.deriveFont(label.getSize2D() * larger);
             GlyphVector code = font.createGlyphVector(g.getFontRenderContext(), region.words());

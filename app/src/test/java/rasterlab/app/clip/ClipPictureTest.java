@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
@@ -12,6 +13,8 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.StageColours;
@@ -19,6 +22,9 @@ import rasterlab.engine.clip.segment.ClipWindow;
 
 /** What the picture shows, told without painting it. */
 class ClipPictureTest {
+    /** Contrast of text that WCAG 2.2 asks for, 1.4.3. */
+    private static final double READ = 4.5;
+
     private final ClipTopics topics = new ClipTopics();
 
     private List<Drawn> drawn(ClipScene scene, int step) {
@@ -128,6 +134,19 @@ class ClipPictureTest {
             }
     }
 
+    @ParameterizedTest(name = "a region''s code is too pale to be read: {0}")
+    @MethodSource("themes")
+    void codesStandOutFromTheirGround(StageColours colours) {
+        for (Color ground : List.of(colours.ground(), colours.margin())) {
+            double contrast = MethodColours.contrast(ClipPainter.code(colours), ground);
+            assertTrue(contrast >= READ, ground + ": " + contrast);
+        }
+    }
+
+    static Stream<StageColours> themes() {
+        return Stream.of(StageColours.LIGHT, StageColours.DARK, StageColours.PROJECTOR);
+    }
+
     /** The middle of the window lies on the segment. */
     @Test
     @DisplayName("a region's code is written over a segment")
@@ -143,7 +162,7 @@ class ClipPictureTest {
         ClipResults results = ClipResults.of(topics, scene);
         ClipPicture picture = ClipPicture.of(scene, results.clipping(), 0, Locale.ENGLISH);
         StageColours colours = StageColours.LIGHT;
-        int code = MethodColours.mix(colours.ground(), colours.axis(), 0.75).getRGB();
+        int code = ClipPainter.code(colours).getRGB();
         var image = new BufferedImage(450, 400, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.setClip(0, 0, 450, 400);
