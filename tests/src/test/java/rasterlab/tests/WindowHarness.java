@@ -175,7 +175,7 @@ abstract class WindowHarness {
         }
     }
 
-    /** What is said below the buttons of the shown tab, "" where nothing is. */
+    /** What is said above the buttons of the shown tab, "" where nothing is. */
     String status() {
         return window
                 .robot()

@@ -43,7 +43,7 @@ public final class Actions extends JPanel {
         setLayout(grid);
         this.texts = texts;
         status.setVisible(false);
-        add(status, "south, hidemode 3, wmin 0, gap 2 12 6 0");
+        add(status, "north, hidemode 3, wmin 0, gap 2 12 0 6");
     }
 
     /**
@@ -110,12 +110,15 @@ public final class Actions extends JPanel {
         tell(texts.text("copied.copyPicture", dots.getWidth(), dots.getHeight()));
     }
 
-    /** Says below the buttons which file is written. */
+    /** Says above the buttons which file is written. */
     public void saved(Path file) {
         tell(texts.text("saved", file.toAbsolutePath().toString()));
     }
 
-    /** Says below the buttons what came of one, until another is pressed. */
+    /**
+     * Says what came of a button, until another is pressed: above the buttons, which keep their
+     * place at the lower edge of the inspector.
+     */
     public void tell(String sentence) {
         status.show(sentence);
         // As high as the sentence is in the width that it has.
