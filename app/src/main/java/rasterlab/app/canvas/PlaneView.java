@@ -35,6 +35,9 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     /** View units that an arrow key moves a point, about. */
     private static final double KEY = 4;
 
+    /** The buttons are added first and stay above what else the stage has. */
+    private static final int UNDER_BUTTONS = 1;
+
     private static final PlanePicture NOTHING = (g, map, colours, cancelled) -> {};
 
     private final PlaneAxes axes;
@@ -166,7 +169,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
             var handle = new PlaneHandle(points.get(i), new Handled());
             if (i < handles.size()) remove(handles.set(i, handle));
             else handles.add(handle);
-            add(handle, 0);
+            add(handle, UNDER_BUTTONS);
         }
         if (!focused || handles.isEmpty()) return;
         if (handles.stream().noneMatch(handle -> handle.getName().equals(keyed)))
@@ -211,12 +214,18 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         int bottom = sight.y + sight.height;
         PlaneMap map = map(sight);
         int size = PictureType.scaled(22);
-        for (PlaneHandle handle : handles)
+        for (PlaneHandle handle : handles) {
+            double x = map.viewX(handle.point().x());
+            double y = map.viewY(handle.point().y());
+            var square =
+                    new Rectangle(
+                            Rulers.square(x, sight.x, right, size),
+                            Rulers.square(y, sight.y, bottom, size),
+                            size,
+                            size);
             handle.setBounds(
-                    Rulers.square(map.viewX(handle.point().x()), sight.x, right, size),
-                    Rulers.square(map.viewY(handle.point().y()), sight.y, bottom, size),
-                    size,
-                    size);
+                    ZoomButtons.clear(square, new Point2D.Double(x, y), sight, zoom.getBounds()));
+        }
         PlaneFrame due = frame(map);
         if (asked.filter(due::equals).isPresent()) return;
         asked = Optional.of(due);
@@ -293,7 +302,7 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
         @Override
         public void focused(PlaneHandle handle) {
             keyed = handle.getName();
-            setComponentZOrder(handle, 0);
+            setComponentZOrder(handle, UNDER_BUTTONS);
             edits.select(keyed);
         }
     }

@@ -71,6 +71,19 @@ public final class ZoomButtons extends JPanel {
                 size.height);
     }
 
+    /**
+     * Where a handle goes whose point is out of sight: from the buttons to above them.
+     *
+     * @param point in view units, as the others are
+     * @param sight where handles may lie
+     */
+    public static Rectangle clear(
+            Rectangle handle, Point2D point, Rectangle sight, Rectangle buttons) {
+        boolean seen = sight.contains(point) && !buttons.contains(point);
+        if (seen || !handle.intersects(buttons)) return handle;
+        return new Rectangle(handle.x, buttons.y - handle.height, handle.width, handle.height);
+    }
+
     /** They are on the screen only, in no copied picture. */
     @Override
     public void paint(Graphics g) {

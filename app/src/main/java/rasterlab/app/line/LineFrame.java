@@ -5,6 +5,7 @@ import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
@@ -20,6 +21,7 @@ import rasterlab.app.canvas.Rulers;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.StageNote;
+import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.contract.Pixels;
 import rasterlab.engine.line.Segment;
 
@@ -32,6 +34,7 @@ import rasterlab.engine.line.Segment;
  * @param scale device dots per view unit
  * @param font of a label
  * @param note a sentence over the picture, "" for none
+ * @param zoom bounds of the buttons over it
  * @param locale of the ends' coordinates
  */
 record LineFrame(
@@ -44,6 +47,7 @@ record LineFrame(
         StageColours colours,
         Font font,
         String note,
+        Rectangle zoom,
         Locale locale) {
     /**
      * @throws CancellationException soon after {@code cancelled} says true
@@ -74,19 +78,25 @@ record LineFrame(
     }
 
     /**
-     * The square around an end; of an end out of sight, at the edge.
+     * The square around an end; of an end out of sight, at the edge, clear of the buttons.
      *
      * @param sight what rulers and the note leave of the stage
+     * @param zoom bounds of the buttons
      */
-    static Rectangle around(End end, Segment segment, PixelGrid grid, Rectangle sight) {
+    static Rectangle around(
+            End end, Segment segment, PixelGrid grid, Rectangle sight, Rectangle zoom) {
         int size = (int) Math.max(PictureType.scaled(26), Math.min(60, grid.cell() * 1.5 + 6));
         int right = sight.x + sight.width;
         int bottom = sight.y + sight.height;
-        return new Rectangle(
-                Rulers.square(grid.viewX(end.x(segment)), sight.x, right, size),
-                Rulers.square(grid.viewY(end.y(segment)), sight.y, bottom, size),
-                size,
-                size);
+        double x = grid.viewX(end.x(segment));
+        double y = grid.viewY(end.y(segment));
+        var square =
+                new Rectangle(
+                        Rulers.square(x, sight.x, right, size),
+                        Rulers.square(y, sight.y, bottom, size),
+                        size,
+                        size);
+        return ZoomButtons.clear(square, new Point2D.Double(x, y), sight, zoom);
     }
 
     /** The ends' letters and coordinates. */
@@ -95,14 +105,14 @@ record LineFrame(
         FontMetrics metrics = g.getFontMetrics();
         var within = new Rectangle(sight.x + 3, sight.y + 4, sight.width - 8, sight.height - 11);
         List<Rectangle2D> seen = marked();
-        for (End end : End.values()) seen.add(around(end, segment, grid, sight));
+        for (End end : End.values()) seen.add(around(end, segment, grid, sight, zoom));
         for (End end : End.values()) {
             String text = label(end, segment, locale);
             Rectangle place =
                     EndLabels.place(
                             metrics.stringWidth(text) + 8,
                             metrics.getHeight() + 1,
-                            around(end, segment, grid, sight),
+                            around(end, segment, grid, sight, zoom),
                             (end == End.A) == (segment.y0() <= segment.y1()),
                             within,
                             seen);

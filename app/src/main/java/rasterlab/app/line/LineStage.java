@@ -74,7 +74,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         getAccessibleContext().setAccessibleName(texts.text("stage"));
         handles = List.of(handle(End.A), handle(End.B));
         zoom = new ZoomButtons(Texts.of("canvas", texts.language()), this, new Zoom());
-        add(zoom);
+        add(zoom, 0); // Above the handles.
         add(pointed);
         var mouse = new Pan();
         addMouseListener(mouse);
@@ -171,7 +171,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
         PixelGrid grid = grid(sight);
         for (End end : End.values()) {
             EndHandle handle = handles.get(end.ordinal());
-            handle.setBounds(LineFrame.around(end, segment, grid, sight));
+            handle.setBounds(LineFrame.around(end, segment, grid, sight, zoom.getBounds()));
             handle.getAccessibleContext()
                     .setAccessibleName(
                             texts.text(
@@ -197,6 +197,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                 StageColours.now(),
                 PictureType.in(getSize()),
                 note(),
+                zoom.getBounds(),
                 texts.locale());
     }
 

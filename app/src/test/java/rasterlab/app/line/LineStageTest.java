@@ -1,12 +1,15 @@
 package rasterlab.app.line;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.awt.Color;
+import java.awt.EventQueue;
 import java.awt.Font;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
@@ -23,11 +26,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.PixelGrid;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.StageNote;
+import rasterlab.app.canvas.ZoomButtons;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.line.LineTopic;
@@ -41,6 +46,8 @@ import rasterlab.engine.raster.Plotted;
 @Timeout(30)
 class LineStageTest {
     private static final int BLUE = MethodColours.of("bresenham").getRGB();
+
+    private static final Rectangle NO_BUTTONS = new Rectangle();
 
     private final List<Throwable> failures = new CopyOnWriteArrayList<>();
     private final LineLabModel model =
@@ -63,6 +70,7 @@ class LineStageTest {
                 StageColours.LIGHT,
                 new Font(Font.SANS_SERIF, Font.PLAIN, 13),
                 "",
+                NO_BUTTONS,
                 Locale.ENGLISH);
     }
 
@@ -104,6 +112,7 @@ class LineStageTest {
                                 colours,
                                 new Font(Font.SANS_SERIF, Font.PLAIN, 13),
                                 "",
+                                NO_BUTTONS,
                                 Locale.ENGLISH)
                         .painted(() -> false);
         Color ground = new Color(image.getRGB(100 + 20 * 9 + 6, 60 + 20 * 8 + 6));
@@ -215,7 +224,7 @@ class LineStageTest {
         note.paint(image.createGraphics(), StageColours.LIGHT);
         PixelGrid grid = LineFraming.of(model.state(), note.below());
         for (End end : End.values()) {
-            Rectangle handle = LineFrame.around(end, segment, grid, note.below());
+            Rectangle handle = LineFrame.around(end, segment, grid, note.below(), NO_BUTTONS);
             for (int x = handle.x; x < handle.x + handle.width; x++)
                 for (int y = handle.y; y < handle.y + handle.height; y++)
                     assertEquals(0, image.getRGB(x, y), end + " " + handle);
@@ -235,6 +244,30 @@ class LineStageTest {
                                                 "of end B beyond the upper edge, " + language,
                                                 new Segment(0, 0, 3_000, -9_000),
                                                 language)));
+    }
+
+    @ParameterizedTest(name = "a pinned handle lies on the zoom buttons: of an end at {0}, {1}")
+    @CsvSource({"1200000000, 1200000000", "20, 1200000000", "1200000000, 12", "20, 12"})
+    void handleOfAnEndOutOfSightKeepsClearOfTheButtons(int x, int y) {
+        var sight = new Rectangle(44, 22, 456, 278);
+        var buttons = new Rectangle(400, 265, 92, 27);
+        var segment = new Segment(0, 0, x, y);
+        Rectangle handle =
+                LineFrame.around(End.B, segment, new PixelGrid(50, 30, 20), sight, buttons);
+        assertFalse(handle.intersects(buttons), handle.toString());
+        assertTrue(sight.contains(handle), handle.toString());
+    }
+
+    @Test
+    void buttonsLieOverTheHandles() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    try (var stage =
+                            new LineStage(
+                                    model, Texts.of("line", Language.ENGLISH), failures::add)) {
+                        assertInstanceOf(ZoomButtons.class, stage.getComponent(0));
+                    }
+                });
     }
 
     @Test
