@@ -1,5 +1,7 @@
 package rasterlab.app.canvas;
 
+import com.formdev.flatlaf.FlatClientProperties;
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Insets;
@@ -20,6 +22,9 @@ public final class NumberEntry extends JSpinner.NumberEditor {
     private static final long serialVersionUID = 1L;
 
     private static final int SMALLEST_TYPE = 6;
+
+    /** What the caret takes, and what padding that is scaled may be rounded by. */
+    private static final int SPARE = 3;
 
     private Font usual;
 
@@ -60,9 +65,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         if (field.getWidth() == 0) return;
         getPreferredSize();
         if (!field.getFont().equals(fitted)) usual = field.getFont();
-        Insets insets = field.getInsets();
-        int caret = 1;
-        int free = field.getWidth() - insets.left - insets.right - caret;
+        int free = field.getWidth() - beside(field) - SPARE;
         Font next = usual;
         while (next.getSize() > SMALLEST_TYPE
                 && field.getFontMetrics(next).stringWidth(field.getText()) > free)
@@ -70,6 +73,15 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         if (next.equals(field.getFont())) return;
         fitted = next.equals(usual) ? null : next;
         field.setFont(next);
+    }
+
+    /** What a field keeps free on both sides of its text: FlatLaf's padding is no inset. */
+    private static int beside(JTextField field) {
+        Insets insets = field.getInsets();
+        int beside = insets.left + insets.right;
+        if (field.getClientProperty(FlatClientProperties.TEXT_FIELD_PADDING) instanceof Insets in)
+            beside += UIScale.scale(in.left) + UIScale.scale(in.right);
+        return beside;
     }
 
     private static final class Format extends DecimalFormat {

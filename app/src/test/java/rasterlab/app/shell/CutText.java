@@ -1,7 +1,6 @@
 package rasterlab.app.shell;
 
 import java.awt.Component;
-import java.awt.Insets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -15,6 +14,7 @@ import javax.swing.JTextField;
 import javax.swing.JViewport;
 import javax.swing.table.JTableHeader;
 import javax.swing.table.TableColumn;
+import javax.swing.text.BadLocationException;
 
 /** Whether a laid out component shows all of its own text, and how much is lacking. */
 final class CutText {
@@ -49,16 +49,19 @@ final class CutText {
 
     private static Optional<String> inField(JSpinner spinner) {
         JTextField field = ((JSpinner.DefaultEditor) spinner.getEditor()).getTextField();
-        Insets insets = field.getInsets();
-        int caret = 1;
-        int needed =
-                field.getFontMetrics(field.getFont()).stringWidth(field.getText())
-                        + insets.left
-                        + insets.right
-                        + caret;
-        return field.getWidth() >= needed
-                ? Optional.empty()
-                : lacking(spinner, field.getText(), needed, field.getWidth());
+        int needed = field.getFontMetrics(field.getFont()).stringWidth(field.getText());
+        int room = room(field);
+        return room >= needed ? Optional.empty() : lacking(spinner, field.getText(), needed, room);
+    }
+
+    /** Width in which text is seen: what insets, padding and caret leave. */
+    private static int room(JTextField field) {
+        try {
+            field.modelToView2D(0); // Brings the visible part up to date.
+        } catch (BadLocationException e) {
+            throw new AssertionError(e);
+        }
+        return field.getHorizontalVisibility().getExtent();
     }
 
     private static Optional<String> inHeads(JTable table) {

@@ -22,7 +22,10 @@ class LongNumbersTest {
     /** Numbers as long as the labs have them. */
     private static final List<LabStates.Other> LONG =
             List.of(
-                    new LabStates.Other("line", "last column", LongNumbersTest::showLastColumn),
+                    new LabStates.Other(
+                            "line", "last column", models -> showHazard(models, "last-column")),
+                    new LabStates.Other(
+                            "line", "beyond 2³⁰", models -> showHazard(models, "beyond-2-30")),
                     new LabStates.Other("spline", "steep ends", LongNumbersTest::showSteepEnds));
 
     @AfterAll
@@ -30,9 +33,9 @@ class LongNumbersTest {
         OffscreenPainter.onEventThread(LabTheme.LIGHT::install);
     }
 
-    private static void showLastColumn(LabModels models) {
+    private static void showHazard(LabModels models, String name) {
         models.line().hazards().stream()
-                .filter(hazard -> hazard.name().equals("last-column"))
+                .filter(hazard -> hazard.name().equals(name))
                 .forEach(hazard -> models.line().show(hazard.input()));
     }
 
