@@ -105,6 +105,7 @@ record LineFrame(
         FontMetrics metrics = g.getFontMetrics();
         var within = new Rectangle(sight.x + 3, sight.y + 4, sight.width - 8, sight.height - 11);
         List<Rectangle2D> seen = marked();
+        seen.add(zoom);
         for (End end : End.values()) seen.add(around(end, segment, grid, sight, zoom));
         for (End end : End.values()) {
             String text = label(end, segment, locale);
