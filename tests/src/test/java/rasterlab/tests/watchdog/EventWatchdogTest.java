@@ -99,7 +99,7 @@ class EventWatchdogTest {
         var frame = new GlFrame(choice, 640, 480, new Images().of(choice));
         try (var painter = new SoftwarePainter()) {
             String fault = fault(() -> painter.draw(frame, () -> false));
-            assertTrue(fault.contains("rasterlab.app.opengl.software.SoftwarePainter"), fault);
+            assertTrue(fault.contains(Blame.WORKS.said()), fault);
         }
     }
 
