@@ -1,5 +1,6 @@
 package rasterlab.engine.spline;
 
+import java.math.BigDecimal;
 import java.util.Arrays;
 import rasterlab.contract.SplineEnds;
 
@@ -12,7 +13,7 @@ import rasterlab.contract.SplineEnds;
 public final class PiecewiseCubic {
     private final double[] x;
     private final double[] coefficients;
-    private final boolean periodic;
+    private final boolean folds;
 
     /**
      * @param coefficients four for each piece, as {@code SplineFunction.coefficients} gives them
@@ -24,7 +25,10 @@ public final class PiecewiseCubic {
                             .formatted(x.length - 1, coefficients.length));
         this.x = x.clone();
         this.coefficients = coefficients.clone();
-        periodic = ends.kind() == SplineEnds.Kind.PERIODIC;
+        folds =
+                ends.kind() == SplineEnds.Kind.PERIODIC
+                        && x[0] < x[x.length - 1]
+                        && Arrays.stream(x).allMatch(Double::isFinite);
     }
 
     /**
@@ -53,21 +57,34 @@ public final class PiecewiseCubic {
     }
 
     private double at(double place) {
-        double inside = periodic ? wrapped(place) : place;
-        int found = Arrays.binarySearch(x, inside);
+        boolean inside = place >= x[0] && place <= x[x.length - 1];
+        if (folds && !inside && Double.isFinite(place)) return at(folded(place));
+        int piece = piece(place);
+        return value(piece, place - x[piece]);
+    }
+
+    private double at(BigDecimal inside) {
+        int piece = piece(inside.doubleValue());
+        return value(piece, inside.subtract(new BigDecimal(x[piece])).doubleValue());
+    }
+
+    /** Exact: a narrow piece would make a wrong value of a place that was rounded. */
+    private BigDecimal folded(double place) {
+        var first = new BigDecimal(x[0]);
+        var last = new BigDecimal(x[x.length - 1]);
+        BigDecimal rest = new BigDecimal(place).subtract(first).remainder(last.subtract(first));
+        return (rest.signum() < 0 ? last : first).add(rest);
+    }
+
+    private int piece(double place) {
+        int found = Arrays.binarySearch(x, place);
         int below = found >= 0 ? found : -found - 2;
-        int piece = Math.max(0, Math.min(below, x.length - 2));
-        double s = inside - x[piece];
+        return Math.max(0, Math.min(below, x.length - 2));
+    }
+
+    private double value(int piece, double s) {
         int c = 4 * piece;
         return coefficients[c]
                 + s * (coefficients[c + 1] + s * (coefficients[c + 2] + s * coefficients[c + 3]));
-    }
-
-    private double wrapped(double place) {
-        double first = x[0];
-        double last = x[x.length - 1];
-        if (place >= first && place <= last) return place;
-        double rest = (place - first) % (last - first);
-        return rest < 0 ? last + rest : first + rest;
     }
 }

@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.contract.SplineEnds;
 
@@ -211,6 +212,25 @@ class SplineFunctionTest {
         var function = new PiecewiseCubic(x, wave, SplineEnds.periodic());
         double[] inside = function.at(of(0.5, 1.25, 0, 1));
         assertArrayEquals(inside, function.at(of(-1.5, 5.25, 2, -1)), 1e-15);
+    }
+
+    /** The period 9 + 2⁻⁵⁰ is no double, and the tooth is steep enough to show what it lacks. */
+    @Test
+    void thePeriodGoesOnWithoutRoundingThePlace() {
+        double[] x = of(-Math.pow(2, -50), 8, 8 + Math.pow(2, -33), 9);
+        var tooth = new double[12];
+        tooth[5] = Math.pow(2, 34);
+        var function = new PiecewiseCubic(x, tooth, SplineEnds.periodic());
+        double half = Math.pow(2, -34);
+        double[] expected = of(1, 1 - Math.pow(2, -16), 1 + Math.pow(2, -16));
+        assertArrayEquals(expected, function.at(of(8 + half, 17 + half, -1 + half)));
+    }
+
+    @ParameterizedTest(name = "knots {0}, {1}")
+    @CsvSource({"1, 1", "2, 1", "0, Infinity", "NaN, 1"})
+    void knotsWithoutAPeriodAreNotFolded(double first, double last) {
+        var function = new PiecewiseCubic(of(first, last), of(0, 1, 0, 0), SplineEnds.periodic());
+        assertEquals(5 - first, function.unchecked(of(5))[0]);
     }
 
     @Test
