@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.event.KeyEvent;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JOptionPaneFixture;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import rasterlab.app.shell.LabTheme;
@@ -17,29 +16,13 @@ import rasterlab.tests.grading.Solutions;
 
 /** The tab of exercises and a course's server, under a real display. */
 @Timeout(120)
-class WindowCourseTest extends WindowHarness {
-    @BeforeEach
-    void showExercises() {
-        if (window != null) show("exercises");
-    }
-
-    private void type(String source) {
-        GuiActionRunner.execute(() -> models.exercises().type(source));
-        robot.waitForIdle();
-    }
-
-    /** Or will have it when the window has: not every display gives it back after a dialog. */
-    private boolean isToHaveKeyboard(String button) {
-        var target = window.button(button).target();
-        return GuiActionRunner.execute(() -> frame.getMostRecentFocusOwner() == target);
-    }
-
+class WindowCourseTest extends ExercisesHarness {
     @Test
     void serverThatIsDownIsToldAndNothingIsLost() {
         type("class A {}");
         join("http://127.0.0.1:1", "CODE");
         await("it is told", () -> noticed("no answer"));
-        await("the keyboard is back where it was asked for", () -> isToHaveKeyboard("server"));
+        await("the keyboard is back where it was asked for", () -> hasKeyboard("server"));
         assertEquals("class A {}", window.textBox("source").text());
         GuiActionRunner.execute(() -> frame.wear(frame.look().with(LabTheme.DARK)));
         robot.waitForIdle();

@@ -14,7 +14,6 @@ import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JOptionPaneFixture;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.TokenTypes;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,17 +25,7 @@ import rasterlab.tests.grading.Solutions;
 
 /** The tab of exercises under a real display, by mouse and keyboard. */
 @Timeout(120)
-class WindowExercisesTest extends WindowHarness {
-    @BeforeEach
-    void showExercises() {
-        if (window != null) show("exercises");
-    }
-
-    private void type(String source) {
-        GuiActionRunner.execute(() -> models.exercises().type(source));
-        robot.waitForIdle();
-    }
-
+class WindowExercisesTest extends ExercisesHarness {
     private String source() {
         return window.textBox("source").text();
     }
@@ -252,12 +241,6 @@ class WindowExercisesTest extends WindowHarness {
         press(KeyEvent.VK_SPACE);
         await("it is given up", () -> hasKeyboard("check"));
         assertEquals(endless, source());
-    }
-
-    /** Or will have it when the window has: not every display gives it back after a dialog. */
-    private boolean hasKeyboard(String button) {
-        var target = window.button(button).target();
-        return GuiActionRunner.execute(() -> frame.getMostRecentFocusOwner() == target);
     }
 
     @Test

@@ -22,8 +22,8 @@ import rasterlab.engine.study.Topic;
         name = "methods",
         mixinStandardHelpOptions = true,
         description = {
-            "Lists topics with their methods and hazards,",
-            "and what `./lab run` reads and answers for them as JSON."
+            "Lists topics with their methods and hazards.",
+            "Says of each what `./lab run` reads and answers for it as JSON."
         },
         footer = {"", "Example: ./lab methods line"})
 final class MethodsCommand implements Callable<Integer> {

@@ -14,8 +14,8 @@ import rasterlab.app.tour.Tour;
         name = "tour",
         mixinStandardHelpOptions = true,
         description = {
-            "Makes pictures of every lab, charts, rendered scenes and a graded round trip,",
-            "and one page that shows them. Needs no display."
+            "Makes one page of every lab, charts, rendered scenes and a graded round trip.",
+            "Needs no display."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

@@ -5,15 +5,14 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
-import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
-import java.awt.datatransfer.UnsupportedFlavorException;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.JPanel;
 import javax.swing.TransferHandler.TransferSupport;
 import org.junit.jupiter.api.DisplayName;
@@ -61,7 +60,7 @@ class FileDropTest {
     @Test
     @DisplayName("files that are gone are thrown out of the drop")
     void tellsFilesThatCannotBeHad() throws Exception {
-        Transferable gone = files(List.of(), new IOException("it is gone"));
+        Transferable gone = new DroppedFiles(List.of(), Optional.of(new IOException("it is gone")));
         EventQueue.invokeAndWait(() -> assertFalse(drop.importData(onto(gone))));
         EventQueue.invokeAndWait(() -> {});
         assertEquals(List.of("The dropped file could not be had: it is gone."), told);
@@ -76,31 +75,10 @@ class FileDropTest {
     }
 
     private boolean dropped(File... files) {
-        return drop.importData(onto(files(List.of(files), null)));
+        return drop.importData(onto(DroppedFiles.of(files)));
     }
 
     private static TransferSupport onto(Transferable files) {
         return new TransferSupport(new JPanel(), files);
-    }
-
-    private static Transferable files(List<File> files, IOException failure) {
-        return new Transferable() {
-            @Override
-            public DataFlavor[] getTransferDataFlavors() {
-                return new DataFlavor[] {DataFlavor.javaFileListFlavor};
-            }
-
-            @Override
-            public boolean isDataFlavorSupported(DataFlavor flavor) {
-                return flavor.equals(DataFlavor.javaFileListFlavor);
-            }
-
-            @Override
-            public Object getTransferData(DataFlavor flavor)
-                    throws UnsupportedFlavorException, IOException {
-                if (failure != null) throw failure;
-                return files;
-            }
-        };
     }
 }

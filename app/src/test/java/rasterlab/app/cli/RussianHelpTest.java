@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
 
 /** Every command takes {@code --lang}, and what it prints for people is in that language. */
@@ -37,6 +38,19 @@ class RussianHelpTest {
     void helpOfAllIsRussian() {
         assertRussian(Ran.lab("help", "--lang=ru"));
         assertEquals(Ran.lab("help", "--lang=ru").out(), Ran.lab("--lang", "ru", "--help").out());
+    }
+
+    @ParameterizedTest(name = "the list of commands breaks a sentence off: {0}")
+    @ValueSource(strings = {"en", "ru"})
+    void eachCommandIsSaidInWholeSentences(String language) {
+        String said = Ran.lab("help", "--lang", language).out();
+        List<String> open =
+                Pattern.compile("\n  (?=[a-z])")
+                        .splitAsStream(said.substring(said.indexOf("\n  methods ")))
+                        .map(command -> command.split("\n\n")[0])
+                        .filter(command -> command.matches("(?s)[a-z]+ .*[^.]"))
+                        .toList();
+        assertEquals(List.of(), open);
     }
 
     private static void assertRussian(Ran ran) {

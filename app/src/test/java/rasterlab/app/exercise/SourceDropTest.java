@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
-import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.io.File;
@@ -18,6 +17,7 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rtextarea.RTextScrollPane;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import rasterlab.app.canvas.DroppedFiles;
 import rasterlab.app.canvas.FileDrop;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -27,23 +27,6 @@ class SourceDropTest {
 
     private final List<Path> taken = new ArrayList<>();
     private final StringBuilder typed = new StringBuilder();
-
-    private record Files() implements Transferable {
-        @Override
-        public DataFlavor[] getTransferDataFlavors() {
-            return new DataFlavor[] {DataFlavor.javaFileListFlavor};
-        }
-
-        @Override
-        public boolean isDataFlavorSupported(DataFlavor flavor) {
-            return flavor.equals(DataFlavor.javaFileListFlavor);
-        }
-
-        @Override
-        public Object getTransferData(DataFlavor flavor) {
-            return List.of(FILE);
-        }
-    }
 
     /** On the event thread. */
     private RSyntaxTextArea area(JPanel around) {
@@ -67,7 +50,7 @@ class SourceDropTest {
                 () -> {
                     var around = new JPanel();
                     around.setTransferHandler(new FileDrop(around, Language.ENGLISH, taken::add));
-                    assertTrue(put(new Files(), area(around)));
+                    assertTrue(put(DroppedFiles.of(FILE), area(around)));
                 });
         EventQueue.invokeAndWait(() -> {});
         assertEquals(List.of(FILE.toPath()), taken);
@@ -80,7 +63,7 @@ class SourceDropTest {
         EventQueue.invokeAndWait(
                 () -> {
                     RSyntaxTextArea area = area(new JPanel());
-                    assertFalse(put(new Files(), area));
+                    assertFalse(put(DroppedFiles.of(FILE), area));
                     assertTrue(put(new StringSelection("int x;"), area));
                 });
         assertEquals("int x;", typed.toString());

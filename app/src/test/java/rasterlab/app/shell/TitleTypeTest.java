@@ -9,7 +9,6 @@ import java.awt.Font;
 import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.JComboBox;
@@ -26,19 +25,6 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 class TitleTypeTest {
-    private static final String[] TABS = {
-        "coordinates",
-        "line",
-        "polygon",
-        "clip",
-        "visibility",
-        "light",
-        "spline",
-        "opengl",
-        "study",
-        "exercises"
-    };
-
     @AfterEach
     void usualTheme() throws InterruptedException {
         OffscreenPainter.onEventThread(LabTheme.LIGHT::install);
@@ -64,7 +50,7 @@ class TitleTypeTest {
     private static TabbedLabs laidOut(Language language, int width) {
         Texts texts = Texts.of("shell", language);
         List<LabTab> tabs =
-                Arrays.stream(TABS)
+                LabTabs.NAMES.stream()
                         .map(name -> new LabTab(name, texts.text("tab." + name), () -> {}, null))
                         .toList();
         var pane = new TabbedLabs(tabs, failure -> {}, texts);
@@ -87,7 +73,7 @@ class TitleTypeTest {
 
     private static List<Rectangle> places(JTabbedPane pane) {
         var places = new ArrayList<Rectangle>();
-        for (int i = 0; i < TABS.length; i++) places.add(pane.getBoundsAt(i));
+        for (int i = 0; i < LabTabs.NAMES.size(); i++) places.add(pane.getBoundsAt(i));
         return places;
     }
 
@@ -101,7 +87,7 @@ class TitleTypeTest {
                     TabbedLabs pane = laidOut(language, 1280);
                     int end = behind(pane).getParent().getX();
                     Rectangle before = new Rectangle(0, 0, 1, 1);
-                    for (int i = 0; i < TABS.length; i++) {
+                    for (int i = 0; i < LabTabs.NAMES.size(); i++) {
                         Rectangle place = pane.getBoundsAt(i);
                         String title = pane.getTitleAt(i) + " at " + place;
                         int needed =
@@ -140,7 +126,7 @@ class TitleTypeTest {
                     DesktopType.install(theme, percent);
                     TabbedLabs pane = laidOut(language, 1280);
                     List<Rectangle> first = places(pane);
-                    pane.setSelectedIndex(TABS.length - 1);
+                    pane.setSelectedIndex(LabTabs.NAMES.size() - 1);
                     layOut(pane, 1280);
                     assertEquals(first, places(pane));
                 });
@@ -204,7 +190,7 @@ class TitleTypeTest {
                     Dimension needed = behind(pane).getPreferredSize();
                     int high = behind(pane).getParent().getHeight();
                     assertTrue(high >= needed.height, high + " for " + needed);
-                    Rectangle last = pane.getBoundsAt(TABS.length - 1);
+                    Rectangle last = pane.getBoundsAt(LabTabs.NAMES.size() - 1);
                     assertEquals(last.getMaxY(), high, 1);
                 });
     }
@@ -227,10 +213,10 @@ class TitleTypeTest {
                     DesktopType.install(LabTheme.PROJECTOR, 150);
                     TabbedLabs pane = laidOut(Language.RUSSIAN, 900);
                     Font narrow = pane.getFont();
-                    int high = pane.getBoundsAt(TABS.length - 1).y;
+                    int high = pane.getBoundsAt(LabTabs.NAMES.size() - 1).y;
                     layOut(pane, 2600);
                     assertTrue(pane.getFont().getSize2D() > narrow.getSize2D());
-                    assertTrue(pane.getBoundsAt(TABS.length - 1).y < high, "as many rows");
+                    assertTrue(pane.getBoundsAt(LabTabs.NAMES.size() - 1).y < high, "as many rows");
                 });
     }
 }
