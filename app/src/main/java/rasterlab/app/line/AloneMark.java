@@ -1,20 +1,17 @@
 package rasterlab.app.line;
 
-import com.formdev.flatlaf.util.UIScale;
+import com.formdev.flatlaf.icons.FlatAbstractIcon;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
-import javax.swing.Icon;
 import rasterlab.app.canvas.StageColours;
 
 /** A lozenge: of two methods only one lights this pixel, be it right or wrong. */
-final class AloneMark implements Icon {
+final class AloneMark extends FlatAbstractIcon {
     private static final int SIZE = 16;
 
     /** View units of a pixel from which on a lozenge can be told from a square. */
@@ -22,6 +19,10 @@ final class AloneMark implements Icon {
 
     /** View units of a crowded pixel's mark: wider than the exact curve. */
     private static final double SMALLEST_DOT = 3;
+
+    AloneMark() {
+        super(SIZE, SIZE, null);
+    }
 
     /** Whole also where the pixel has a mark of its own, over which it is to be painted. */
     static void paint(Graphics2D g, StageColours colours, Rectangle2D pixel) {
@@ -60,23 +61,9 @@ final class AloneMark implements Icon {
     }
 
     @Override
-    public void paintIcon(Component c, Graphics g, int x, int y) {
-        var copy = (Graphics2D) g.create();
-        copy.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-        copy.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-        double side = getIconWidth() * 0.7;
-        double inset = (getIconWidth() - side) / 2;
-        paint(copy, StageColours.now(), new Rectangle2D.Double(x + inset, y + inset, side, side));
-        copy.dispose();
-    }
-
-    @Override
-    public int getIconWidth() {
-        return UIScale.scale(SIZE);
-    }
-
-    @Override
-    public int getIconHeight() {
-        return UIScale.scale(SIZE);
+    protected void paintIcon(Component c, Graphics2D g) {
+        double side = SIZE * 0.7;
+        double inset = (SIZE - side) / 2;
+        paint(g, StageColours.now(), new Rectangle2D.Double(inset, inset, side, side));
     }
 }

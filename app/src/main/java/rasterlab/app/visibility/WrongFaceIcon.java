@@ -1,20 +1,22 @@
 package rasterlab.app.visibility;
 
-import com.formdev.flatlaf.util.UIScale;
+import com.formdev.flatlaf.icons.FlatAbstractIcon;
 import java.awt.Color;
 import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import javax.swing.Icon;
 import rasterlab.engine.raster.PictureDifference;
 import rasterlab.engine.raster.PixelMark;
 
 /** The sign of a pixel that shows a wrong face: in the colour and edge of marked areas. */
-record WrongFaceIcon() implements Icon {
+final class WrongFaceIcon extends FlatAbstractIcon {
     /** As large as the other kinds' marks. */
     private static final int SIZE = 16;
 
     private static final Color EDGE = new Color(PictureDifference.EDGE);
+
+    WrongFaceIcon() {
+        super(SIZE, SIZE, null);
+    }
 
     /** Draws the sign into the middle of the square with its upper left corner at (x, y). */
     static void paint(Graphics2D g, int x, int y, int size) {
@@ -28,19 +30,7 @@ record WrongFaceIcon() implements Icon {
     }
 
     @Override
-    public void paintIcon(Component c, Graphics g, int x, int y) {
-        var copy = (Graphics2D) g.create();
-        paint(copy, x, y, getIconWidth());
-        copy.dispose();
-    }
-
-    @Override
-    public int getIconWidth() {
-        return UIScale.scale(SIZE);
-    }
-
-    @Override
-    public int getIconHeight() {
-        return UIScale.scale(SIZE);
+    protected void paintIcon(Component c, Graphics2D g) {
+        paint(g, 0, 0, SIZE);
     }
 }
