@@ -214,7 +214,12 @@ public final class Renderer implements AutoCloseable {
         if (shading == ShadingMethod.WIRE)
             new WirePicture(view, wire(look), background, veil, out).draw(method, cancelled);
         else if (chosen.equals(PIPELINE) && drawsDirectly(look, shading))
-            direct().draw(lights(look, seen), directLook(look, shading), out, cancelled);
+            direct().draw(
+                            lights(look, seen),
+                            directLook(look, shading),
+                            0xFF000000 | background,
+                            out,
+                            cancelled);
         else return Optional.of(method.draw(view, paint(look, shading, seen), out, cancelled));
         return Optional.empty();
     }

@@ -1,6 +1,6 @@
 package rasterlab.engine.pipeline.direct;
 
-import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
@@ -26,7 +26,7 @@ import rasterlab.engine.texture.TextureSampler;
 /** One picture after the other by one pipeline; keeps its working memory. One thread at a time. */
 public final class DirectPicture implements AutoCloseable {
     private final TrianglePipeline pipeline;
-    private DepthRaster picture = new DepthRaster(1, 1);
+    private DepthRaster depths = new DepthRaster(1, 1);
 
     /**
      * @param pipeline draws for this alone, and ends with it
@@ -36,34 +36,43 @@ public final class DirectPicture implements AutoCloseable {
     }
 
     /**
-     * Draws over the picture's background.
+     * Draws the picture anew, but for a scene without faces.
      *
+     * @param background 0xAARRGGBB
      * @param cancelled asked by several threads
      * @throws CancellationException soon after {@code cancelled} says true
      */
     public synchronized void draw(
-            FaceLights lights, DirectLook look, Raster out, BooleanSupplier cancelled) {
+            FaceLights lights,
+            DirectLook look,
+            int background,
+            Raster out,
+            BooleanSupplier cancelled) {
         var space = new ClipSpace(lights.view());
         if (space.empty()) return;
-        begin(out);
         boolean[] opaque = look.opaque(lights);
         PointLighting[] lighting = lights.forThread();
         TriangleView view = space.view();
         Function<FaceTriangles, TriangleMesh> lit = lit(lights, look.light());
-        for (Batch batch : Batches.of(lights, opaque)) {
+        List<Batch> batches = Batches.of(lights, opaque);
+        for (int k = 0; k < batches.size(); k++) {
+            Batch batch = batches.get(k);
             Optional<LaidTexture> laid = look.laid(lights.scene().finishes().get(batch.finish()));
             Surface surface = surface(look, laid, lighting[batch.finish()], batch.opaque());
             var triangles = new FaceTriangles(lights.mesh(), batch.faces());
-            pipeline.draw(lit.apply(triangles), view, surface, picture, cancelled);
+            TriangleMesh mesh = lit.apply(triangles);
+            if (batches.size() == 1)
+                pipeline.drawOn(background, mesh, view, surface, out, cancelled);
+            else if (k == 0)
+                pipeline.drawOn(background, mesh, view, surface, withDepths(out), cancelled);
+            else pipeline.draw(mesh, view, surface, withDepths(out), cancelled);
         }
-        System.arraycopy(picture.raster().argb(), 0, out.argb(), 0, out.argb().length);
     }
 
-    private void begin(Raster out) {
-        if (picture.width() != out.width() || picture.height() != out.height())
-            picture = new DepthRaster(out.width(), out.height());
-        Arrays.fill(picture.depth(), DepthRaster.FARTHEST);
-        System.arraycopy(out.argb(), 0, picture.raster().argb(), 0, out.argb().length);
+    private DepthRaster withDepths(Raster out) {
+        if (depths.width() != out.width() || depths.height() != out.height())
+            depths = new DepthRaster(out.width(), out.height());
+        return depths.of(out);
     }
 
     /** Lights all faces at once; a batch takes what is its own. */

@@ -3,7 +3,6 @@ package rasterlab.engine.pipeline.direct;
 import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
-import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.Surface;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 import rasterlab.engine.pipeline.triangle.VertexColors;
@@ -28,11 +27,12 @@ public final class NumberedFaces implements Visibility {
         require(view, paint);
         var space = new ClipSpace(view);
         if (space.empty()) return painted(0);
-        var numbers = new DepthRaster(out.width(), out.height());
+        var numbers = new Raster(out.width(), out.height());
         int[] faces = IntStream.range(0, view.mesh().faceCount()).toArray();
         int[] colours = IntStream.of(faces).map(face -> 0xFF000000 | face + 1).toArray();
         try (var pipeline = new TrianglePipeline()) {
-            pipeline.draw(
+            pipeline.drawOn(
+                    0,
                     new FaceTriangles(view.mesh(), faces).flat(colours),
                     space.view(),
                     new Surface.Flat(VertexColors.own()),
@@ -42,7 +42,7 @@ public final class NumberedFaces implements Visibility {
         long pixels = 0;
         for (int y = 0; y < out.height(); y++) {
             Cancellation.check(cancelled);
-            pixels += paintRow(numbers.raster(), y, paint, out);
+            pixels += paintRow(numbers, y, paint, out);
         }
         return painted(pixels);
     }

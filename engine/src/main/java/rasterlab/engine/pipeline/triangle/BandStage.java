@@ -7,6 +7,7 @@ final class BandStage {
     /** The most pixels of a box that are asked one by one. */
     private static final int FEW = 4;
 
+    private final Band band = new Band();
     private final TriangleScan scan = new TriangleScan();
     private final TinyScan tiny = new TinyScan();
     private final LinearColors linear = new LinearColors();
@@ -16,69 +17,67 @@ final class BandStage {
 
     BandStage(Lanes lanes) {
         loops = RowLoops.of(lanes);
-        pixels = new PixelFill(loops);
+        pixels = new PixelFill(band, loops);
     }
 
     /**
      * @param chunks how many of {@code sorted} are the frame's
      */
-    void run(Frame frame, int band, TriangleChunk[] sorted, int chunks) {
-        int top = band * TriangleScan.ROWS;
-        if (frame.clears) frame.out.clearRows(top, frame.background);
+    void run(Frame frame, int number, TriangleChunk[] sorted, int chunks) {
+        band.begin(frame, number);
         if (frame.surface instanceof Surface.PerPixel) pixels.begin(frame);
         for (int k = 0; k < chunks; k++) {
             TriangleChunk chunk = sorted[k];
             int[] corners = chunk.corners;
-            for (int i = 3 * chunk.start[band]; i < 3 * chunk.start[band + 1]; i += 3) {
+            for (int i = 3 * chunk.start[number]; i < 3 * chunk.start[number + 1]; i += 3) {
                 int first = corners[i];
                 int second = corners[i + 1];
                 int third = corners[i + 2];
-                if (first >= 0) draw(frame, frame.vertices, first, second, third, top);
-                else draw(frame, chunk.clipped, ~first, ~second, ~third, top);
+                if (first >= 0) draw(frame, frame.vertices, first, second, third);
+                else draw(frame, chunk.clipped, ~first, ~second, ~third);
             }
         }
         if (frame.surface instanceof Surface.PerPixel) pixels.flush();
     }
 
-    private void draw(
-            Frame frame, ScreenVertices vertices, int first, int second, int third, int top) {
-        if (tiny.load(vertices, first, second, third, frame.out, top)) {
+    private void draw(Frame frame, ScreenVertices vertices, int first, int second, int third) {
+        if (tiny.load(vertices, first, second, third, band)) {
             fillTiny(frame, vertices, third);
             return;
         }
-        scan.load(vertices, first, second, third, frame.out, top);
+        scan.load(vertices, first, second, third, band);
         if (frame.surface instanceof Surface.Smooth) {
-            fillSmooth(frame.out, vertices);
+            fillSmooth(vertices);
             return;
         }
         loops.scan(scan);
         if (frame.surface instanceof Surface.PerPixel) pixels.fill(scan, vertices, third);
-        else fillFlat(frame.out, vertices, FlatFill.argb(vertices, third));
+        else fillFlat(vertices, FlatFill.argb(vertices, third));
     }
 
-    private void fillFlat(DepthRaster out, ScreenVertices vertices, int argb) {
-        FlatFill.fill(out, scan, vertices, weights, argb);
+    private void fillFlat(ScreenVertices vertices, int argb) {
+        FlatFill.fill(band, scan, vertices, weights, argb);
     }
 
-    private void fillSmooth(DepthRaster out, ScreenVertices vertices) {
+    private void fillSmooth(ScreenVertices vertices) {
         if (linear.fits(scan, vertices)) {
             linear.load(scan, vertices);
-            loops.linear(out, scan, linear);
+            loops.linear(band, scan, linear);
         } else {
             loops.scan(scan);
-            SmoothFill.perspective(out, scan, vertices, weights);
+            SmoothFill.perspective(band, scan, vertices, weights);
         }
     }
 
     private void fillTiny(Frame frame, ScreenVertices vertices, int third) {
         if (frame.surface instanceof Surface.Smooth) {
-            if (tiny.columns * tiny.rows <= FEW) TinyFill.few(frame.out, tiny, vertices);
-            else loops.smooth(frame.out, tiny, vertices);
+            if (tiny.columns * tiny.rows <= FEW) TinyFill.few(band, tiny, vertices);
+            else loops.smooth(band, tiny, vertices);
             return;
         }
-        tiny.look(frame.out.width());
+        tiny.look(band.width);
         if (tiny.count == 0) return;
         if (frame.surface instanceof Surface.PerPixel) pixels.fill(tiny, vertices, third);
-        else TinyFill.flat(frame.out, tiny, vertices, FlatFill.argb(vertices, third));
+        else TinyFill.flat(band, tiny, vertices, FlatFill.argb(vertices, third));
     }
 }

@@ -66,8 +66,8 @@ final class Binner {
                 && right - left == 1
                 && TinyScan.misses(left, top, ax, ay, bx, by, cx, cy, twiceArea > 0)) return;
         top = Math.max(top, 0);
-        bottom = Math.min(bottom, frame.out.height());
-        if (top >= bottom || Math.max(left, 0) >= Math.min(right, frame.out.width())) return;
+        bottom = Math.min(bottom, frame.picture.height());
+        if (top >= bottom || Math.max(left, 0) >= Math.min(right, frame.picture.width())) return;
         v.need(a, b, c);
         // A vertex that clipping made is kept as its complement ~v, which is v ^ −1.
         int complement = v == chunk.clipped ? -1 : 0;

@@ -18,6 +18,24 @@ public final class DepthRaster {
         Arrays.fill(depth, FARTHEST);
     }
 
+    private DepthRaster(Raster raster, float[] depth) {
+        this.raster = raster;
+        this.depth = depth;
+    }
+
+    /**
+     * These depths, not a copy, for the pixels of another picture.
+     *
+     * @throws IllegalArgumentException if its size is another
+     */
+    public DepthRaster of(Raster picture) {
+        if (picture.width() != width() || picture.height() != height())
+            throw new IllegalArgumentException(
+                    "picture must be of %d×%d pixels, got %d×%d"
+                            .formatted(width(), height(), picture.width(), picture.height()));
+        return new DepthRaster(picture, depth);
+    }
+
     public int width() {
         return raster.width();
     }
@@ -34,13 +52,5 @@ public final class DepthRaster {
     /** The depths, not a copy: cell {@code y * width + x}. */
     public float[] depth() {
         return depth;
-    }
-
-    /** Gives a band of rows one colour 0xAARRGGBB at the far plane. */
-    void clearRows(int top, int argb) {
-        int from = top * width();
-        int to = Math.min(top + TriangleScan.ROWS, height()) * width();
-        Arrays.fill(raster.argb(), from, to, argb);
-        Arrays.fill(depth, from, to, FARTHEST);
     }
 }

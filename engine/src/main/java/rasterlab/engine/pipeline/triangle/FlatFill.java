@@ -13,9 +13,10 @@ final class FlatFill {
     }
 
     static void fill(
-            DepthRaster out, TriangleScan scan, ScreenVertices v, RowWeights weights, int color) {
-        int[] argb = out.raster().argb();
-        float[] depth = out.depth();
+            Band band, TriangleScan scan, ScreenVertices v, RowWeights weights, int color) {
+        int[] argb = band.argb;
+        float[] depth = band.depth;
+        int start = band.depthStart;
         weights.load(scan, v);
         float stepZ = weights.depth.stepZ;
         for (int row = 0; row < scan.rows; row++) {
@@ -26,8 +27,8 @@ final class FlatFill {
             float k = weights.depth.first;
             for (int i = from; i < to; i++) {
                 float here = z + k * stepZ;
-                if (here < depth[i]) {
-                    depth[i] = here;
+                if (here < depth[i - start]) {
+                    depth[i - start] = here;
                     argb[i] = color;
                 }
                 k += 1;

@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.triangle;
 
+import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
@@ -10,7 +11,11 @@ final class Frame {
     TriangleMesh mesh;
     TriangleView view;
     Surface surface;
-    DepthRaster out;
+    Raster picture;
+
+    /** The depths that are tested and kept, one for each cell; empty where none are kept. */
+    float[] depth;
+
     Subpixels subpixels;
     final ScreenVertices vertices = new ScreenVertices();
     int attributeCount;
@@ -33,15 +38,17 @@ final class Frame {
 
     int background;
 
-    void begin(TriangleMesh mesh, TriangleView view, Surface surface, DepthRaster out) {
+    void begin(
+            TriangleMesh mesh, TriangleView view, Surface surface, Raster picture, float[] depth) {
         this.mesh = mesh;
         this.view = view;
         this.surface = surface;
-        if (this.out == null
-                || this.out.width() != out.width()
-                || this.out.height() != out.height())
-            subpixels = new Subpixels(out.width(), out.height());
-        this.out = out;
+        if (this.picture == null
+                || this.picture.width() != picture.width()
+                || this.picture.height() != picture.height())
+            subpixels = new Subpixels(picture.width(), picture.height());
+        this.picture = picture;
+        this.depth = depth;
         attributeCount = 0;
         for (VertexQuantity quantity : QUANTITIES)
             if (needs(quantity)) attribute[attributeCount++] = quantity;
@@ -49,7 +56,7 @@ final class Frame {
         vertices.begin(mesh.vertexCount(), attributeCount);
         clips = false;
         anyBeyond = false;
-        bands = (out.height() + TriangleScan.ROWS - 1) / TriangleScan.ROWS;
+        bands = (picture.height() + TriangleScan.ROWS - 1) / TriangleScan.ROWS;
     }
 
     private boolean needs(VertexQuantity quantity) {

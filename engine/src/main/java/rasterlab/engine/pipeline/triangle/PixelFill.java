@@ -13,6 +13,7 @@ import rasterlab.engine.scene.VertexQuantity;
 final class PixelFill {
     private static final int FEW = 4;
 
+    private final Band band;
     private final PixelBatch batch;
     private final RowWeights weights = new RowWeights();
     private final RowLoops loops;
@@ -25,7 +26,6 @@ final class PixelFill {
 
     private final float[] corners = new float[3 * RowLoops.VALUES];
     private Frame frame;
-    private DepthRaster out;
     private PixelColors colors;
     private Blending blending;
     private int count;
@@ -43,7 +43,8 @@ final class PixelFill {
     /** Whether the batch may still know of pixels from behind. */
     private boolean fromBehind;
 
-    PixelFill(RowLoops loops) {
+    PixelFill(Band band, RowLoops loops) {
+        this.band = band;
         this.loops = loops;
         batch = new PixelBatch(loops);
     }
@@ -52,7 +53,6 @@ final class PixelFill {
     void begin(Frame frame) {
         this.frame = frame;
         var surface = (Surface.PerPixel) frame.surface;
-        out = frame.out;
         colors = surface.colors();
         blending = surface.blending();
         batch.begin(colors);
@@ -83,7 +83,7 @@ final class PixelFill {
         while (weights.row < scan.rows) {
             if (batch.count > PixelBatch.SIZE - RowLoops.MOST_LANES) flush();
             int first = batch.count;
-            loops.collect(depth, scan, weights, blending.early(), batch);
+            loops.collect(depth, band.depthStart, scan, weights, blending.early(), batch);
             interpolate(scan, v, third, first);
         }
     }
@@ -100,9 +100,9 @@ final class PixelFill {
 
     /** The depths that pixels are tested against: where none is, of something infinitely far. */
     private float[] testedDepth() {
-        if (blending.testsDepth()) return out.depth();
-        if (nothing.length < out.depth().length) {
-            nothing = new float[out.depth().length];
+        if (blending.testsDepth()) return band.depth;
+        if (nothing.length < band.depth.length) {
+            nothing = new float[band.depth.length];
             Arrays.fill(nothing, Float.POSITIVE_INFINITY);
         }
         return nothing;
@@ -111,6 +111,7 @@ final class PixelFill {
     private void collect(TinyScan scan, ScreenVertices v) {
         boolean early = blending.early();
         float[] depth = testedDepth();
+        int start = band.depthStart;
         float za = v.depth(scan.a);
         float zb = v.depth(scan.b) - za;
         float zc = v.depth(scan.c) - za;
@@ -120,8 +121,8 @@ final class PixelFill {
             float atB = scan.edgeB[k] * scan.inverseArea;
             float atC = scan.edgeC[k] * scan.inverseArea;
             float here = za + atB * zb + atC * zc;
-            if (!(here < depth[cell])) continue;
-            if (early) depth[cell] = here;
+            if (!(here < depth[cell - start])) continue;
+            if (early) depth[cell - start] = here;
             else batch.depth[kept] = here;
             batch.cell[kept] = cell;
             batch.weightB[kept] = atB;
@@ -194,21 +195,22 @@ final class PixelFill {
     }
 
     private void write(int n) {
-        int[] argb = out.raster().argb();
+        int[] argb = band.argb;
         for (int i = 0; i < n; i++) argb[batch.cell[i]] = 0xFF000000 | batch.argb[i];
     }
 
     /** Depth is asked again: an earlier pixel of the batch may lie before a later one. */
     private void blend(int n) {
-        int[] argb = out.raster().argb();
-        float[] depth = out.depth();
+        int[] argb = band.argb;
+        float[] depth = band.depth;
+        int start = band.depthStart;
         for (int i = 0; i < n; i++) {
             int cell = batch.cell[i];
             int color = batch.argb[i];
-            boolean hidden = blending.testsDepth() && !(batch.depth[i] < depth[cell]);
+            boolean hidden = blending.testsDepth() && !(batch.depth[i] < depth[cell - start]);
             if (color >>> 24 < blending.leastAlpha() || hidden) continue;
             argb[cell] = blending.mixed() ? Blending.over(color, argb[cell]) : 0xFF000000 | color;
-            if (blending.writesDepth()) depth[cell] = batch.depth[i];
+            if (blending.writesDepth()) depth[cell - start] = batch.depth[i];
         }
     }
 }

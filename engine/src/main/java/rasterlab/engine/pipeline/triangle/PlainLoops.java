@@ -20,28 +20,29 @@ final class PlainLoops implements RowLoops {
     }
 
     @Override
-    public void smooth(DepthRaster out, TinyScan scan, ScreenVertices v) {
-        scan.look(out.width());
+    public void smooth(Band band, TinyScan scan, ScreenVertices v) {
+        scan.look(band.width);
         if (scan.count == 0) return;
         corners.load(scan, v);
-        TinyFill.smooth(out, scan, corners);
+        TinyFill.smooth(band, scan, corners);
     }
 
     @Override
-    public void linear(DepthRaster out, TriangleScan scan, LinearColors colors) {
+    public void linear(Band band, TriangleScan scan, LinearColors colors) {
         scan.scan();
         for (int row = 0; row < scan.rows; row++) {
             int n = scan.count[row];
             if (n == 0) continue;
             colors.at(scan, row);
-            linear(out, colors, scan.cell(row), n);
+            linear(band, colors, scan.cell(row), n);
         }
     }
 
     /** n pixels of a row, where the colours are. */
-    static void linear(DepthRaster out, LinearColors colors, int from, int n) {
-        int[] argb = out.raster().argb();
-        float[] depth = out.depth();
+    static void linear(Band band, LinearColors colors, int from, int n) {
+        int[] argb = band.argb;
+        float[] depth = band.depth;
+        int start = band.depthStart;
         float stepZ = colors.depth.stepZ;
         int stepRed = colors.stepRed;
         int stepGreen = colors.stepGreen;
@@ -53,8 +54,8 @@ final class PlainLoops implements RowLoops {
         float k = colors.depth.first;
         for (int i = from; i < from + n; i++) {
             float here = z + k * stepZ;
-            if (here < depth[i]) {
-                depth[i] = here;
+            if (here < depth[i - start]) {
+                depth[i - start] = here;
                 argb[i] = LinearColors.argb(red, green, blue);
             }
             k += 1;
@@ -66,7 +67,12 @@ final class PlainLoops implements RowLoops {
 
     @Override
     public void collect(
-            float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch) {
+            float[] depth,
+            int depthStart,
+            TriangleScan scan,
+            RowWeights weights,
+            boolean early,
+            PixelBatch batch) {
         for (; weights.row < scan.rows; weights.row++, weights.done = 0) {
             int count = scan.count[weights.row];
             if (count == 0) continue;
@@ -75,7 +81,7 @@ final class PlainLoops implements RowLoops {
                 int n = Math.min(count - weights.done, PixelBatch.SIZE - batch.count);
                 if (n == 0) return;
                 int cell = scan.cell(weights.row) + weights.done;
-                collect(depth, weights, cell, weights.done, n, early, batch);
+                collect(depth, depthStart, weights, cell, weights.done, n, early, batch);
                 weights.done += n;
             }
         }
@@ -83,6 +89,7 @@ final class PlainLoops implements RowLoops {
 
     static void collect(
             float[] depth,
+            int depthStart,
             RowWeights weights,
             int from,
             int first,
@@ -97,8 +104,8 @@ final class PlainLoops implements RowLoops {
         for (int cell = from; cell < from + n; cell++) {
             k += 1;
             float here = z + (start + k) * stepZ;
-            if (!(here < depth[cell])) continue;
-            if (early) depth[cell] = here;
+            if (!(here < depth[cell - depthStart])) continue;
+            if (early) depth[cell - depthStart] = here;
             else batch.depth[kept] = here;
             batch.cell[kept] = cell;
             batch.weightB[kept] = weights.rowB + k * weights.toB;

@@ -25,20 +25,26 @@ interface RowLoops {
     void scan(TriangleScan scan);
 
     /** Finds the pixels of a small triangle and draws them, with a division for each. */
-    void smooth(DepthRaster out, TinyScan scan, ScreenVertices v);
+    void smooth(Band band, TinyScan scan, ScreenVertices v);
 
     /** Draws a triangle whose depth and colours are linear. */
-    void linear(DepthRaster out, TriangleScan scan, LinearColors colors);
+    void linear(Band band, TriangleScan scan, LinearColors colors);
 
     /**
      * Adds pixels to a batch that are nearer than what is there, from where the weights' row is,
      * until the triangle has no more or the batch has less room than for {@link #MOST_LANES}; it
      * may be filled further.
      *
+     * @param depthStart the cell whose depth is {@code depth[0]}
      * @param early whether their depth is written at once
      */
     void collect(
-            float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch);
+            float[] depth,
+            int depthStart,
+            TriangleScan scan,
+            RowWeights weights,
+            boolean early,
+            PixelBatch batch);
 
     /**
      * Writes {@code a + weightB·b + weightC·c} for the batch's pixels from {@code first} on, to

@@ -7,10 +7,10 @@ final class SmoothFill {
 
     private SmoothFill() {}
 
-    static void perspective(
-            DepthRaster out, TriangleScan scan, ScreenVertices v, RowWeights weights) {
-        int[] argb = out.raster().argb();
-        float[] depth = out.depth();
+    static void perspective(Band band, TriangleScan scan, ScreenVertices v, RowWeights weights) {
+        int[] argb = band.argb;
+        float[] depth = band.depth;
+        int start = band.depthStart;
         int a = scan.a;
         int b = scan.b;
         int c = scan.c;
@@ -41,8 +41,8 @@ final class SmoothFill {
             int from = scan.cell(row);
             for (int k = 0; k < scan.count[row]; k++) {
                 float here = z + (first + k) * stepZ;
-                if (!(here < depth[from + k])) continue;
-                depth[from + k] = here;
+                if (!(here < depth[from + k - start])) continue;
+                depth[from + k - start] = here;
                 float weightB = rowB + k * toB;
                 float weightC = rowC + k * toC;
                 float w = 1 / (qa + weightB * qb + weightC * qc);

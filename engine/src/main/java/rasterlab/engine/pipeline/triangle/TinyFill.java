@@ -8,16 +8,17 @@ final class TinyFill {
      * With weights b and q = 1/w the share of corner k is {@code b_k·q_k/Σbq}; a's is what the
      * others leave.
      */
-    static void smooth(DepthRaster out, TinyScan scan, SmoothCorners at) {
-        int[] argb = out.raster().argb();
-        float[] depth = out.depth();
+    static void smooth(Band band, TinyScan scan, SmoothCorners at) {
+        int[] argb = band.argb;
+        float[] depth = band.depth;
+        int start = band.depthStart;
         for (int k = 0; k < scan.count; k++) {
             int cell = scan.cell[k];
             float weightB = scan.edgeB[k] * at.inverseArea;
             float weightC = scan.edgeC[k] * at.inverseArea;
             float here = at.za + weightB * at.zb + weightC * at.zc;
-            if (!(here < depth[cell])) continue;
-            depth[cell] = here;
+            if (!(here < depth[cell - start])) continue;
+            depth[cell - start] = here;
             float w = 1 / (at.qa + weightB * at.qb + weightC * at.qc);
             float shareB = weightB * at.ofB * w;
             float shareC = weightC * at.ofC * w;
@@ -30,9 +31,10 @@ final class TinyFill {
     }
 
     /** The same for a box of so few pixels that nothing is prepared for the next one. */
-    static void few(DepthRaster out, TinyScan scan, ScreenVertices v) {
-        int[] argb = out.raster().argb();
-        float[] depth = out.depth();
+    static void few(Band band, TinyScan scan, ScreenVertices v) {
+        int[] argb = band.argb;
+        float[] depth = band.depth;
+        int start = band.depthStart;
         float inverseArea = scan.inverseArea;
         int stepA = scan.stepA;
         int stepB = (int) scan.stepB;
@@ -46,14 +48,14 @@ final class TinyFill {
             int eA = scan.rowA + row * scan.downA;
             int eB = scan.rowB + row * (int) scan.downB;
             int eC = scan.rowC + row * (int) scan.downC;
-            int cell = scan.at + row * out.width();
+            int cell = scan.at + row * band.width;
             for (int end = cell + scan.columns; cell < end; cell++) {
                 if ((eA | eB + ownB | eC + ownC) >= 0) {
                     float weightB = eB * inverseArea;
                     float weightC = eC * inverseArea;
                     float here = za + weightB * zb + weightC * zc;
-                    if (here < depth[cell]) {
-                        depth[cell] = here;
+                    if (here < depth[cell - start]) {
+                        depth[cell - start] = here;
                         argb[cell] = color(scan, v, weightB, weightC);
                     }
                 }
@@ -84,9 +86,10 @@ final class TinyFill {
                 blue + shareB * (rgb[b + 2] - blue) + shareC * (rgb[c + 2] - blue));
     }
 
-    static void flat(DepthRaster out, TinyScan scan, ScreenVertices v, int color) {
-        int[] argb = out.raster().argb();
-        float[] depth = out.depth();
+    static void flat(Band band, TinyScan scan, ScreenVertices v, int color) {
+        int[] argb = band.argb;
+        float[] depth = band.depth;
+        int start = band.depthStart;
         float za = v.depth(scan.a);
         float zb = v.depth(scan.b) - za;
         float zc = v.depth(scan.c) - za;
@@ -95,8 +98,8 @@ final class TinyFill {
             float weightB = scan.edgeB[k] * scan.inverseArea;
             float weightC = scan.edgeC[k] * scan.inverseArea;
             float here = za + weightB * zb + weightC * zc;
-            if (!(here < depth[cell])) continue;
-            depth[cell] = here;
+            if (!(here < depth[cell - start])) continue;
+            depth[cell - start] = here;
             argb[cell] = color;
         }
     }

@@ -48,12 +48,8 @@ final class TinyScan extends Scan {
     final int[] edgeB = new int[MOST + 1];
     final int[] edgeC = new int[MOST + 1];
 
-    /**
-     * Finds the box. Returns false, and does nothing, where the triangle is too large.
-     *
-     * @param bandTop first row of the band
-     */
-    boolean load(ScreenVertices v, int first, int second, int third, DepthRaster out, int bandTop) {
+    /** Finds the box. Returns false, and does nothing, where the triangle is too large. */
+    boolean load(ScreenVertices v, int first, int second, int third, Band band) {
         int ax = v.x(first);
         int ay = v.y(first);
         int bx = v.x(second) - ax;
@@ -66,18 +62,18 @@ final class TinyScan extends Scan {
         int maxY = Math.max(0, Math.max(by, cy));
         if (maxX - minX > WIDEST || maxY - minY > WIDEST) return false;
         left = Math.max(0, Subpixels.firstPixel(ax + minX));
-        columns = Math.min(out.width(), Subpixels.endPixel(ax + maxX)) - left;
+        columns = Math.min(band.width, Subpixels.endPixel(ax + maxX)) - left;
         int highest = Subpixels.firstPixel(ay + minY);
         int lowest = Subpixels.endPixel(ay + maxY);
-        int top = Math.max(bandTop, highest);
-        rows = Math.min(Math.min(bandTop + TriangleScan.ROWS, out.height()), lowest) - top;
+        int top = Math.max(band.top, highest);
+        rows = Math.min(band.bottom(), lowest) - top;
         int area = bx * cy - by * cx;
         fromBehind = area > 0;
         inverseArea = 1f / Math.abs(area);
         a = first;
         int px = (left << Subpixels.BITS) - ax;
         int py = (top << Subpixels.BITS) - ay;
-        at = top * out.width() + left;
+        at = top * band.width + left;
         if (area > 0) {
             b = second;
             c = third;

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.engine.lanes.Lanes;
+import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
 
 /**
@@ -17,6 +18,8 @@ import rasterlab.engine.scene.TriangleMesh;
  * larger mesh or picture comes.
  */
 public final class TrianglePipeline implements AutoCloseable {
+    private static final float[] NOT_KEPT = {};
+
     private final WorkerTeam team;
     private final Worker[] workers;
     private final Frame frame = new Frame();
@@ -73,7 +76,7 @@ public final class TrianglePipeline implements AutoCloseable {
             Surface surface,
             DepthRaster out,
             BooleanSupplier cancelled) {
-        run(false, 0, mesh, view, surface, out, cancelled);
+        run(false, 0, mesh, view, surface, out.raster(), out.depth(), cancelled);
     }
 
     /** The same on a picture that is given one colour 0xAARRGGBB at the far plane first. */
@@ -84,7 +87,18 @@ public final class TrianglePipeline implements AutoCloseable {
             Surface surface,
             DepthRaster out,
             BooleanSupplier cancelled) {
-        run(true, background, mesh, view, surface, out, cancelled);
+        run(true, background, mesh, view, surface, out.raster(), out.depth(), cancelled);
+    }
+
+    /** The same where nobody asks for depths afterwards: they last as long as their band. */
+    public void drawOn(
+            int background,
+            TriangleMesh mesh,
+            TriangleView view,
+            Surface surface,
+            Raster out,
+            BooleanSupplier cancelled) {
+        run(true, background, mesh, view, surface, out, NOT_KEPT, cancelled);
     }
 
     private synchronized void run(
@@ -93,12 +107,13 @@ public final class TrianglePipeline implements AutoCloseable {
             TriangleMesh mesh,
             TriangleView view,
             Surface surface,
-            DepthRaster out,
+            Raster out,
+            float[] depth,
             BooleanSupplier cancelled) {
         this.cancelled = cancelled;
         frame.clears = clears;
         frame.background = background;
-        frame.begin(mesh, view, surface, out);
+        frame.begin(mesh, view, surface, out, depth);
         chunkCount = Binner.chunks(mesh.triangleCount());
         int had = chunks.length;
         if (had < chunkCount) {

@@ -54,15 +54,10 @@ final class TriangleScan extends Scan {
     int ownB;
     int ownC;
 
-    /**
-     * Finds the box; {@link #scan} has to find the pixels.
-     *
-     * @param bandTop first row of the band
-     */
-    void load(ScreenVertices v, int first, int second, int third, DepthRaster out, int bandTop) {
-        int bandBottom = Math.min(bandTop + ROWS, out.height());
-        pictureWidth = out.width();
-        end = bandBottom * pictureWidth;
+    /** Finds the box; {@link #scan} has to find the pixels. */
+    void load(ScreenVertices v, int first, int second, int third, Band band) {
+        pictureWidth = band.width;
+        end = band.bottom() * pictureWidth;
         int ax = v.x(first);
         int ay = v.y(first);
         long area = cross(v.x(second) - ax, v.y(second) - ay, v.x(third) - ax, v.y(third) - ay);
@@ -77,8 +72,8 @@ final class TriangleScan extends Scan {
         int cy = v.y(c);
         boxLeft = Math.max(0, Subpixels.firstPixel(Math.min(ax, Math.min(bx, cx))));
         boxRight = Math.min(pictureWidth, Subpixels.endPixel(Math.max(ax, Math.max(bx, cx))));
-        top = Math.max(bandTop, Subpixels.firstPixel(Math.min(ay, Math.min(by, cy))));
-        rows = Math.min(bandBottom, Subpixels.endPixel(Math.max(ay, Math.max(by, cy)))) - top;
+        top = Math.max(band.top, Subpixels.firstPixel(Math.min(ay, Math.min(by, cy))));
+        rows = Math.min(band.bottom(), Subpixels.endPixel(Math.max(ay, Math.max(by, cy)))) - top;
         stepA = (long) (by - cy) << Subpixels.BITS;
         stepB = (long) (cy - ay) << Subpixels.BITS;
         stepC = (long) (ay - by) << Subpixels.BITS;

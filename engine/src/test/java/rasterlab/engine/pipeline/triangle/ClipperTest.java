@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.Random;
 import org.joml.Matrix4d;
 import org.junit.jupiter.api.Test;
+import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.transform.GlMatrices;
 
@@ -15,10 +16,10 @@ class ClipperTest {
     void aSharedEdgeIsCutAtOnePlaceOnly() {
         var view = new TriangleView(new Matrix4d(), GlMatrices.perspective(60, 1, 1, 9));
         var surface = new Surface.Flat(VertexColors.own());
-        var out = new DepthRaster(8, 8);
+        var out = new Raster(8, 8);
         for (int seed = 0; seed < 2000; seed++) {
             var frame = new Frame();
-            frame.begin(pair(new Random(seed)), view, surface, out);
+            frame.begin(pair(new Random(seed)), view, surface, out, new float[0]);
             new VertexStage().place(frame, 0);
             Arrays.fill(frame.vertices.needed, true);
             new VertexStage().fill(frame, 0);

@@ -1,5 +1,6 @@
 package rasterlab.engine.pipeline.triangle;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -15,6 +16,7 @@ import rasterlab.engine.pipeline.EightLanes;
 import rasterlab.engine.pipeline.surface.ColoredPixels;
 import rasterlab.engine.pipeline.surface.TextureFilter;
 import rasterlab.engine.pipeline.surface.TexturedPixels;
+import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.texture.Texture;
 import rasterlab.engine.texture.TextureEnvironment;
@@ -35,6 +37,7 @@ class EightLanesTest {
                     new Surface.PerPixel(new ColoredPixels())
                             .over(new Surface.Flat(VertexColors.own()))
                             .with(Blending.OVER.dropBelow(90)),
+                    new Surface.PerPixel(new ColoredPixels()).with(Blending.OVER.withoutDepth()),
                     textured(TextureFilter.NEAREST),
                     textured(TextureFilter.LINEAR),
                     textured(TextureFilter.MIPMAP));
@@ -52,7 +55,10 @@ class EightLanesTest {
         EightLanes.assumeThere();
     }
 
-    /** Pictures as wide as one pixel to more than a batch, triangles from specks to slivers. */
+    /**
+     * Pictures as wide as one pixel to more than a batch, triangles from specks to slivers; with
+     * depths that are kept and without.
+     */
     @ParameterizedTest(name = "with {0} threads a bit of a picture is another")
     @ValueSource(ints = {1, 2, 3})
     void drawTheSamePicture(int threads) {
@@ -70,10 +76,13 @@ class EightLanesTest {
                     var actual = new DepthRaster(width, height);
                     one.drawOn(7, mesh, view, surface, expected, () -> false);
                     eight.drawOn(7, mesh, view, surface, actual, () -> false);
-                    EightLanes.assertSame(
-                            expected,
-                            actual,
-                            "seed %d, picture %d, %s".formatted(seed, k, surface));
+                    String what = "seed %d, picture %d, %s".formatted(seed, k, surface);
+                    EightLanes.assertSame(expected, actual, what);
+                    for (var pipeline : List.of(one, eight)) {
+                        var alone = new Raster(width, height);
+                        pipeline.drawOn(7, mesh, view, surface, alone, () -> false);
+                        assertArrayEquals(expected.raster().argb(), alone.argb(), what);
+                    }
                 }
             }
         }
@@ -117,7 +126,7 @@ class EightLanesTest {
         vertices.put(1, 4 * Subpixels.ONE, 0, 0, 0);
         vertices.put(2, 0, 80 * Subpixels.ONE, 0, 0);
         var scan = new TriangleScan();
-        scan.load(vertices, 0, 1, 2, out, top);
+        scan.load(vertices, 0, 1, 2, Bands.of(out, top));
         assertEquals(end * 5, scan.end);
     }
 

@@ -27,14 +27,14 @@ class LinearColorsTest {
     void rowsOfSliversAreAsExactAsOthers(RepetitionInfo repetition) {
         int seed = repetition.getCurrentRepetition();
         var random = new Random(seed);
-        var out = new DepthRaster(SIDE, SIDE);
+        Band band = Bands.of(new DepthRaster(SIDE, SIDE), 0);
         v.begin(3, 3);
         int compact = 0;
         int others = 0;
         for (int round = 0; round < 500; round++) {
             place(random);
             if (area() == 0) continue;
-            scan.load(v, 0, 1, 2, out, 0);
+            scan.load(v, 0, 1, 2, band);
             scan.scan();
             colors.load(scan, v);
             for (int row = 0; row < scan.rows; row++) {

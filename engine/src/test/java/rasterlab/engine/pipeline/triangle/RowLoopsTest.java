@@ -69,7 +69,7 @@ class RowLoopsTest {
             float[] depthOfOne = depth.clone();
             var v = corner(WIDTH - after);
             var scan = new TriangleScan();
-            scan.load(v, 0, 1, 2, new DepthRaster(WIDTH, TriangleScan.ROWS), 0);
+            scan.load(v, 0, 1, 2, Bands.of(new DepthRaster(WIDTH, TriangleScan.ROWS), 0));
             scan.scan();
             int waiting = random.nextInt(PixelBatch.SIZE);
             assertEquals(
@@ -100,7 +100,7 @@ class RowLoopsTest {
             batch.count = first;
             int row = weights.row;
             int done = weights.done;
-            loops.collect(depth, scan, weights, early, batch);
+            loops.collect(depth, 0, scan, weights, early, batch);
             boolean further = weights.row > row || weights.done > done;
             assertTrue(first > 0 || further, "an empty batch takes nothing");
             for (int i = first; i < batch.count; i++)
@@ -122,12 +122,12 @@ class RowLoopsTest {
             var actual = new DepthRaster(WIDTH, TriangleScan.ROWS);
             var v = corner(WIDTH - after);
             var scan = new TriangleScan();
-            scan.load(v, 0, 1, 2, expected, 0);
+            scan.load(v, 0, 1, 2, Bands.of(expected, 0));
             scan.scan();
             var colors = new LinearColors();
             colors.load(scan, v);
-            one.linear(expected, scan, colors);
-            eight.linear(actual, scan, colors);
+            one.linear(Bands.of(expected, 0), scan, colors);
+            eight.linear(Bands.of(actual, 0), scan, colors);
             EightLanes.assertSame(expected, actual, "seed %d, %d after".formatted(seed, after));
         }
     }
@@ -141,9 +141,10 @@ class RowLoopsTest {
         for (int round = 0; round < 200; round++) {
             var v = triangle(WIDTH, 2 * TriangleScan.ROWS, TinyScan.SIDE, TinyScan.SIDE);
             for (int top : new int[] {0, TriangleScan.ROWS}) {
-                if (!tiny.load(v, 0, 1, 2, expected, top)) continue;
-                one.smooth(expected, tiny, v);
-                eight.smooth(actual, tiny, v);
+                Band band = Bands.of(expected, top);
+                if (!tiny.load(v, 0, 1, 2, band)) continue;
+                one.smooth(band, tiny, v);
+                eight.smooth(Bands.of(actual, top), tiny, v);
             }
         }
         EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
@@ -163,12 +164,13 @@ class RowLoopsTest {
             var v = triangle(WIDTH, height, RowDepth.WIDEST, tall);
             int middle = v.y(0) / Subpixels.ONE / TriangleScan.ROWS * TriangleScan.ROWS;
             if (middle < 0 || middle >= height) continue;
-            scan.load(v, 0, 1, 2, expected, middle);
+            Band band = Bands.of(expected, middle);
+            scan.load(v, 0, 1, 2, band);
             if (scan.rows <= 0 || scan.boxLeft >= scan.boxRight) continue;
             colors.load(scan, v);
             if (colors.depth.compact) compact++;
-            one.linear(expected, scan, colors);
-            eight.linear(actual, scan, colors);
+            one.linear(band, scan, colors);
+            eight.linear(Bands.of(actual, middle), scan, colors);
         }
         assertTrue(compact > 20, compact + " compact triangles of seed " + seed);
         EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
@@ -179,15 +181,15 @@ class RowLoopsTest {
     void drawAFewPixelsAsTheOthers() {
         var expected = new DepthRaster(WIDTH, TriangleScan.ROWS);
         var actual = new DepthRaster(WIDTH, TriangleScan.ROWS);
-        expected.clearRows(0, 0xFF000000);
-        actual.clearRows(0, 0xFF000000);
+        expected.raster().clear(0xFF000000);
+        actual.raster().clear(0xFF000000);
+        Band band = Bands.of(expected, 0);
         var scan = new TinyScan();
         for (int round = 0; round < 2000; round++) {
             var v = triangle(WIDTH, TriangleScan.ROWS, 4, 4);
-            if (!scan.load(v, 0, 1, 2, expected, 0) || scan.rows <= 0 || scan.columns <= 0)
-                continue;
-            one.smooth(expected, scan, v);
-            TinyFill.few(actual, scan, v);
+            if (!scan.load(v, 0, 1, 2, band) || scan.rows <= 0 || scan.columns <= 0) continue;
+            one.smooth(band, scan, v);
+            TinyFill.few(Bands.of(actual, 0), scan, v);
         }
         EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
     }

@@ -28,9 +28,10 @@ class TinyScanTest {
             place(random);
             if (area() == 0) continue;
             for (int top : new int[] {0, TriangleScan.ROWS}) {
-                if (!tiny.load(v, 0, 1, 2, out, top)) continue;
+                Band band = Bands.of(out, top);
+                if (!tiny.load(v, 0, 1, 2, band)) continue;
                 tiny.look(out.width());
-                rows.load(v, 0, 1, 2, out, top);
+                rows.load(v, 0, 1, 2, band);
                 rows.scan();
                 compare("triangle %d of seed 1988, band %d".formatted(round, top));
                 found += tiny.count;

@@ -95,7 +95,11 @@ class TrianglePipelineTest {
         for (Surface surface : surfaces)
             try (var pipeline = new TrianglePipeline(threads, lanes)) {
                 FrameBytes.assertNoneInLaterFrames(
-                        lanes, () -> pipeline.drawOn(7, TORUS, VIEW, surface, out, () -> false));
+                        lanes,
+                        () -> {
+                            pipeline.drawOn(7, TORUS, VIEW, surface, out, () -> false);
+                            pipeline.drawOn(7, TORUS, VIEW, surface, out.raster(), () -> false);
+                        });
             }
     }
 

@@ -27,17 +27,17 @@ final class VectorCompact {
     /**
      * @param column of the box, the first of eight that are in the picture
      */
-    void draw(DepthRaster out, TriangleScan scan, LinearColors colors, int column) {
-        int cell = scan.top * out.width() + scan.boxLeft + column;
-        depthsInLanes(out, cell, scan, colors, column);
-        colorsInLanes(out, cell, scan.rows, colors, column);
+    void draw(Band band, TriangleScan scan, LinearColors colors, int column) {
+        int cell = scan.top * band.width + scan.boxLeft + column;
+        depthsInLanes(band, cell - band.depthStart, scan, colors, column);
+        colorsInLanes(band, cell, scan.rows, colors, column);
     }
 
     /** In a box of {@value RowDepth#WIDEST} columns edge functions fit an int. */
     private void depthsInLanes(
-            DepthRaster out, int first, TriangleScan scan, LinearColors colors, int column) {
-        float[] depth = out.depth();
-        int width = out.width();
+            Band band, int first, TriangleScan scan, LinearColors colors, int column) {
+        float[] depth = band.depth;
+        int width = band.width;
         IntVector columns = WHOLE_NUMBERS.add(column);
         IntVector edgesA = columns.mul((int) scan.stepA).add((int) scan.rowA);
         IntVector edgesB = columns.mul((int) scan.stepB).add((int) scan.rowB);
@@ -66,10 +66,9 @@ final class VectorCompact {
         }
     }
 
-    private void colorsInLanes(
-            DepthRaster out, int first, int rows, LinearColors colors, int column) {
-        int[] argb = out.raster().argb();
-        int width = out.width();
+    private void colorsInLanes(Band band, int first, int rows, LinearColors colors, int column) {
+        int[] argb = band.argb;
+        int width = band.width;
         IntVector columns = WHOLE_NUMBERS.add(column);
         IntVector reds = columns.mul(colors.stepRed).add(colors.cornerRed);
         IntVector greens = columns.mul(colors.stepGreen).add(colors.cornerGreen);

@@ -48,32 +48,33 @@ final class VectorLoops implements RowLoops {
     }
 
     @Override
-    public void smooth(DepthRaster out, TinyScan scan, ScreenVertices v) {
-        if (scan.left + LANES > out.width()) plain.smooth(out, scan, v);
-        else tiny.draw(out, scan, v);
+    public void smooth(Band band, TinyScan scan, ScreenVertices v) {
+        if (scan.left + LANES > band.width) plain.smooth(band, scan, v);
+        else tiny.draw(band, scan, v);
     }
 
     /** Slivers are so few that their loops in lanes would hardly ever be compiled well. */
     @Override
-    public void linear(DepthRaster out, TriangleScan scan, LinearColors colors) {
+    public void linear(Band band, TriangleScan scan, LinearColors colors) {
         int blocks = (scan.boxRight - scan.boxLeft + LANES - 1) / LANES;
-        if (colors.depth.compact && scan.boxLeft + blocks * LANES <= out.width())
+        if (colors.depth.compact && scan.boxLeft + blocks * LANES <= band.width)
             for (int block = 0; block < blocks; block++)
-                compact.draw(out, scan, colors, block * LANES);
+                compact.draw(band, scan, colors, block * LANES);
         else if (blocks * LANES > RowDepth.WIDEST) {
             rows.scan(scan);
             rows.startInLanes(scan, colors);
-            drawRowsInLanes(out, scan, rows, colors);
-        } else plain.linear(out, scan, colors);
+            drawRowsInLanes(band, scan, rows, colors);
+        } else plain.linear(band, scan, colors);
     }
 
     private static void drawRowsInLanes(
-            DepthRaster out, TriangleScan scan, VectorRows rows, LinearColors colors) {
+            Band band, TriangleScan scan, VectorRows rows, LinearColors colors) {
         IntVector reds = WHOLE_NUMBERS.mul(colors.stepRed);
         IntVector greens = WHOLE_NUMBERS.mul(colors.stepGreen);
         IntVector blues = WHOLE_NUMBERS.mul(colors.stepBlue);
-        int[] argb = out.raster().argb();
-        float[] depth = out.depth();
+        int[] argb = band.argb;
+        float[] depth = band.depth;
+        int start = band.depthStart;
         float stepZ = colors.depth.stepZ;
         for (int row = 0; row < scan.rows; row++) {
             int n = scan.count[row];
@@ -85,13 +86,13 @@ final class VectorLoops implements RowLoops {
             int firstBlue = (int) rows.blue[row];
             if (from + n + LANES > scan.end) {
                 colors.at(scan, row);
-                PlainLoops.linear(out, colors, from, n);
+                PlainLoops.linear(band, colors, from, n);
                 continue;
             }
             for (int done = 0; done < n; done += LANES) {
                 FloatVector k = NUMBERS.add(done);
                 FloatVector here = k.mul(stepZ).add(z);
-                FloatVector there = FloatVector.fromArray(FLOATS, depth, from + done);
+                FloatVector there = FloatVector.fromArray(FLOATS, depth, from - start + done);
                 VectorMask<Float> nearer =
                         here.compare(VectorOperators.LT, there)
                                 .and(k.compare(VectorOperators.LT, n));
@@ -104,7 +105,7 @@ final class VectorLoops implements RowLoops {
                                 .or(green.lanewise(VectorOperators.LSHR, 8).and(0xFF00))
                                 .or(blue.lanewise(VectorOperators.LSHR, 16))
                                 .or(0xFF000000);
-                there.blend(here, nearer).intoArray(depth, from + done);
+                there.blend(here, nearer).intoArray(depth, from - start + done);
                 before.blend(color, nearer.cast(INTS)).intoArray(argb, from + done);
             }
         }
@@ -112,13 +113,23 @@ final class VectorLoops implements RowLoops {
 
     @Override
     public void collect(
-            float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch) {
-        collectInLanes(depth, scan, weights, early, batch);
+            float[] depth,
+            int depthStart,
+            TriangleScan scan,
+            RowWeights weights,
+            boolean early,
+            PixelBatch batch) {
+        collectInLanes(depth, depthStart, scan, weights, early, batch);
     }
 
     /** One loop over the eights of all rows, since most rows are short. */
     private static void collectInLanes(
-            float[] depth, TriangleScan scan, RowWeights weights, boolean early, PixelBatch batch) {
+            float[] depth,
+            int depthStart,
+            TriangleScan scan,
+            RowWeights weights,
+            boolean early,
+            PixelBatch batch) {
         float stepZ = weights.depth.stepZ;
         float toB = weights.toB;
         float toC = weights.toC;
@@ -138,12 +149,12 @@ final class VectorLoops implements RowLoops {
                     FloatVector k = NUMBERS.add((float) done);
                     FloatVector here =
                             k.add((float) weights.depth.first).mul(stepZ).add(weights.depth.z);
-                    FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
+                    FloatVector there = FloatVector.fromArray(FLOATS, depth, cell - depthStart);
                     VectorMask<Float> nearer = here.compare(VectorOperators.LT, there);
                     VectorMask<Float> beyond = NUMBERS.compare(VectorOperators.GE, (float) left);
                     all = nearer.or(beyond).allTrue();
                     if (all) {
-                        if (early) here.blend(there, beyond).intoArray(depth, cell);
+                        if (early) here.blend(there, beyond).intoArray(depth, cell - depthStart);
                         else here.intoArray(batch.depth, kept);
                         WHOLE_NUMBERS.add(cell).intoArray(batch.cell, kept);
                         k.mul(toB).add(weights.rowB).intoArray(batch.weightB, kept);
@@ -154,7 +165,7 @@ final class VectorLoops implements RowLoops {
                 if (!all && any) {
                     batch.count = kept;
                     int few = Math.min(LANES, left);
-                    PlainLoops.collect(depth, weights, cell, done, few, early, batch);
+                    PlainLoops.collect(depth, depthStart, weights, cell, done, few, early, batch);
                     kept = batch.count;
                 }
             }

@@ -29,22 +29,23 @@ final class VectorTiny {
     /** Negative where a pixel is owned and nearer than what was there. */
     private final int[] drawn = new int[TinyScan.MOST];
 
-    void draw(DepthRaster out, TinyScan scan, ScreenVertices v) {
+    void draw(Band band, TinyScan scan, ScreenVertices v) {
         corners.load(scan, v);
-        depthsInLanes(out.depth(), out.width(), scan, corners);
+        depthsInLanes(band.depth, scan.at - band.depthStart, band.width, scan, corners);
         sharesInLanes(scan.rows, corners);
-        colorsInLanes(out.raster().argb(), out.width(), scan, corners);
+        colorsInLanes(band.argb, band.width, scan, corners);
     }
 
     /** Half a unit more makes a number of every edge function that has a sign. */
-    private void depthsInLanes(float[] depth, int width, TinyScan scan, SmoothCorners at) {
+    private void depthsInLanes(
+            float[] depth, int first, int width, TinyScan scan, SmoothCorners at) {
         FloatVector columnsA = NUMBERS.mul(scan.stepA).add(0.5f);
         FloatVector columnsB = NUMBERS.mul(scan.stepB);
         FloatVector columnsC = NUMBERS.mul(scan.stepC);
         int downB = (int) scan.downB;
         int downC = (int) scan.downC;
         for (int row = 0; row < scan.rows; row++) {
-            int cell = scan.at + row * width;
+            int cell = first + row * width;
             FloatVector eA = columnsA.add(scan.rowA + row * scan.downA);
             FloatVector eB = columnsB.add(scan.rowB + row * downB);
             FloatVector eC = columnsC.add(scan.rowC + row * downC);

@@ -7,10 +7,10 @@ import java.util.Random;
 import org.joml.Matrix4d;
 import org.lwjgl.opengl.GL11C;
 import rasterlab.engine.lanes.Lanes;
-import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.Surface;
 import rasterlab.engine.pipeline.triangle.TriangleView;
 import rasterlab.engine.pipeline.triangle.VertexColors;
+import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
@@ -39,10 +39,10 @@ final class FillBench {
         var toClip = new Matrix4d();
         var view = new TriangleView(toEye, toClip);
         var surface = new Surface.Smooth(VertexColors.own());
-        var pictures = new ArrayList<DepthRaster>();
+        var pictures = new ArrayList<Raster>();
         var runs = new ArrayList<Runnable>();
         for (Way way : ways) {
-            var out = new DepthRaster(WIDTH, HEIGHT);
+            var out = new Raster(WIDTH, HEIGHT);
             pictures.add(out);
             runs.add(() -> way.pipeline().drawOn(0, mesh, view, surface, out, () -> false));
         }
@@ -55,6 +55,7 @@ final class FillBench {
                     () -> {
                         target.clear(0xFF000000);
                         glMesh.draw();
+                        target.forgetDepths();
                         GL11C.glFinish();
                     });
             var times = new Turns(turns, runs.toArray(Runnable[]::new));
@@ -69,7 +70,7 @@ final class FillBench {
                                 "OpenGL " + times.text(ways.size()),
                                 times.ratio(ways.size(), k),
                                 goals.get(ways.get(k).lanes()),
-                                Difference.of(pictures.get(k).raster().argb(), peer).text()));
+                                Difference.of(pictures.get(k).argb(), peer).text()));
             return rows;
         }
     }

@@ -3,6 +3,8 @@ package rasterlab.tests.bench.pipeline;
 import static org.lwjgl.opengl.GL30C.*;
 
 import org.lwjgl.BufferUtils;
+import org.lwjgl.opengl.GL;
+import org.lwjgl.opengl.GL43C;
 
 /** A framebuffer of 8-bit colours with depths of 24 bits. */
 final class GlTarget implements AutoCloseable {
@@ -33,6 +35,12 @@ final class GlTarget implements AutoCloseable {
     void clear(int argb) {
         glClearColor((argb >> 16 & 255) / 255f, (argb >> 8 & 255) / 255f, (argb & 255) / 255f, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    }
+
+    /** Says that nobody will read the depths, where there is a call that says so. */
+    void forgetDepths() {
+        if (GL.getCapabilities().OpenGL43)
+            GL43C.glInvalidateFramebuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT);
     }
 
     /** The picture as 0xAARRGGBB, the top row first. */

@@ -28,6 +28,7 @@ final class GlTorus implements AutoCloseable {
         texture.bind();
         mesh.draw();
         look.end();
+        target.forgetDepths();
         GL11C.glFinish();
     }
 

@@ -102,15 +102,15 @@ final class OwnBench {
         var mesh = SCENE.mesh();
         var view = SCENE.view();
         var surface = new Surface.Smooth(SCENE.light());
-        var out = new DepthRaster(SCENE.width(), SCENE.height());
-        var alone = new DepthRaster(SCENE.width(), SCENE.height());
+        var out = new Raster(SCENE.width(), SCENE.height());
+        var alone = new Raster(SCENE.width(), SCENE.height());
         try (var one = new TrianglePipeline(1)) {
             var times =
                     new Turns(
                             turns,
                             () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
                             () -> one.drawOn(1, mesh, view, surface, alone, () -> false));
-            boolean same = Arrays.equals(out.raster().argb(), alone.raster().argb());
+            boolean same = Arrays.equals(out.argb(), alone.argb());
             return new Row(
                     SCENE + ", threads 1 → " + pipeline.threads(),
                     times.text(0),
@@ -126,7 +126,7 @@ final class OwnBench {
         var mesh = SCENE.mesh();
         var view = SCENE.view();
         var surface = new Surface.Smooth(SCENE.light());
-        var out = new DepthRaster(SCENE.width(), SCENE.height());
+        var out = new Raster(SCENE.width(), SCENE.height());
         int[][] xy = corners(mesh);
         var graphics = new Raster(SCENE.width(), SCENE.height()).image().createGraphics();
         graphics.setColor(Color.ORANGE);
