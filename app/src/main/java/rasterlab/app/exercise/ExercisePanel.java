@@ -1,7 +1,9 @@
 package rasterlab.app.exercise;
 
 import java.awt.BorderLayout;
+import java.awt.EventQueue;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
@@ -14,12 +16,13 @@ import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.LargeType;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.canvas.Settling;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
 
 /** The exercises as the window shows them, in one language. */
-public final class ExercisePanel extends LabPanel {
+public final class ExercisePanel extends LabPanel implements Settling {
     private static final long serialVersionUID = 1L;
 
     private final transient ExerciseLabModel model;
@@ -171,6 +174,22 @@ public final class ExercisePanel extends LabPanel {
     @Override
     public void focusPicture() {
         editor.focus();
+    }
+
+    /** Waits until nothing is checked or handed in. */
+    @Override
+    public void settle() throws InterruptedException {
+        var resting = new CountDownLatch(1);
+        Consumer<ExerciseState> tellRest =
+                state -> {
+                    if (!state.work().running()) resting.countDown();
+                };
+        EventQueue.invokeLater(
+                () -> {
+                    model.listen(tellRest);
+                    tellRest.accept(model.state());
+                });
+        resting.await();
     }
 
     /** Stops listening; work that runs goes on in the model. */

@@ -119,6 +119,13 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
         if (view != state.view()) publish(state.with(view));
     }
 
+    /** Shows the chart of what was measured elsewhere. */
+    public void show(Study study) {
+        choose(study.topic());
+        studies.put(study.topic(), study);
+        publish(state.with(study).with(StudyView.CHART));
+    }
+
     /** Chooses a point of the chart. */
     void choose(Measurement point) {
         publish(state.with(point));

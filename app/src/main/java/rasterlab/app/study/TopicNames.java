@@ -9,16 +9,16 @@ import rasterlab.engine.study.Topic;
  * What topics and their hazards are called in the window's language. A hazard that a lab has among
  * its own is called as there.
  */
-record TopicNames(Texts own) {
-    static TopicNames in(Language language) {
+public record TopicNames(Texts own) {
+    public static TopicNames in(Language language) {
         return new TopicNames(Texts.of("study", "names", language));
     }
 
-    String topic(String name) {
+    public String topic(String name) {
         return own.textOr("topic." + name, name);
     }
 
-    String hazard(Topic<?, ?, ?> topic, Hazard<?> hazard) {
+    public String hazard(Topic<?, ?, ?> topic, Hazard<?> hazard) {
         String key = "hazard." + topic.name() + "." + hazard.name();
         if (own.has(key)) return own.text(key);
         return TopicTexts.of(topic.name(), own.language())

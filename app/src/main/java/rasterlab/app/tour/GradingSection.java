@@ -3,11 +3,11 @@ package rasterlab.app.tour;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import rasterlab.app.language.Texts;
 
@@ -28,6 +28,9 @@ final class GradingSection implements TourPart {
      * @param verdict what the server has to say to it
      */
     private record Solution(String name, String verdict) {}
+
+    /** What the server has of a case that can be drawn. */
+    private static final List<String> PICTURES = List.of("expected", "actual", "difference");
 
     private final Optional<Path> home;
 
@@ -85,8 +88,8 @@ final class GradingSection implements TourPart {
                             .text(
                                     "grading.unexpected",
                                     solution.name,
-                                    page.texts().text("verdict." + verdict),
-                                    page.texts().text("verdict." + solution.verdict)));
+                                    page.texts().text("graded." + verdict),
+                                    page.texts().text("graded." + solution.verdict)));
     }
 
     private record Graded(String solution, JsonNode result, double seconds) {
@@ -94,12 +97,12 @@ final class GradingSection implements TourPart {
             JsonNode points = result.path("points");
             return List.of(
                     texts.text("grading." + solution),
-                    texts.text("verdict." + result.path("verdict").asText()),
+                    texts.text("graded." + result.path("verdict").asText()),
                     points.path("total").asInt() + "/" + points.path("of").asInt(),
                     points.path("accuracy").asText(),
                     points.path("stability").asText(),
                     points.path("speed").asText(),
-                    String.format(Locale.ROOT, "%.1f", seconds));
+                    String.format(texts.locale(), "%.1f", seconds));
         }
     }
 
@@ -119,14 +122,14 @@ final class GradingSection implements TourPart {
             rows.add(
                     List.of(
                             title(judged),
-                            page.texts().text("verdict." + judged.path("verdict").asText()),
+                            page.texts().text("graded." + judged.path("verdict").asText()),
                             judged.path("points").asText() + "/" + judged.path("of").asText(),
                             judged.path("message").asText()));
         if (!rows.isEmpty()) page.table(page.texts().text("grading.cases"), rows);
         showFirstPicture(page, client, student, graded);
     }
 
-    /** The first case that has a picture: as text and as the picture of the difference. */
+    /** The first case that has pictures: as text, and what was expected beside what was drawn. */
     private static void showFirstPicture(
             TourPage page, GraderClient client, String student, Graded graded)
             throws IOException, InterruptedException {
@@ -136,11 +139,14 @@ final class GradingSection implements TourPart {
             String name = judged.path("name").asText();
             page.paragraph(page.texts().text("grading.picture", title(judged)));
             page.preformatted(pictures.path("text").asText());
-            byte[] png = client.get(pictures.path("difference").asText(), student);
-            page.smallGallery(
-                    List.of(
-                            page.picture(
-                                    "graded-" + graded.solution + "-" + name, png, title(judged))));
+            List<TourPage.Figure> figures = new ArrayList<>();
+            for (String kind : PICTURES)
+                figures.add(
+                        page.picture(
+                                "graded-" + graded.solution + "-" + name + "-" + kind,
+                                client.get(pictures.path(kind).asText(), student),
+                                page.texts().text("grading." + kind)));
+            page.smallGallery(figures);
             return;
         }
     }
@@ -149,10 +155,13 @@ final class GradingSection implements TourPart {
         return judged.path("title").asText();
     }
 
-    private static String source(String solution) throws IOException {
+    /** The solution of that name. */
+    static String source(String solution) {
         String name = "solution-" + solution + ".java.txt";
         try (InputStream in = GradingSection.class.getResourceAsStream(name)) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(name + " cannot be read", e);
         }
     }
 }

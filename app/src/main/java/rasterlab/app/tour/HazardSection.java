@@ -3,7 +3,9 @@ package rasterlab.app.tour;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.study.HazardMatrix;
+import rasterlab.app.study.TopicNames;
 import rasterlab.engine.Topics;
+import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.HazardTrial.Cell;
 import rasterlab.engine.study.Topic;
@@ -22,14 +24,15 @@ final class HazardSection implements TourPart {
 
     private static void make(TourPage page, Topic<?, ?, ?> topic) {
         HazardMatrix matrix = HazardMatrix.judged(topic, HazardTrial.WALL_LIMIT);
-        page.heading(page.texts().text("topic", topic.name()));
+        var called = TopicNames.in(page.texts().language());
+        page.heading(page.texts().text("topic", called.topic(topic.name()), topic.name()));
         List<String> heads = new ArrayList<>(List.of(page.texts().text("hazards.hazard")));
         heads.addAll(matrix.methods());
         List<List<String>> rows = new ArrayList<>();
-        for (String hazard : matrix.hazards()) {
-            List<String> row = new ArrayList<>(List.of(hazard));
+        for (Hazard<?> hazard : topic.hazards()) {
+            List<String> row = new ArrayList<>(List.of(called.hazard(topic, hazard)));
             for (String method : matrix.methods())
-                row.add(verdict(page, matrix.cell(hazard, method)));
+                row.add(verdict(page, matrix.cell(hazard.name(), method)));
             rows.add(row);
         }
         page.table(heads, rows);

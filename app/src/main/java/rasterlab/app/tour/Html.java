@@ -5,8 +5,9 @@ import java.util.regex.Pattern;
 
 /** The few pieces of HTML that the tour's page is made of. */
 final class Html {
-    /** A number, a share, a range or a fraction. */
-    private static final Pattern NUMBERS = Pattern.compile("-?[0-9][0-9 .,/%–e-]*");
+    /** A number, a share, a range, a fraction or a dash where there is none. */
+    private static final Pattern NUMBERS =
+            Pattern.compile("–|[−-]?[0-9][0-9 \u00a0.,/%–·⁻⁰¹²³⁴-⁹]*");
 
     private Html() {}
 

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.language.Language;
 import rasterlab.app.line.LineMode;
@@ -14,7 +15,11 @@ import rasterlab.app.shell.LabModels;
 import rasterlab.app.shell.LabSnapshot;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.spline.SplineMode;
+import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.study.Study;
+import rasterlab.engine.study.StudyRunner;
+import rasterlab.engine.study.StudySettings;
 
 /** Every tab of the window in each language and theme, painted without a display. */
 final class LabPictures implements TourPart {
@@ -23,8 +28,18 @@ final class LabPictures implements TourPart {
 
     private static final List<LabTheme> THEMES = List.of(LabTheme.LIGHT, LabTheme.DARK);
 
-    /** A tab, and how it is prepared. */
-    private record Shot(String name, String tab, Consumer<LabModels> prepare) {}
+    private static final String CHECKED = "line-bresenham";
+
+    /**
+     * A tab.
+     *
+     * @param preparation gives once what prepares the tab in each language and theme
+     */
+    private record Shot(String name, String tab, Supplier<Consumer<LabModels>> preparation) {
+        Shot(String name, String tab, Consumer<LabModels> prepare) {
+            this(name, tab, () -> prepare);
+        }
+    }
 
     private static final List<Shot> SHOTS =
             List.of(
@@ -66,7 +81,9 @@ final class LabPictures implements TourPart {
                     new Shot("opengl", "opengl", models -> {}),
                     new Shot("globe", "opengl", LabPictures::showGlobe),
                     new Shot("study", "study", models -> {}),
-                    new Shot("exercises", "exercises", models -> {}));
+                    new Shot("chart", "study", LabPictures::measuredLines),
+                    new Shot("exercises", "exercises", models -> {}),
+                    new Shot("checked", "exercises", LabPictures::wrongSolution));
 
     private static Shot coordinates(String name, CoordinatesMode mode) {
         return new Shot(name, "coordinates", models -> models.coordinates().show(mode));
@@ -99,25 +116,28 @@ final class LabPictures implements TourPart {
         for (Shot shot : SHOTS) {
             if (!wanted.test(shot.name())) continue;
             page.heading(page.texts().text("labs." + shot.name()));
+            Consumer<LabModels> prepare = shot.preparation().get();
             List<TourPage.Figure> figures = new ArrayList<>();
             for (LabTheme theme : THEMES)
                 for (Language language : Language.values())
-                    figures.add(figure(page, shot, theme, language));
+                    figures.add(figure(page, shot, prepare, theme, language));
             page.gallery(figures);
         }
     }
 
     private static TourPage.Figure figure(
-            TourPage page, Shot shot, LabTheme theme, Language language)
+            TourPage page,
+            Shot shot,
+            Consumer<LabModels> prepare,
+            LabTheme theme,
+            Language language)
             throws InterruptedException {
         String look = theme.name().toLowerCase(Locale.ROOT);
         String caption = language.ownName() + ", " + page.texts().text("theme." + look);
         page.say(page.texts().text("labs." + shot.name()) + ": " + caption);
         String name = "lab-" + shot.name() + "-" + language.locale().getLanguage() + "-" + look;
         return page.picture(
-                name,
-                LabSnapshot.of(shot.tab(), theme, language, shot.prepare(), WIDTH, HEIGHT),
-                caption);
+                name, LabSnapshot.of(shot.tab(), theme, language, prepare, WIDTH, HEIGHT), caption);
     }
 
     /** Faulty methods where they fail, so that wrong pixels and parts are seen. */
@@ -144,6 +164,26 @@ final class LabPictures implements TourPart {
     private static void showOverflow(LabModels models) {
         models.polygon().show(PolygonMode.TRIANGLE, "past-2-15");
         models.polygon().chooseMethod("sign-int");
+    }
+
+    private static Consumer<LabModels> measuredLines() {
+        Study study =
+                StudyRunner.measure(
+                        new LineTopic(),
+                        StudySettings.quick(),
+                        progress -> {},
+                        Thread.currentThread()::isInterrupted);
+        return models -> models.study().show(study);
+    }
+
+    /** Checked, so that what is expected is seen beside what is drawn. */
+    private static Consumer<LabModels> wrongSolution() {
+        String source = GradingSection.source("wrong");
+        return models -> {
+            models.exercises().choose(CHECKED);
+            models.exercises().type(source);
+            models.exercises().check();
+        };
     }
 
     private static void showGlobe(LabModels models) {

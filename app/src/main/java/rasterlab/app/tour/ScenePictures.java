@@ -2,7 +2,8 @@ package rasterlab.app.tour;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Texts;
 import rasterlab.engine.pipeline.RenderRequest;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PictureDifference;
@@ -63,7 +64,10 @@ final class ScenePictures implements TourPart {
             try {
                 rows.add(byMethod(page, renderer, scene, visibility, exact, figures));
             } catch (IllegalArgumentException refusal) {
-                rows.add(List.of(visibility, refusal.getMessage()));
+                rows.add(
+                        List.of(
+                                visibility,
+                                Complaints.said(page.texts().language(), refusal.getMessage())));
             }
         }
         page.table(page.texts().text("scenes.heads"), rows);
@@ -86,7 +90,7 @@ final class ScenePictures implements TourPart {
         figures.add(page.picture(name, picture.image(), scene.name() + ", " + visibility));
         if (!visibility.equals(Renderer.REFERENCE))
             figures.add(differenceFigure(page, name, difference));
-        return row(visibility, difference, milliseconds);
+        return row(page.texts(), visibility, difference, milliseconds);
     }
 
     private static RenderRequest request(Scene scene, String visibility, String shading) {
@@ -101,13 +105,13 @@ final class ScenePictures implements TourPart {
     }
 
     private static List<String> row(
-            String visibility, PictureDifference difference, double milliseconds) {
+            Texts texts, String visibility, PictureDifference difference, double milliseconds) {
         return List.of(
                 visibility,
                 String.valueOf(difference.wrongPixels()),
-                String.format(Locale.ROOT, "%.4f\u00a0%%", 100 * difference.share()),
+                String.format(texts.locale(), "%.4f\u00a0%%", 100 * difference.share()),
                 String.valueOf(difference.largestLevelDifference()),
-                String.format(Locale.ROOT, "%.1f", milliseconds));
+                String.format(texts.locale(), "%.1f", milliseconds));
     }
 
     private static TourPage.Figure differenceFigure(

@@ -2,10 +2,11 @@ package rasterlab.app.tour;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
+import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.StudyChart;
 import rasterlab.app.study.StudyWords;
+import rasterlab.app.study.TopicNames;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Measurement;
 import rasterlab.engine.study.Study;
@@ -29,7 +30,8 @@ final class StudySection implements TourPart {
     }
 
     private static void make(TourPage page, Topic<?, ?, ?> topic) {
-        page.heading(page.texts().text("topic", topic.name()));
+        String name = TopicNames.in(page.texts().language()).topic(topic.name());
+        page.heading(page.texts().text("topic", name, topic.name()));
         page.say(page.texts().text("study.measuring", topic.name()));
         Study study =
                 StudyRunner.measure(
@@ -37,7 +39,7 @@ final class StudySection implements TourPart {
                         StudySettings.quick(),
                         progress -> {},
                         Thread.currentThread()::isInterrupted);
-        String caption = page.texts().text("study.caption", topic.name());
+        String caption = page.texts().text("study.caption", name);
         page.large(
                 page.picture(
                         "study-" + topic.name(),
@@ -64,13 +66,13 @@ final class StudySection implements TourPart {
         return List.of(
                 measured.method(),
                 String.valueOf(measured.size()),
-                String.format(Locale.ROOT, "%.2f", measured.cost().medianNanos()),
+                String.format(texts.locale(), "%.2f", measured.cost().medianNanos()),
                 String.format(
-                        Locale.ROOT,
+                        texts.locale(),
                         "%.2f–%.2f",
                         measured.cost().lowNanos(),
                         measured.cost().highNanos()),
-                String.valueOf(measured.error().worst()),
+                Shown.number(measured.error().worst(), texts.locale()),
                 String.valueOf(measured.error().missing() + measured.error().extra()),
                 verdict);
     }

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
+import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -14,8 +16,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
 
@@ -43,6 +49,42 @@ class TourTest {
         assertTrue(log.toString(StandardCharsets.UTF_8).contains("vase: painter"));
         assertEquals("mine", Files.readString(foreign));
         assertEveryPictureIsThere(html);
+        assertCellsAreRussian(html);
+        assertTrue(html.contains("Тема «отрезок» (line)"), html);
+        assertFalse(html.contains(">steep-upward<"), "a hazard has no words");
+    }
+
+    private static void assertCellsAreRussian(String html) {
+        Matcher cell = Pattern.compile("<td[^>]*>([^<]*)<").matcher(html);
+        int numbers = 0;
+        for (; cell.find(); numbers += cell.group(1).matches("[0-9]+,[0-9].*") ? 1 : 0) {
+            String said = cell.group(1);
+            assertFalse(said.matches("[0-9]+\\.[0-9].*"), "a decimal point: " + said);
+            assertFalse(said.matches(".*[a-z]+ [a-z]+ [a-z]+.*"), "English: " + said);
+            assertFalse(said.matches(".*[0-9]{7}.*"), "not rounded: " + said);
+        }
+        assertTrue(numbers >= 30, numbers + " numbers with a decimal comma");
+    }
+
+    @Test
+    @DisplayName("a study or a check is shown before it has run")
+    void studyAndExerciseAreShownWithWhatCameOfThem() throws Exception {
+        var tour = new Tour(folder, Language.RUSSIAN, System.err);
+        assertTrue(tour.make(List.of(new LabPictures(List.of("chart", "checked")::contains))));
+        assertTrue(pixels("chart", MethodColours.ORANGE) > 100, "no chart");
+        assertTrue(pixels("checked", MethodColours.VERMILLION) > 100, "no wrong pixel is marked");
+    }
+
+    private long pixels(String lab, Color colour) throws Exception {
+        BufferedImage image = picture(lab);
+        return IntStream.range(0, image.getWidth() * image.getHeight())
+                .map(i -> image.getRGB(i % image.getWidth(), i / image.getWidth()))
+                .filter(rgb -> rgb == colour.getRGB())
+                .count();
+    }
+
+    private BufferedImage picture(String name) throws Exception {
+        return ImageIO.read(folder.resolve("pictures/lab-" + name + "-ru-light.png").toFile());
     }
 
     @Test

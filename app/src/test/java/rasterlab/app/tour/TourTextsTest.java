@@ -6,13 +6,26 @@ import java.io.IOException;
 import java.util.Properties;
 import java.util.Set;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
+import rasterlab.exercises.score.GradingVerdict;
 
 class TourTextsTest {
     @ParameterizedTest
     @ValueSource(strings = {"rasterlab.app.tour.messages", "rasterlab.app.cli.report"})
     void bothLanguagesHaveTheSameKeys(String bundle) {
         assertEquals(ownKeys(bundle, "en"), ownKeys(bundle, "ru"));
+    }
+
+    @ParameterizedTest(name = "a graded verdict is called otherwise than in the lab: {0}")
+    @EnumSource(GradingVerdict.class)
+    void verdictsAreCalledAsInTheLabOfExercises(GradingVerdict verdict) {
+        if (verdict == GradingVerdict.INTERNAL) return;
+        Texts tour = Texts.of("tour", Language.RUSSIAN);
+        Texts lab = Texts.of("exercise", Language.RUSSIAN);
+        assertEquals(lab.text("verdict." + verdict.code()), tour.text("graded." + verdict.code()));
     }
 
     /** Keys of the language's own file; a missing one is not filled in from the English file. */

@@ -1,5 +1,7 @@
 package rasterlab.engine.visibility;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -91,10 +93,17 @@ public final class ConvexBody {
                     if (beyond > allowed)
                         return Optional.of(
                                 "a corner of face %d lies outside face %d, by %s units"
-                                        .formatted(g, f, beyond));
+                                        .formatted(g, f, rounded(beyond)));
                 }
         }
         return Optional.empty();
+    }
+
+    /** To three digits. */
+    private static double rounded(double distance) {
+        return Double.isFinite(distance)
+                ? new BigDecimal(distance).round(new MathContext(3)).doubleValue()
+                : distance;
     }
 
     /** The largest coordinate. */
