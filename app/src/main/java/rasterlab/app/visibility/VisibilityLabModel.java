@@ -226,6 +226,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     public void endDrag() {
         history.endDrag();
         publish(state);
+        if (compared.isEmpty()) draw(state.choice(), true);
     }
 
     public History<VisibilityChoice> history() {

@@ -80,8 +80,8 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         bindPixel(KeyEvent.VK_LEFT, -1, 0);
         bindPixel(KeyEvent.VK_RIGHT, 1, 0);
         for (String key : new String[] {"typed +", "typed ="})
-            KeyBinding.whenFocused(this, KeyStroke.getKeyStroke(key), () -> model.zoom(ZOOM));
-        KeyBinding.whenFocused(this, KeyStroke.getKeyStroke("typed -"), () -> model.zoom(1 / ZOOM));
+            KeyBinding.whenFocused(this, KeyStroke.getKeyStroke(key), () -> zoom(ZOOM));
+        KeyBinding.whenFocused(this, KeyStroke.getKeyStroke("typed -"), () -> zoom(1 / ZOOM));
     }
 
     private void addReadOut() {
@@ -103,7 +103,17 @@ final class VisibilityStage extends SelfDrawn implements Settling {
 
     private void bind(int key, double dTheta, double dPhi) {
         KeyBinding.whenFocused(
-                this, KeyStroke.getKeyStroke(key, 0), () -> model.turn(dTheta, dPhi));
+                this, KeyStroke.getKeyStroke(key, 0), () -> change(() -> model.turn(dTheta, dPhi)));
+    }
+
+    private void zoom(double factor) {
+        change(() -> model.zoom(factor));
+    }
+
+    /** A change that is over at once, after which wrong pixels are counted as after a drag. */
+    private void change(Runnable change) {
+        change.run();
+        model.endDrag();
     }
 
     @Override
@@ -369,8 +379,8 @@ final class VisibilityStage extends SelfDrawn implements Settling {
         public void mouseWheelMoved(MouseWheelEvent e) {
             if (model.state().choice().view().isChart()) return;
             double turned = e.getPreciseWheelRotation();
-            if (e.isControlDown()) model.zoom(Math.pow(ZOOM, -turned));
-            else model.retreat(Math.pow(WHEEL, turned));
+            if (e.isControlDown()) zoom(Math.pow(ZOOM, -turned));
+            else change(() -> model.retreat(Math.pow(WHEEL, turned)));
         }
     }
 }

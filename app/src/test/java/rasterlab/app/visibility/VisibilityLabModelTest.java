@@ -93,6 +93,20 @@ class VisibilityLabModelTest {
     }
 
     @Test
+    @DisplayName("after a drag nothing is counted until something is chosen")
+    void endOfADragCountsWhatTheDragLeftOut() {
+        model.resize(10, 10);
+        model.choose(choice -> choice.withVisibility("painter-textbook"));
+        model.beginDrag();
+        model.turn(0.2, 0);
+        settle();
+        assertTrue(model.state().difference().isEmpty(), "counted while it turns");
+        model.endDrag();
+        settle();
+        assertEquals(1, model.state().difference().orElseThrow().wrongPixels());
+    }
+
+    @Test
     void turningDropsTheDifferenceOfTheOldView() {
         model.resize(10, 10);
         model.choose(choice -> choice.withDifference(true));

@@ -1,8 +1,14 @@
 package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.EventQueue;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.awt.event.MouseWheelListener;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -12,6 +18,8 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.OffscreenPainter;
@@ -63,6 +71,30 @@ class VisibilityStageTest {
         String svg = stage.svg().document();
         assertTrue(svg.contains(Texts.of("precision", Language.RUSSIAN).text("mark")), "a note");
         assertTrue(!svg.contains("<image"), "an image");
+    }
+
+    @ParameterizedTest(name = "nothing is counted after {0} until something is chosen")
+    @ValueSource(strings = {"pressed LEFT", "typed +", "the wheel"})
+    void wrongPixelsAreCountedAfterEachChangeOfTheView(String change) throws Exception {
+        OffscreenPainter.paint(stage, 240, 160);
+        Object before = model.state().choice();
+        EventQueue.invokeAndWait(
+                () -> {
+                    if (change.equals("the wheel")) turnWheel();
+                    else
+                        stage.getActionMap()
+                                .get(change)
+                                .actionPerformed(new ActionEvent(stage, 0, change));
+                });
+        OffscreenPainter.paint(stage, 240, 160);
+        assertNotEquals(before, model.state().choice());
+        assertTrue(model.state().difference().isPresent());
+    }
+
+    private void turnWheel() {
+        var turned =
+                new MouseWheelEvent(stage, MouseEvent.MOUSE_WHEEL, 0, 0, 9, 9, 0, false, 0, 3, 1);
+        for (MouseWheelListener each : stage.getMouseWheelListeners()) each.mouseWheelMoved(turned);
     }
 
     private static BufferedImage decoded(String base64) throws IOException {
