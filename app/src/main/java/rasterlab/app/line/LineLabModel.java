@@ -112,6 +112,28 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
         };
     }
 
+    /** What {@link #showTried} showed last, as it is kept between runs, beside the segment. */
+    public Kept<KeptTried> keptTried() {
+        return new Kept<>() {
+            @Override
+            public Class<KeptTried> keptType() {
+                return KeptTried.class;
+            }
+
+            @Override
+            public KeptTried kept() {
+                return KeptTried.of(tried);
+            }
+
+            @Override
+            public void bringBack(KeptTried kept) {
+                if (!kept.right().isEmpty()) topic.method(kept.right());
+                tried = kept.tried();
+                draw(state.choice(), state.arrangement());
+            }
+        };
+    }
+
     /** Tells the listener each mode from now on; the answer ends that. */
     Runnable listenToMode(Consumer<LineMode> listener) {
         modeListeners.add(listener);

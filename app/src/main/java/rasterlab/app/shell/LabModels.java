@@ -90,6 +90,7 @@ public final class LabModels implements AutoCloseable {
                 held -> new LineLabModel(new LineTopic(), held, onFailure),
                 (model, kept) -> {
                     kept.put("line", model);
+                    kept.put("line.tried", model.keptTried());
                     kept.put("line.figures", model.figures());
                     kept.put("line.mode", model.keptMode());
                 },

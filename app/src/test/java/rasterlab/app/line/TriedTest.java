@@ -8,15 +8,18 @@ import java.awt.EventQueue;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -109,6 +112,50 @@ class TriedTest {
         assertTrue(settled().tried().isEmpty());
         model.history().undo();
         assertEquals(1, settled().other().orElseThrow().pixels(), "those that were let go");
+    }
+
+    @Test
+    void programsPixelsComeBackWithTheirSegment() {
+        LineDrawings left = tried(SHORT, all(0, 0, 1, 1));
+        try (var opened = new LineLabModel(new LineTopic(), thread, failures::add)) {
+            opened.bringBack(model.kept());
+            opened.keptTried().bringBack(model.keptTried().kept());
+            thread.settle(opened::settle);
+            LineDrawings shown = opened.state().drawings();
+            assertEquals(left.choice(), shown.choice());
+            assertEquals(2, shown.other().orElseThrow().pixels());
+            assertEquals(1, shown.apart().orElseThrow().missing().size());
+            assertFalse(opened.history().undoable());
+        }
+    }
+
+    @ParameterizedTest(name = "nothing to draw becomes an empty drawing, or none: {0} pixels")
+    @ValueSource(ints = {-1, 0, 1})
+    void whatIsKeptIsWhatWasTried(int pixels) {
+        var tried =
+                new Tried(
+                        LONG, "dda", Optional.of(pixels).filter(n -> n >= 0).map(n -> plotted(n)));
+        Tried back = KeptTried.of(Optional.of(tried)).tried().orElseThrow();
+        assertEquals(
+                tried.drawn().map(drawn -> drawn.pixels().size()),
+                back.drawn().map(drawn -> drawn.pixels().size()));
+        assertEquals(tried.segment(), back.segment());
+        assertEquals(tried.right(), back.right());
+        assertTrue(KeptTried.of(Optional.empty()).tried().isEmpty());
+    }
+
+    @Test
+    @DisplayName("millions of pixels are written at each start, or those left out count as missing")
+    void ofManyPixelsTheFirstAreKept() {
+        var tried = new Tried(LONG, "dda", Optional.of(plotted(KeptTried.MOST + 1)));
+        Tried back = KeptTried.of(Optional.of(tried)).tried().orElseThrow();
+        assertEquals(OptionalInt.of(KeptTried.MOST), back.first());
+    }
+
+    private static Plotted plotted(int count) {
+        var pixels = new PixelRecording(Math.max(1, count));
+        for (int x = 0; x < count; x++) pixels.plot(x, 0);
+        return Plotted.whole(pixels);
     }
 
     @ParameterizedTest(name = "nobody says whose line is seen: {0}")

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
@@ -332,7 +333,8 @@ class LabsFileTest {
         models.coordinates().rotation().turnBy(7);
         models.coordinates().meeting().chooseMethod("unrounded");
         models.polygon().show(PolygonMode.TRIANGLE, "past-2-15");
-        models.line().show(new Segment(-7, 3, 2_000_000_000, 4));
+        models.line()
+                .showTried(new Segment(-7, 3, 2_000_000_000, 4), "bresenham", Optional.empty());
         models.line().chooseMethod("dda");
         models.line().chooseMode(LineMode.PEN);
         models.line().figures().move("point.1", 7, 9);

@@ -1,0 +1,61 @@
+package rasterlab.app.line;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.Plotted;
+
+/**
+ * What a program of the user's was tried on and plotted, as it is kept between runs.
+ *
+ * @param right the method that draws the right line; "" where no program was tried
+ * @param wrong whether pixels of the program are shown
+ * @param places of those pixels, x and y by turns
+ * @param cut whether the program plotted on
+ */
+record KeptTried(Segment segment, String right, boolean wrong, List<Integer> places, boolean cut) {
+    /** Of a program that plotted more, the first are kept. */
+    static final int MOST = 4 * LineDrawing.LIMIT;
+
+    private static final KeptTried NOTHING =
+            new KeptTried(new Segment(0, 0, 0, 0), "", false, List.of(), false);
+
+    KeptTried {
+        places = List.copyOf(places);
+        if (places.size() % 2 != 0)
+            throw new IllegalArgumentException(
+                    "places are x and y by turns, got " + places.size() + " numbers");
+    }
+
+    static KeptTried of(Optional<Tried> tried) {
+        return tried.map(KeptTried::of).orElse(NOTHING);
+    }
+
+    private static KeptTried of(Tried tried) {
+        if (tried.drawn().isEmpty())
+            return new KeptTried(tried.segment(), tried.right(), false, List.of(), false);
+        PixelRecording pixels = tried.drawn().get().pixels();
+        int kept = Math.min(MOST, pixels.size());
+        var places = new ArrayList<Integer>(2 * kept);
+        for (int i = 0; i < kept; i++) {
+            places.add(pixels.x(i));
+            places.add(pixels.y(i));
+        }
+        boolean cut = tried.drawn().get().cut() || kept < pixels.size();
+        return new KeptTried(tried.segment(), tried.right(), true, places, cut);
+    }
+
+    /** What it was made of, with the pixels that were kept. */
+    Optional<Tried> tried() {
+        if (right.isEmpty()) return Optional.empty();
+        var pixels = new PixelRecording(Math.max(1, places.size() / 2));
+        for (int i = 0; i < places.size(); i += 2) pixels.plot(places.get(i), places.get(i + 1));
+        return Optional.of(
+                new Tried(
+                        segment,
+                        right,
+                        Optional.of(new Plotted(pixels, cut)).filter(drawn -> wrong)));
+    }
+}
