@@ -53,11 +53,10 @@ public final class FirstDifference {
             words =
                     words.replace(
                             "$" + (i + 1),
-                            "("
-                                    + found.group(3 * i + 2)
-                                    + Shown.apart(texts.locale())
-                                    + found.group(3 * i + 3)
-                                    + ")");
+                            Shown.point(
+                                    Integer.parseInt(found.group(3 * i + 2)),
+                                    Integer.parseInt(found.group(3 * i + 3)),
+                                    texts.locale()));
         return words;
     }
 }

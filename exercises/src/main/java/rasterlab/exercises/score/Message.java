@@ -2,6 +2,7 @@ package rasterlab.exercises.score;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.text.DecimalFormatSymbols;
 import java.text.MessageFormat;
 import java.util.ArrayList;
 import java.util.List;
@@ -20,6 +21,10 @@ public record Message(List<Sentence> sentences) {
     public static final Message NONE = new Message(List.of());
     private static final Set<String> LANGUAGES = Set.of("en", "ru");
     private static final Pattern PIXEL = Pattern.compile("^\\((-?\\d+), (-?\\d+)\\)$");
+
+    /** A number with a fraction. */
+    private static final Pattern BROKEN = Pattern.compile("\\d+\\.\\d+");
+
     private static final JsonMapper MAPPER = new JsonMapper();
 
     /**
@@ -32,13 +37,31 @@ public record Message(List<Sentence> sentences) {
         }
 
         private String in(ResourceBundle texts) {
-            Object[] said = arguments.stream().map(one -> pixel(one, texts)).toArray();
+            Object[] said = arguments.stream().map(one -> inForm(one, texts)).toArray();
             return new MessageFormat(texts.getString(key), Locale.ROOT).format(said);
         }
 
-        /** With what stands between numbers in that language; a decimal comma does not. */
+        private static String inForm(String argument, ResourceBundle texts) {
+            return BROKEN.matcher(argument).matches()
+                    ? argument.replace('.', point(texts))
+                    : pixel(argument, texts);
+        }
+
+        private static char point(ResourceBundle texts) {
+            return DecimalFormatSymbols.getInstance(texts.getLocale()).getDecimalSeparator();
+        }
+
+        /**
+         * With what stands between numbers in that language, which a decimal comma does not, and a
+         * minus as wide as plus.
+         */
         private static String pixel(String argument, ResourceBundle texts) {
-            return PIXEL.matcher(argument).replaceFirst("($1" + texts.getString("apart") + "$2)");
+            return PIXEL.matcher(argument)
+                    .replaceFirst(
+                            pixel ->
+                                    pixel.group()
+                                            .replace(", ", texts.getString("apart"))
+                                            .replace('-', '−'));
         }
     }
 

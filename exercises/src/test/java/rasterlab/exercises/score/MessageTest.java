@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -13,6 +14,7 @@ import java.util.Properties;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -33,6 +35,23 @@ class MessageTest {
         assertEquals("pixel (1, 2) is missing; naive draws the same", TWO.in("en"));
         assertEquals("нет пикселя (1; 2); так же рисует naive", TWO.in("ru"));
         assertEquals(TWO.in("en"), TWO.in("de"), "no such language");
+    }
+
+    @Test
+    @DisplayName("a hyphen stands for a minus")
+    void writesCoordinatesAsTheWindowDoes() {
+        Message extra = Message.of("pixel.extra", "(-3, -40)");
+        assertTrue(extra.in("en").contains("(−3, −40)"), extra.in("en"));
+        assertTrue(extra.in("ru").contains("(−3; −40)"), extra.in("ru"));
+    }
+
+    @Test
+    @DisplayName("a Russian number has a decimal point, or a student's text changes")
+    void writesFractionsInTheLanguageAskedFor() {
+        Message late = Message.of("child.time", 2.5);
+        assertTrue(late.in("en").contains("2.5"), late.in("en"));
+        assertTrue(late.in("ru").contains("2,5"), late.in("ru"));
+        assertEquals("version 2.5", Message.quoted("version 2.5").in("ru"));
     }
 
     @Test
