@@ -9,12 +9,17 @@ import java.awt.Graphics2D;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -44,6 +49,15 @@ record PlaneFrame(
     /** Between a point and its label, for the ring around the point. */
     private static final int AWAY = 15;
 
+    /** Between a point's ring and its label, the best first. */
+    private static final int[] FARTHER = {0, 14};
+
+    /** Half of the width of a thick line, and a little more. */
+    private static final int THICK = 4;
+
+    /** Side of a handle's square. */
+    private static final int HANDLE = 22;
+
     /** From a point to the outer edge of its ring. */
     private static final double RING = 10.5;
 
@@ -65,8 +79,9 @@ record PlaneFrame(
             inner.clipRect(
                     Rulers.left(), Rulers.top(), width - Rulers.left(), height - Rulers.top());
         else inner.clipRect(0, 0, width, height);
-        List<Label> labels = labels(inner);
-        picture.leaving(taken(labels)).paint(inner, map, colours, cancelled);
+        List<Placed> placed = placed();
+        List<Label> labels = labels(inner, placed);
+        picture.leaving(taken(placed, labels)).paint(inner, map, colours, cancelled);
         paintPoints(inner, labels);
         note(picture, note, new Dimension(width, height), font).paint(inner, colours);
         inner.dispose();
@@ -88,49 +103,122 @@ record PlaneFrame(
         g.fillRect(0, 0, width, height);
     }
 
+    /**
+     * The squares of the points' handles, each around its point; of one out of sight or under the
+     * note, at the edge, clear of the buttons.
+     */
+    List<Rectangle> handles() {
+        Rectangle sight = note(picture, note, new Dimension(width, height), font).below();
+        return points.stream().map(point -> handle(point, sight)).toList();
+    }
+
+    private Rectangle handle(PlanePoint point, Rectangle sight) {
+        int size = PictureType.scaled(HANDLE);
+        double x = map.viewX(point.x());
+        double y = map.viewY(point.y());
+        var square =
+                new Rectangle(
+                        Rulers.square(x, sight.x, sight.x + sight.width, size),
+                        Rulers.square(y, sight.y, sight.y + sight.height, size),
+                        size,
+                        size);
+        return ZoomButtons.clear(square, new Point2D.Double(x, y), sight, covered);
+    }
+
+    /**
+     * A point with the middle of its handle, which is the point itself unless that is moved aside.
+     */
+    private record Placed(PlanePoint point, double x, double y) {
+        Rectangle ring() {
+            return new Rectangle(
+                    (int) (x - away()), (int) (y - away()), (int) (2 * away()), (int) (2 * away()));
+        }
+    }
+
+    private List<Placed> placed() {
+        List<Rectangle> handles = handles();
+        return IntStream.range(0, points.size())
+                .mapToObj(
+                        i -> {
+                            PlanePoint point = points.get(i);
+                            Rectangle handle = handles.get(i);
+                            return new Placed(
+                                    point,
+                                    at(map.viewX(point.x()), handle.getCenterX()),
+                                    at(map.viewY(point.y()), handle.getCenterY()));
+                        })
+                .toList();
+    }
+
+    private static double at(double point, double handle) {
+        return Math.abs(handle - point) <= 1 ? point : handle;
+    }
+
     /** A point's label, where its plate lies. */
     private record Label(String text, Rectangle place) {}
 
-    private List<Label> labels(Graphics2D g) {
+    private List<Label> labels(Graphics2D g, List<Placed> placed) {
         FontMetrics metrics = g.getFontMetrics(font.deriveFont(Font.BOLD));
         double middleX = points.stream().mapToDouble(p -> map.viewX(p.x())).average().orElse(0);
         double middleY = points.stream().mapToDouble(p -> map.viewY(p.y())).average().orElse(0);
+        List<Line2D> lines = picture.lines(map, new Rectangle(width, height));
         var labels = new ArrayList<Label>();
-        for (PlanePoint point : points)
-            if (inSight(point) && !point.label().isEmpty())
-                labels.add(free(point, label(point, metrics, middleX, middleY), labels));
+        for (Placed each : placed) {
+            if (each.point.label().isEmpty()) continue;
+            Label wanted = label(each, metrics, middleX, middleY);
+            Optional<Label> free = free(each, wanted, placed, labels, lines);
+            if (inSight(each.point)) labels.add(free.orElse(wanted));
+            else free.ifPresent(labels::add);
+        }
         return labels;
     }
 
     /**
      * The label where it lies over no point's ring, no label before it and no button: where it
-     * should be, or else at another side of its point; where it should be if all are taken.
+     * should be, or else at another side of its point. Of such places the first that covers the
+     * fewest lines; empty if there is none.
      */
-    private Label free(PlanePoint point, Label wanted, List<Label> before) {
+    private Optional<Label> free(
+            Placed point,
+            Label wanted,
+            List<Placed> points,
+            List<Label> before,
+            List<Line2D> lines) {
         List<Rectangle> taken =
                 Stream.of(
                                 before.stream().map(Label::place),
-                                points.stream()
-                                        .filter(other -> other != point && inSight(other))
-                                        .map(this::ring),
+                                points.stream().filter(other -> other != point).map(Placed::ring),
                                 Stream.of(covered))
                         .flatMap(places -> places)
                         .toList();
         Rectangle inside = inside(picture, new Dimension(width, height));
-        return Stream.concat(Stream.of(wanted.place), sides(ring(point), wanted.place))
+        Rectangle ring = point.ring();
+        Stream<Rectangle> places =
+                IntStream.of(FARTHER)
+                        .boxed()
+                        .flatMap(farther -> sides(grown(ring, farther), wanted.place));
+        return Stream.concat(Stream.of(wanted.place), places)
                 .filter(inside::contains)
                 .filter(place -> taken.stream().noneMatch(place::intersects))
                 .filter(place -> !onItsRing(point, place))
-                .findFirst()
-                .map(place -> new Label(wanted.text, place))
-                .orElse(wanted);
+                .min(Comparator.comparingLong(place -> covered(lines, place)))
+                .map(place -> new Label(wanted.text, place));
     }
 
-    private boolean onItsRing(PlanePoint point, Rectangle label) {
+    /** How many lines a label touches. */
+    private static long covered(List<Line2D> lines, Rectangle label) {
+        return lines.stream().filter(grown(label, THICK)::intersectsLine).count();
+    }
+
+    private static Rectangle grown(Rectangle box, int by) {
+        var grown = new Rectangle(box);
+        grown.grow(by, by);
+        return grown;
+    }
+
+    private static boolean onItsRing(Placed point, Rectangle label) {
         double radius = PictureType.scaled((float) RING);
-        double x = map.viewX(point.x());
-        double y = map.viewY(point.y());
-        return new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius)
+        return new Ellipse2D.Double(point.x - radius, point.y - radius, 2 * radius, 2 * radius)
                 .intersects(label);
     }
 
@@ -158,17 +246,9 @@ record PlaneFrame(
         return PictureType.scaled(AWAY);
     }
 
-    private Rectangle ring(PlanePoint point) {
-        return new Rectangle(
-                (int) (map.viewX(point.x()) - away()),
-                (int) (map.viewY(point.y()) - away()),
-                (int) (2 * away()),
-                (int) (2 * away()));
-    }
-
     /** The places of labels, of the rings around points and of buttons. */
-    private List<Rectangle> taken(List<Label> labels) {
-        Stream<Rectangle> rings = points.stream().filter(this::inSight).map(this::ring);
+    private List<Rectangle> taken(List<Placed> placed, List<Label> labels) {
+        Stream<Rectangle> rings = placed.stream().map(Placed::ring);
         return Stream.of(labels.stream().map(Label::place), rings, Stream.of(covered))
                 .flatMap(places -> places)
                 .filter(place -> !place.isEmpty())
@@ -203,9 +283,10 @@ record PlaneFrame(
     }
 
     /** Beside the point, on the side away from the middle of all points. */
-    private Label label(PlanePoint point, FontMetrics metrics, double middleX, double middleY) {
-        double x = map.viewX(point.x());
-        double y = map.viewY(point.y());
+    private Label label(Placed placed, FontMetrics metrics, double middleX, double middleY) {
+        PlanePoint point = placed.point;
+        double x = placed.x;
+        double y = placed.y;
         double dx = x - middleX;
         double dy = y - middleY;
         double length = Math.max(1e-9, Math.hypot(dx, dy));

@@ -2,6 +2,7 @@ package rasterlab.app.canvas;
 
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.geom.Line2D;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
@@ -21,6 +22,15 @@ public interface PlanePicture {
     /** Whether grid, rulers and read-out belong to it: not where the plane is a view of space. */
     default boolean ruled() {
         return true;
+    }
+
+    /**
+     * What labels of points leave clear where there is room, in view units.
+     *
+     * @param view what is seen
+     */
+    default List<Line2D> lines(PlaneMap map, Rectangle view) {
+        return List.of();
     }
 
     /**

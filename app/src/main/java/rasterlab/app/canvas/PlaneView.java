@@ -190,43 +190,21 @@ public final class PlaneView extends SelfDrawn implements Settling, AutoCloseabl
     }
 
     private PlaneMap map() {
-        return map(besideTheNote());
-    }
-
-    private PlaneMap map(Rectangle sight) {
-        return chosen.orElseGet(() -> PlaneMap.fitting(framed, sight, axes));
+        return chosen.orElseGet(() -> PlaneMap.fitting(framed, besideTheNote(), axes));
     }
 
     private Rectangle besideTheNote() {
         return PlaneFrame.note(picture, note, getSize(), PictureType.in(getSize())).below();
     }
 
-    /**
-     * Puts the handles around their points, one whose point is out of sight or under the note at
-     * the edge, and asks for the picture when another is due.
-     */
+    /** Puts the handles into their places, and asks for the picture when another is due. */
     @Override
     public void doLayout() {
         zoom.place();
         pointed.place(getHeight());
-        Rectangle sight = besideTheNote();
-        int right = sight.x + sight.width;
-        int bottom = sight.y + sight.height;
-        PlaneMap map = map(sight);
-        int size = PictureType.scaled(22);
-        for (PlaneHandle handle : handles) {
-            double x = map.viewX(handle.point().x());
-            double y = map.viewY(handle.point().y());
-            var square =
-                    new Rectangle(
-                            Rulers.square(x, sight.x, right, size),
-                            Rulers.square(y, sight.y, bottom, size),
-                            size,
-                            size);
-            handle.setBounds(
-                    ZoomButtons.clear(square, new Point2D.Double(x, y), sight, zoom.getBounds()));
-        }
-        PlaneFrame due = frame(map);
+        PlaneFrame due = frame(map());
+        List<Rectangle> places = due.handles();
+        for (int i = 0; i < handles.size(); i++) handles.get(i).setBounds(places.get(i));
         if (asked.filter(due::equals).isPresent()) return;
         asked = Optional.of(due);
         frames.ask(due);

@@ -74,7 +74,7 @@ final class ClipPainter {
      * @throws CancellationException soon after {@code cancelled} says true
      */
     void paint(List<Drawn> drawn, BooleanSupplier cancelled) {
-        List<Line2D> segments = segments(drawn);
+        List<Line2D> segments = segments(drawn, inView, Drawn.Ink.GIVEN);
         for (Drawn each : drawn) {
             if (cancelled.getAsBoolean())
                 throw new CancellationException("a newer frame is asked for");
@@ -164,22 +164,25 @@ final class ClipPainter {
         }
     }
 
-    /** What is to be clipped, where it is seen, in view units. */
-    private List<Line2D> segments(List<Drawn> drawn) {
+    /** Lines of that ink, such as what is to be clipped, where they are seen, in view units. */
+    static List<Line2D> segments(List<Drawn> drawn, InView inView, Drawn.Ink ink) {
         var segments = new ArrayList<Line2D>();
         for (Drawn each : drawn)
-            if (each instanceof Drawn.Line line && line.ink() == Drawn.Ink.GIVEN)
+            if (each instanceof Drawn.Line line && line.ink() == ink)
                 add(segments, inView.line(line.points(), line.closed()));
         return segments;
     }
 
     private static void add(List<Line2D> segments, Path2D path) {
         var at = new double[6];
+        var begin = new Point2D.Double();
         var from = new Point2D.Double();
         for (PathIterator i = path.getPathIterator(null); !i.isDone(); i.next()) {
-            if (i.currentSegment(at) == PathIterator.SEG_LINETO)
-                segments.add(new Line2D.Double(from.x, from.y, at[0], at[1]));
-            from.setLocation(at[0], at[1]);
+            int kind = i.currentSegment(at);
+            var to = kind == PathIterator.SEG_CLOSE ? begin : new Point2D.Double(at[0], at[1]);
+            if (kind == PathIterator.SEG_MOVETO) begin = to;
+            else segments.add(new Line2D.Double(from, to));
+            from = to;
         }
     }
 

@@ -2,10 +2,12 @@ package rasterlab.app.clip;
 
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.geom.Line2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.StageColours;
@@ -93,6 +95,14 @@ record ClipPicture(
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
         new ClipPainter(g, map, colours, method, other, labels).paint(drawn, cancelled);
+    }
+
+    @Override
+    public List<Line2D> lines(PlaneMap map, Rectangle view) {
+        var inView = new InView(map, view);
+        return Stream.of(Drawn.Ink.GIVEN, Drawn.Ink.WINDOW)
+                .flatMap(ink -> ClipPainter.segments(drawn, inView, ink).stream())
+                .toList();
     }
 
     @Override

@@ -7,11 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.BooleanSupplier;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
 class PlaneFrameTest {
@@ -22,7 +24,12 @@ class PlaneFrameTest {
                     PlaneAxes.GEOMETRY);
 
     /** A picture that keeps what it was told to leave. */
-    private record Told(List<Rectangle> places) implements PlanePicture {
+    private record Told(List<Rectangle> places, List<Line2D> lines) implements PlanePicture {
+        @Override
+        public List<Line2D> lines(PlaneMap map, Rectangle view) {
+            return lines;
+        }
+
         @Override
         public void paint(
                 Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {}
@@ -39,11 +46,12 @@ class PlaneFrameTest {
     }
 
     private static List<Rectangle> told(PlanePoint... points) {
-        return told(new Rectangle(), points);
+        return told(new Rectangle(), List.of(), points);
     }
 
-    private static List<Rectangle> told(Rectangle covered, PlanePoint... points) {
-        var picture = new Told(new ArrayList<>());
+    private static List<Rectangle> told(
+            Rectangle covered, List<Line2D> lines, PlanePoint... points) {
+        var picture = new Told(new ArrayList<>(), lines);
         new PlaneFrame(
                         picture,
                         List.of(points),
@@ -86,7 +94,7 @@ class PlaneFrameTest {
     @Test
     void labelsLeaveTheButtonsAndThePictureIsToldOfThem() {
         Rectangle alone = told(point("A1 0000", 8, 2), point("", 2, 8)).get(0);
-        List<Rectangle> places = told(alone, point("A1 0000", 8, 2), point("", 2, 8));
+        List<Rectangle> places = told(alone, List.of(), point("A1 0000", 8, 2), point("", 2, 8));
         assertFalse(alone.intersects(places.get(0)), places.toString());
         assertTrue(places.contains(alone), places.toString());
     }
@@ -108,7 +116,38 @@ class PlaneFrameTest {
     }
 
     @Test
-    void pictureIsNotToldOfPointsOutOfSight() {
-        assertEquals(List.of(), told(point("B", 1000, 1000)));
+    @DisplayName("a handle that is moved aside leaves its label behind")
+    void labelStandsBesideAHandleThatIsMovedAside() {
+        List<Rectangle> places = told(point("B", 1000, 5));
+        Rectangle label = places.get(0);
+        Rectangle ring = places.get(1);
+        assertTrue(new Rectangle(400, 400).contains(label), label.toString());
+        assertEquals(400 - 11, ring.getCenterX(), 1, "at the edge");
+        assertEquals(ring.getCenterY(), label.getCenterY(), 40);
+        assertEquals(ring.getCenterX(), label.getCenterX(), 60);
+    }
+
+    @Test
+    @DisplayName("a label that follows its handle is drawn over the buttons or another label")
+    void labelOfAHandleMovedAsideIsLeftOutWhereThereIsNoRoom() {
+        var points = new ArrayList<PlanePoint>();
+        for (int i = 0; i < 40; i++) points.add(point("A" + i + " 0000", 1000, 5));
+        List<Rectangle> places = told(points.toArray(PlanePoint[]::new));
+        List<Rectangle> labels = places.subList(0, places.size() - points.size());
+        assertFalse(labels.isEmpty());
+        for (Rectangle one : labels)
+            for (Rectangle other : labels)
+                assertTrue(one == other || !one.intersects(other), one + " on " + other);
+    }
+
+    @Test
+    @DisplayName("a label covers a line beside free places")
+    void labelLeavesLinesClear() {
+        var point = point("A1 0000", 3, 3);
+        Rectangle before = told(point, point("", 7, 7)).get(0);
+        var line = new Line2D.Double(0, before.getCenterY(), MAP.viewX(3), before.getCenterY());
+        Rectangle label = told(new Rectangle(), List.of(line), point, point("", 7, 7)).get(0);
+        assertTrue(before.intersectsLine(line));
+        assertFalse(label.intersectsLine(line), label + " on the line");
     }
 }

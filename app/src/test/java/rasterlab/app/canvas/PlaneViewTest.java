@@ -13,6 +13,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import javax.swing.UIManager;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
@@ -43,16 +45,53 @@ class PlaneViewTest {
             view.doLayout();
             Rectangle sight =
                     PlaneFrame.note(scene, said, STAGE, UIManager.getFont("Label.font")).below();
-            Rectangle handle =
-                    Stream.of(view.getComponents())
-                            .filter(each -> "point.0".equals(each.getName()))
-                            .findFirst()
-                            .map(Component::getBounds)
-                            .orElseThrow();
+            Rectangle handle = part(view, "point.0");
             assertEquals(sight.y, handle.y);
             assertTrue(sight.contains(handle), handle + " not in " + sight);
             if (x < 0) assertEquals(sight.x, handle.x);
         }
         assertEquals(List.of(), failures);
+    }
+
+    @Test
+    @DisplayName("handles change places, or one that is out of sight lies under the buttons")
+    void handlesLieAroundTheirPointsAndClearOfTheButtons() {
+        var failures = new CopyOnWriteArrayList<Throwable>();
+        var seen = new PlanePoint("seen", 5, 5, PlanePoint.Form.CIRCLE, "", "");
+        var beyond = new PlanePoint("beyond", 99, -99, PlanePoint.Form.CIRCLE, "", "");
+        try (var view =
+                new PlaneView(
+                        PlaneAxes.GEOMETRY,
+                        Texts.of("canvas", Language.ENGLISH),
+                        "",
+                        new NoEdits(),
+                        () -> {},
+                        failures::add)) {
+            var all = new Rectangle2D.Double(0, 0, 10, 10);
+            view.show(new Empty(true), List.of(seen, beyond), "", all, 1);
+            view.setSize(STAGE);
+            view.doLayout();
+            Rectangle inside = Rulers.inside(STAGE);
+            assertEquals(inside.getCenterX(), part(view, "seen").getCenterX(), 1);
+            assertEquals(inside.getCenterY(), part(view, "seen").getCenterY(), 1);
+            Rectangle buttons =
+                    Stream.of(view.getComponents())
+                            .filter(ZoomButtons.class::isInstance)
+                            .findFirst()
+                            .map(Component::getBounds)
+                            .orElseThrow();
+            Rectangle aside = part(view, "beyond");
+            assertEquals(inside.x + inside.width, aside.x + aside.width, "at the edge");
+            assertEquals(buttons.y, aside.y + aside.height, "above the buttons");
+        }
+        assertEquals(List.of(), failures);
+    }
+
+    private static Rectangle part(PlaneView view, String name) {
+        return Stream.of(view.getComponents())
+                .filter(each -> name.equals(each.getName()))
+                .findFirst()
+                .map(Component::getBounds)
+                .orElseThrow();
     }
 }

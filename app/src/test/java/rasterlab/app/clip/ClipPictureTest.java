@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
@@ -145,6 +146,17 @@ class ClipPictureTest {
 
     static Stream<StageColours> themes() {
         return Stream.of(StageColours.LIGHT, StageColours.DARK, StageColours.PROJECTOR);
+    }
+
+    @Test
+    @DisplayName("labels of ends cover segments, or the window")
+    void labelsAreToldOfSegmentsAndOfTheWindow() {
+        SegmentScene scene = SegmentScene.first();
+        ClipPicture picture =
+                ClipPicture.of(scene, ClipResults.of(topics, scene).clipping(), 0, Locale.ENGLISH);
+        var view = new Rectangle(2000, 2000);
+        List<Line2D> lines = picture.lines(new PlaneMap(1000, 1000, 20, -20), view);
+        assertEquals(scene.segments().size() + 4, lines.size());
     }
 
     /** The middle of the window lies on the segment. */
