@@ -10,6 +10,7 @@ import java.text.DecimalFormatSymbols;
 import java.text.FieldPosition;
 import java.text.ParsePosition;
 import java.util.Locale;
+import javax.swing.JFormattedTextField;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
 import javax.swing.text.NumberFormatter;
@@ -26,6 +27,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
     /** What the caret takes, and what padding that is scaled may be rounded by. */
     private static final int SPARE = 3;
 
+    private final transient Format format;
     private Font usual;
 
     /** The smaller type that a long number has; null as long as the usual one fits. */
@@ -40,8 +42,10 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         super(spinner, pattern);
         var symbols = DecimalFormatSymbols.getInstance(locale);
         symbols.setMinusSign('−');
-        ((NumberFormatter) getTextField().getFormatter()).setFormat(new Format(pattern, symbols));
+        format = new Format(pattern, symbols);
+        ((NumberFormatter) getTextField().getFormatter()).setFormat(format);
         getTextField().setValue(spinner.getValue());
+        FieldDrop.on(getTextField());
         getTextField().addPropertyChangeListener("value", e -> fit());
     }
 
@@ -59,20 +63,37 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         return new Dimension(room);
     }
 
-    /** Makes the type so small that the whole number is seen: a part reads as another number. */
+    /**
+     * Makes the type so small that the whole number is seen: a part reads as another number. One
+     * that would be too small to be read is rounded to a few digits and a power of ten instead.
+     */
     private void fit() {
-        JTextField field = getTextField();
+        JFormattedTextField field = getTextField();
         if (field.getWidth() == 0) return;
         getPreferredSize();
         if (!field.getFont().equals(fitted)) usual = field.getFont();
         int free = field.getWidth() - beside(field) - SPARE;
+        boolean typed = !field.getText().equals(format.shown);
+        String whole = typed ? field.getText() : format.whole;
+        boolean rounded = !typed && !fits(whole, smallest(), free);
+        if (!typed && rounded != format.rounded) {
+            format.rounded = rounded;
+            field.setValue(field.getValue());
+        }
         Font next = usual;
-        while (next.getSize() > SMALLEST_TYPE
-                && field.getFontMetrics(next).stringWidth(field.getText()) > free)
+        while (next.getSize() > SMALLEST_TYPE && !fits(field.getText(), next, free))
             next = next.deriveFont(next.getSize() - 1f);
         if (next.equals(field.getFont())) return;
         fitted = next.equals(usual) ? null : next;
         field.setFont(next);
+    }
+
+    private Font smallest() {
+        return usual.deriveFont((float) Math.min(SMALLEST_TYPE, usual.getSize()));
+    }
+
+    private boolean fits(String text, Font type, int free) {
+        return getTextField().getFontMetrics(type).stringWidth(text) <= free;
     }
 
     /** What a field keeps free on both sides of its text: FlatLaf's padding is no inset. */
@@ -87,27 +108,40 @@ public final class NumberEntry extends JSpinner.NumberEditor {
     private static final class Format extends DecimalFormat {
         private static final long serialVersionUID = 1L;
 
-        /** For what the pattern would round to 0. */
-        private final DecimalFormat tiny;
+        /** For what the pattern would round to 0, and for what has too many digits. */
+        private final DecimalFormat power;
+
+        /** Whether there is no room for all digits. */
+        private boolean rounded;
 
         private String shown = "";
+
+        /** What would be shown if there were room. */
+        private String whole = "";
+
         private double number;
 
         Format(String pattern, DecimalFormatSymbols symbols) {
             super(pattern, symbols);
-            tiny = new DecimalFormat("0.##E0", symbols);
+            power = new DecimalFormat("0.##E0", symbols);
+        }
+
+        @Override
+        public StringBuffer format(long next, StringBuffer out, FieldPosition at) {
+            return format((double) next, out, at);
         }
 
         @Override
         public StringBuffer format(double next, StringBuffer out, FieldPosition at) {
-            int begin = out.length();
-            boolean rounded = Math.abs(next) <= 0.5 * Math.pow(10, -getMaximumFractionDigits());
-            if (next == 0) super.format(0.0, out, at);
-            else if (rounded) tiny.format(next, out, at);
-            else super.format(next, out, at);
-            shown = out.substring(begin);
+            boolean tiny = Math.abs(next) <= 0.5 * Math.pow(10, -getMaximumFractionDigits());
+            var digits = new StringBuffer();
+            if (next == 0) super.format(0.0, digits, at);
+            else if (tiny) power.format(next, digits, at);
+            else super.format(next, digits, at);
+            whole = digits.toString();
+            shown = rounded ? power.format(next) : whole;
             number = next;
-            return out;
+            return out.append(shown);
         }
 
         @Override

@@ -1,17 +1,31 @@
 package rasterlab.app.canvas;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.EventQueue;
+import java.awt.datatransfer.Clipboard;
+import java.awt.datatransfer.DataFlavor;
+import java.awt.datatransfer.StringSelection;
+import java.awt.datatransfer.Transferable;
+import java.io.File;
+import java.nio.file.Path;
 import java.text.ParseException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import javax.swing.JPanel;
 import javax.swing.JSpinner;
+import javax.swing.JTextField;
 import javax.swing.SpinnerNumberModel;
+import javax.swing.TransferHandler;
+import javax.swing.TransferHandler.TransferSupport;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.app.language.Language;
 
 class NumberEntryTest {
     @ParameterizedTest(name = "{0}")
@@ -52,6 +66,82 @@ class NumberEntryTest {
         field.commitEdit();
         assertEquals(number, field.getValue(), mistake);
         assertEquals(List.of(), told, mistake);
+    }
+
+    @ParameterizedTest(name = "a number is cut where no type is small enough, or changes: {0} wide")
+    @CsvSource({"60, −1199999999", "34, −1.2E9", "600, −1199999999"})
+    void numberWithoutRoomIsRounded(int width, String shown) throws ParseException {
+        var spinner =
+                new JSpinner(
+                        new SpinnerNumberModel(
+                                (Number) (-1_199_999_999),
+                                Integer.MIN_VALUE,
+                                Integer.MAX_VALUE,
+                                1));
+        var entry = new NumberEntry(spinner, "0", Locale.ENGLISH);
+        spinner.setEditor(entry);
+        entry.setSize(width, 24);
+        entry.doLayout();
+        var field = entry.getTextField();
+        assertEquals(shown, field.getText());
+        int wide = field.getFontMetrics(field.getFont()).stringWidth(shown);
+        assertTrue(wide <= field.getWidth() - 6, wide + " in " + field.getWidth());
+        spinner.commitEdit();
+        assertEquals(-1_199_999_999, ((Number) spinner.getValue()).intValue());
+        spinner.setValue(7);
+        assertEquals("7", field.getText());
+        entry.setSize(600, 24);
+        spinner.setValue(-1_199_999_998);
+        entry.doLayout();
+        assertEquals("−1199999998", field.getText());
+    }
+
+    @Test
+    @DisplayName("a file dropped on a number is refused without a word")
+    void fileGoesToWhatIsAround() throws Exception {
+        var file = new File("a.scene.json");
+        List<Path> taken = new ArrayList<>();
+        EventQueue.invokeAndWait(
+                () -> {
+                    var around = new JPanel();
+                    around.setTransferHandler(new FileDrop(around, Language.ENGLISH, taken::add));
+                    var field = field(around);
+                    assertTrue(put(DroppedFiles.of(file), field));
+                    assertEquals("0", field.getText());
+                });
+        EventQueue.invokeAndWait(() -> {});
+        assertEquals(List.of(file.toPath()), taken);
+    }
+
+    @Test
+    @DisplayName(
+            "where nothing takes files a number does, or text is not pasted or copied any more")
+    void textIsTakenAndGiven() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    JTextField field = field(new JPanel());
+                    assertFalse(put(DroppedFiles.of(new File("a.txt")), field));
+                    field.selectAll();
+                    assertTrue(put(new StringSelection("8"), field));
+                    assertEquals("8", field.getText());
+                    field.selectAll();
+                    var clipboard = new Clipboard("own");
+                    field.getTransferHandler()
+                            .exportToClipboard(field, clipboard, TransferHandler.COPY);
+                    assertTrue(clipboard.isDataFlavorAvailable(DataFlavor.stringFlavor));
+                });
+    }
+
+    private static JTextField field(JPanel around) {
+        var number = new NumberField("n", "number", 0, 10, 1, Locale.ENGLISH, value -> {});
+        around.add(number);
+        return ((JSpinner.DefaultEditor) number.getEditor()).getTextField();
+    }
+
+    private static boolean put(Transferable content, JTextField field) {
+        var support = new TransferSupport(field, content);
+        return field.getTransferHandler().canImport(support)
+                && field.getTransferHandler().importData(support);
     }
 
     @Test

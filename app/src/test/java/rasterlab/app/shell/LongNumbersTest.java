@@ -45,7 +45,7 @@ class LongNumbersTest {
     }
 
     @ParameterizedTest(name = "a long number is cut off and reads as another: {0}, {1} %")
-    @CsvSource({"PROJECTOR, 100", "DARK, 100", "DARK, 125", "DARK, 150"})
+    @CsvSource({"PROJECTOR, 100", "PROJECTOR, 200", "DARK, 100", "DARK, 125", "DARK, 150"})
     void wholeNumberIsSeen(LabTheme theme, int textPercent) throws InterruptedException {
         var tabs = new AtomicReference<LabTabs>();
         var models = new AtomicReference<LabModels>();
