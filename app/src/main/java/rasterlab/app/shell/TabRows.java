@@ -1,18 +1,24 @@
 package rasterlab.app.shell;
 
 import com.formdev.flatlaf.ui.FlatTabbedPaneUI;
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Graphics;
 import java.awt.LayoutManager;
 import java.awt.Rectangle;
 import java.util.Arrays;
 import java.util.List;
+import rasterlab.app.canvas.MethodColours;
 
 /**
  * Titles of tabs in as many rows as they need, each in its place whichever is chosen: the first row
  * above the second. What stands before and behind the titles is as high as all rows.
  */
 final class TabRows extends FlatTabbedPaneUI {
+    /** Share of the line's colour in the ground of a chosen title in rows. */
+    private static final double CHOSEN = 0.4;
+
     @Override
     protected LayoutManager createLayoutManager() {
         return new FromAbove();
@@ -27,6 +33,22 @@ final class TabRows extends FlatTabbedPaneUI {
     @Override
     protected int getTabRunOffset(int tabPlacement, int tabCount, int tabIndex, boolean forward) {
         return -super.getTabRunOffset(tabPlacement, tabCount, tabIndex, !forward);
+    }
+
+    /** In rows the line under a chosen title would seem to lie over a title of the next row. */
+    @Override
+    protected void paintTabSelection(
+            Graphics g, int tabPlacement, int tabIndex, int x, int y, int w, int h) {
+        if (runCount < 2) super.paintTabSelection(g, tabPlacement, tabIndex, x, y, w, h);
+    }
+
+    /** In rows the chosen title is told by its ground. */
+    @Override
+    protected Color getTabBackground(int tabPlacement, int tabIndex, boolean isSelected) {
+        Color usual = super.getTabBackground(tabPlacement, tabIndex, isSelected);
+        return isSelected && runCount > 1
+                ? MethodColours.mix(tabPane.getBackground(), underlineColor, CHOSEN)
+                : usual;
     }
 
     private final class FromAbove extends FlatTabbedPaneLayout {

@@ -6,8 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -20,6 +22,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -152,6 +155,32 @@ class TitleTypeTest {
                         if (rows == 1) assertEquals(one, high, found);
                         else assertTrue(high <= Math.max(one / 2 + 1, text + 8), found);
                     }
+                });
+    }
+
+    @ParameterizedTest(
+            name = "the line under a title seems to lie over the title below it: {0} wide")
+    @CsvSource({"1280, true", "2600, false"})
+    void chosenTitleIsToldByItsGroundInRowsAndByALineElsewhere(int width, boolean inRows)
+            throws InterruptedException {
+        OffscreenPainter.onEventThread(
+                () -> {
+                    DesktopType.install(LabTheme.LIGHT, 150);
+                    TabbedLabs pane = laidOut(Language.RUSSIAN, width);
+                    pane.setSelectedIndex(1);
+                    layOut(pane, width);
+                    var image = new BufferedImage(width, 600, BufferedImage.TYPE_INT_RGB);
+                    Graphics2D g = image.createGraphics();
+                    pane.paint(g);
+                    g.dispose();
+                    Rectangle chosen = pane.getBoundsAt(1);
+                    Rectangle other = pane.getBoundsAt(0);
+                    int across = chosen.x + 3;
+                    int below = chosen.y + chosen.height - 2;
+                    int ground = image.getRGB(across, chosen.y + 3);
+                    assertEquals(inRows, image.getRGB(across, below) == ground, "no line");
+                    boolean like = ground == image.getRGB(other.x + 3, other.y + 3);
+                    assertEquals(inRows, !like, "the ground");
                 });
     }
 
