@@ -180,10 +180,23 @@ public final class MethodColours {
      * 3, for the edges of pixels.
      */
     public static Color edgeOn(Color ground, Color colour) {
+        return standingOut(ground, colour, 3);
+    }
+
+    /**
+     * The same with a contrast of at least 4.5, for words and thin lines.
+     *
+     * <p>Source: W3C, Web Content Accessibility Guidelines 2.1, 2018, 1.4.3.
+     */
+    public static Color textOn(Color ground, Color colour) {
+        return standingOut(ground, colour, 4.5);
+    }
+
+    private static Color standingOut(Color ground, Color colour, double contrast) {
         Color end = inkOn(ground);
         for (int part = 1; part < 16; part++) {
             Color mixed = mix(colour, end, part / 16.0);
-            if (contrast(mixed, ground) >= 3) return mixed;
+            if (contrast(mixed, ground) >= contrast) return mixed;
         }
         return end;
     }

@@ -76,7 +76,7 @@ public record ChartLook(Color ground, Color ink) {
 
     /** A line's colour, changed no more than it takes to stand out from the ground. */
     public Color line(Color colour) {
-        return ground.equals(Color.WHITE) ? colour : MethodColours.edgeOn(ground, colour);
+        return ground.equals(Color.WHITE) ? colour : MethodColours.textOn(ground, colour);
     }
 
     private Color mixed(double share) {

@@ -8,6 +8,7 @@ import java.awt.Color;
 import java.util.HashSet;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -95,5 +96,17 @@ class MethodColoursTest {
             assertTrue(MethodColours.contrast(stage.ink(), stage.ground()) >= 7);
             assertTrue(MethodColours.contrast(stage.ink(), stage.margin()) >= 7);
         }
+    }
+
+    @Test
+    @DisplayName("words in a method's colour are too dark on a dark ground, or too pale")
+    void wordsInAMethodsColourAreRead() {
+        for (StageColours stage :
+                List.of(StageColours.LIGHT, StageColours.DARK, StageColours.PROJECTOR))
+            for (String method : List.of("clip-first-textbook", "midpoint", "wu", "bresenham")) {
+                Color words = MethodColours.textOn(stage.ground(), MethodColours.of(method));
+                double contrast = MethodColours.contrast(words, stage.ground());
+                assertTrue(contrast >= 4.5, method + " on " + stage.ground() + ": " + contrast);
+            }
     }
 }
