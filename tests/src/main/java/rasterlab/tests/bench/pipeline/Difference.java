@@ -1,6 +1,7 @@
 package rasterlab.tests.bench.pipeline;
 
 import java.util.Locale;
+import rasterlab.tests.bench.BenchWords;
 
 /**
  * How far two pictures are apart.
@@ -26,12 +27,11 @@ record Difference(int off, int one, int pixels) {
         return new Difference(off, one, ours.length);
     }
 
-    String text() {
-        return String.format(
-                Locale.ROOT,
-                "%d pixels (%.4f %%) off by more than 2 levels, %.2f %% by 1 or 2",
-                off,
-                100.0 * off / pixels,
-                100.0 * one / pixels);
+    String text(BenchWords words) {
+        return words.text(
+                "note.difference",
+                String.valueOf(off),
+                String.format(Locale.ROOT, "%.4f", 100.0 * off / pixels),
+                String.format(Locale.ROOT, "%.2f", 100.0 * one / pixels));
     }
 }

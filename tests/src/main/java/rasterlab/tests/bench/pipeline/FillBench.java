@@ -70,7 +70,7 @@ final class FillBench {
                                 "OpenGL " + times.text(ways.size()),
                                 times.ratio(ways.size(), k),
                                 goals.get(ways.get(k).lanes()),
-                                Difference.of(pictures.get(k).argb(), peer).text()));
+                                Difference.of(pictures.get(k).argb(), peer)::text));
             return rows;
         }
     }

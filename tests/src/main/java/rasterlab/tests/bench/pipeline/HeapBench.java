@@ -5,9 +5,11 @@ import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Function;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.Surface;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.tests.bench.BenchWords;
 import rasterlab.tests.bench.JavaCommand;
 
 /** A million triangles in a process of its own whose heap is small. */
@@ -37,7 +39,11 @@ final class HeapBench {
                 "–",
                 Double.NaN,
                 0,
-                ended() ? "drawn" : "not drawn");
+                note(ended()));
+    }
+
+    private static Function<BenchWords, String> note(boolean drawn) {
+        return words -> words.text(drawn ? "note.drawn" : "note.drawn.not");
     }
 
     /** Whether the process did its work; what it says is shown. */

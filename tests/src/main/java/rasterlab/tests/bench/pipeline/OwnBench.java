@@ -45,7 +45,7 @@ final class OwnBench {
                 "two Arrays.fill " + times.text(1),
                 times.ratio(1, 0),
                 1 / 1.1,
-                "");
+                words -> "");
     }
 
     /** From the finished picture onto the one that a window shows. */
@@ -67,7 +67,7 @@ final class OwnBench {
                 "System.arraycopy " + times.text(1),
                 times.ratio(1, 0),
                 1 / 1.1,
-                "AlphaComposite.Src");
+                words -> "AlphaComposite.Src");
     }
 
     /** What only writing the same pixels, colour and depth, would take after the clear. */
@@ -95,7 +95,7 @@ final class OwnBench {
                 "the same bytes by Arrays.fill " + times.text(1),
                 times.ratio(1, 0),
                 0,
-                "");
+                words -> "");
     }
 
     Row threads(TrianglePipeline pipeline) {
@@ -117,7 +117,7 @@ final class OwnBench {
                     "one thread " + times.text(1),
                     times.ratio(1, 0),
                     pipeline.threads() == 2 ? 1.85 : 0,
-                    same ? "same picture bit for bit" : "the pictures differ");
+                    words -> words.text(same ? "note.same" : "note.differ"));
         }
     }
 
@@ -156,7 +156,7 @@ final class OwnBench {
                 "Java2D, one colour, no depth " + times.text(1),
                 times.ratio(1, 0),
                 0,
-                "");
+                words -> "");
     }
 
     private static int[][] corners(TriangleMesh mesh) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.opengl.context.NoOpenGl;
 import rasterlab.app.opengl.context.OffscreenContext;
 import rasterlab.engine.lanes.Lanes;
@@ -52,7 +53,8 @@ public final class PipelineBench {
                 out.println(words.machine() + "; OpenGL: " + gl.renderer());
                 print(wanted(openGlJobs(quick, ways, cores)));
             } catch (NoOpenGl e) {
-                missing = words.text("no-opengl", e.getMessage());
+                missing =
+                        words.text("no-opengl", Complaints.said(words.language(), e.getMessage()));
                 out.println(words.machine() + "; " + missing);
                 out.println(words.head("head.pipeline"));
                 for (Job job : wanted(openGlJobs(quick, ways, cores)))

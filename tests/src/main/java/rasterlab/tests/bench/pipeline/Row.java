@@ -1,6 +1,7 @@
 package rasterlab.tests.bench.pipeline;
 
 import java.util.Locale;
+import java.util.function.Function;
 import rasterlab.tests.bench.BenchWords;
 
 /**
@@ -13,9 +14,15 @@ import rasterlab.tests.bench.BenchWords;
  * @param goal the least ratio wanted, 0 for none
  * @param note what else was seen
  */
-record Row(String work, String ours, String peer, double ratio, double goal, String note) {
+record Row(
+        String work,
+        String ours,
+        String peer,
+        double ratio,
+        double goal,
+        Function<BenchWords, String> note) {
     static Row without(String work, String missing) {
-        return new Row(work, "–", "–", Double.NaN, 0, missing);
+        return new Row(work, "–", "–", Double.NaN, 0, words -> missing);
     }
 
     String line(BenchWords words) {
@@ -29,6 +36,6 @@ record Row(String work, String ours, String peer, double ratio, double goal, Str
                 Double.isNaN(ratio) ? "–" : String.format(Locale.ROOT, "%.2f", ratio),
                 goal > 0 ? String.format(Locale.ROOT, "%.2f", goal) : "–",
                 judged ? words.text(ratio >= goal ? "yes" : "no") : "–",
-                note);
+                note.apply(words));
     }
 }

@@ -42,7 +42,7 @@ final class TorusBench {
                                 "OpenGL " + times.text(ways.size()),
                                 times.ratio(ways.size(), k),
                                 k == 0 ? goal : 0,
-                                Difference.of(pictures.get(k).argb(), peer).text()));
+                                Difference.of(pictures.get(k).argb(), peer)::text));
             return rows;
         }
     }

@@ -2,6 +2,7 @@ package rasterlab.tests.bench.pipeline;
 
 import java.util.ArrayList;
 import java.util.List;
+import rasterlab.app.language.Complaints;
 import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 import rasterlab.tests.bench.BenchWords;
@@ -25,7 +26,8 @@ record Way(Lanes lanes, TrianglePipeline pipeline) implements AutoCloseable {
     static String names(BenchWords words) {
         return Lanes.missing().isEmpty()
                 ? words.text("runs.both")
-                : words.text("runs.plain", Lanes.missing());
+                : words.text(
+                        "runs.plain", Complaints.saidToTypist(words.language(), Lanes.missing()));
     }
 
     String name() {

@@ -11,6 +11,7 @@ import rasterlab.app.opengl.context.NoOpenGl;
 import rasterlab.app.opengl.context.OffscreenContext;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
+import rasterlab.tests.bench.BenchWords;
 
 /** The pipeline's pictures beside OpenGL's; skipped where there is no OpenGL. */
 class OpenGlPictureTest {
@@ -52,7 +53,9 @@ class OpenGlPictureTest {
                     () -> false);
             torus.draw();
             var difference = Difference.of(out.raster().argb(), torus.read());
-            assertTrue(difference.off() <= BOUND * difference.pixels(), difference.text());
+            assertTrue(
+                    difference.off() <= BOUND * difference.pixels(),
+                    difference.text(BenchWords.ENGLISH));
         }
     }
 }
