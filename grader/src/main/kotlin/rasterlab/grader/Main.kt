@@ -9,6 +9,10 @@ import picocli.CommandLine.ScopeType
 import picocli.CommandLine.Spec
 import rasterlab.engine.ProductVersion
 import rasterlab.grader.storage.CannotStart
+import java.io.OutputStreamWriter
+import java.io.PrintStream
+import java.io.PrintWriter
+import java.nio.charset.StandardCharsets
 import kotlin.system.exitProcess
 
 private const val BAD_INPUT = 2
@@ -21,9 +25,10 @@ private const val OUR_FAULT = 70
     mixinStandardHelpOptions = true,
     versionProvider = GraderVersion::class,
     description = ["The grading server of Rasterlab."],
-    subcommands = [ServeCommand::class, HelpCommand::class],
 )
-private class GraderCommand : Runnable {
+private class GraderCommand(
+    private val words: CommandWords,
+) : Runnable {
     @Spec
     lateinit var spec: CommandSpec
 
@@ -32,14 +37,14 @@ private class GraderCommand : Runnable {
         paramLabel = "LANGUAGE",
         scope = ScopeType.INHERIT,
         description = [
-            "en or ru, taken as by every command of ./lab; what is printed here is in English,",
+            "of what is printed here: en or ru; default: en.",
+            "The lines with the address and the token are the same in both, its log is in English,",
             "and the server's pages are in their reader's language.",
         ],
     )
     var language = Tongue.EN
 
-    override fun run(): Unit =
-        throw CommandLine.ParameterException(spec.commandLine(), "which command? see ./lab grader --help")
+    override fun run(): Unit = throw CommandLine.ParameterException(spec.commandLine(), words.say("command"))
 }
 
 internal enum class Tongue { EN, RU }
@@ -49,37 +54,45 @@ private class GraderVersion : CommandLine.IVersionProvider {
 }
 
 fun main(arguments: Array<String>) {
-    exitProcess(commandLine().execute(*arguments))
+    exitProcess(commandLine(CommandWords.asked(*arguments)).execute(*arguments))
 }
 
 /** Every failure ends in one line; its stack is in the log, if there is one already. */
-internal fun commandLine(): CommandLine =
-    CommandLine(GraderCommand())
+internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLine {
+    val commands = CommandLine(GraderCommand(words)).addSubcommand(ServeCommand(words)).addSubcommand(HelpCommand())
+    return words
+        .wear(commands)
         .setCaseInsensitiveEnumValuesAllowed(true)
-        .setParameterExceptionHandler { failure, _ -> refuse(failure.commandLine, failure.message) }
+        .setOut(utf8(System.out))
+        .setErr(utf8(System.err))
+        .setParameterExceptionHandler { failure, _ -> refuse(failure.commandLine, words.of(failure)) }
         .setExecutionExceptionHandler { failure, command, _ ->
             val log = logOnlyToFile(failure)
             if (failure is CannotStart) {
-                refuse(command, failure.message)
+                refuse(command, failure.said(words.language))
             } else {
-                giveUp(command, failure, log)
+                giveUp(command, words, failure, log)
             }
         }
+}
 
 private fun giveUp(
     command: CommandLine,
+    words: CommandWords,
     failure: Exception,
     log: String?,
 ): Int {
-    val place = if (log == null) "there is no log yet" else "details in $log"
-    refuse(command, "failed: ${failure.reason()}; $place")
+    val place = if (log == null) words.say("log.none") else words.say("log", log)
+    refuse(command, words.say("failed", failure.reason(), place))
     return OUR_FAULT
 }
 
+private fun utf8(stream: PrintStream) = PrintWriter(OutputStreamWriter(stream, StandardCharsets.UTF_8), true)
+
 private fun refuse(
     command: CommandLine,
-    message: String?,
+    message: String,
 ): Int {
-    command.err.println("${command.commandSpec.qualifiedName()}: ${message.orEmpty().lineSequence().first()}")
+    command.err.println("${command.commandSpec.qualifiedName()}: ${message.lineSequence().first()}")
     return BAD_INPUT
 }

@@ -29,7 +29,9 @@ import java.util.concurrent.Callable
     mixinStandardHelpOptions = true,
     description = ["Takes in students' sources over HTTP and grades them."],
 )
-internal class ServeCommand : Callable<Int> {
+internal class ServeCommand(
+    private val words: CommandWords,
+) : Callable<Int> {
     @Option(
         names = ["--data"],
         paramLabel = "DIR",
@@ -92,8 +94,8 @@ internal class ServeCommand : Callable<Int> {
     var workers = 1
 
     override fun call(): Int {
-        if (port !in 0..LAST_PORT) throw CannotStart("--port $port: expected 0 to $LAST_PORT")
-        if (workers !in 1..MOST_WORKERS) throw CannotStart("--workers $workers: expected 1 to $MOST_WORKERS")
+        if (port !in 0..LAST_PORT) throw CannotStart("port", port, LAST_PORT)
+        if (workers !in 1..MOST_WORKERS) throw CannotStart("workers", workers, MOST_WORKERS)
         val address = address()
         val catalogue = catalogue()
         StopSignal().use { stop -> run(catalogue, address, stop) }
@@ -109,7 +111,9 @@ internal class ServeCommand : Callable<Int> {
             logTo(folder.logFile)
             openDatabase(folder.databaseFile).use { database ->
                 Judge.start(JudgeSettings.defaults()).use { judge ->
-                    if (exam && !judge.isolation().exam()) throw CannotStart("--exam: ${judge.isolation().describe()}")
+                    if (exam && !judge.isolation().exam()) {
+                        throw CannotStart("exam", judge.isolation().describe(words.language.language))
+                    }
                     LoggerFactory.getLogger(javaClass).info("isolation: {}", judge.isolation().describe())
                     Server(
                         database,
@@ -128,7 +132,7 @@ internal class ServeCommand : Callable<Int> {
             try {
                 InetSocketAddress(InetAddress.getByName(host), port)
             } catch (failure: UnknownHostException) {
-                throw CannotStart("--host $host: no such host")
+                throw CannotStart("host", host)
             }
         // The engine reports a port that is taken from another thread, and late; asking first gives a clear line.
         try {
@@ -137,7 +141,7 @@ internal class ServeCommand : Callable<Int> {
                 socket.bind(address)
             }
         } catch (failure: IOException) {
-            throw CannotStart("cannot listen on $host:$port (${failure.message})")
+            throw CannotStart("listen", host, port, failure.message.orEmpty())
         }
         return address
     }
@@ -147,7 +151,7 @@ internal class ServeCommand : Callable<Int> {
             val more = exercises ?: return Exercises(Catalogue.builtIn().all())
             return Exercises(Catalogue.builtIn().withFolder(more).all())
         } catch (failure: CatalogueException) {
-            throw CannotStart("--exercises: ${failure.message}")
+            throw CannotStart("exercises", failure.message.orEmpty())
         }
     }
 
@@ -172,6 +176,7 @@ internal class ServeCommand : Callable<Int> {
         engine.stop(STOP_MILLIS / 4, STOP_MILLIS)
     }
 
+    /** In every language the same: programs wait for these lines. */
     private fun announce(
         server: Server,
         engine: EmbeddedServer<*, *>,
@@ -198,5 +203,5 @@ internal fun openDatabase(file: Path): Database =
     try {
         Database.open(file)
     } catch (failure: RuntimeException) {
-        throw CannotStart("$file: cannot be used as the server's database (${failure.reason()})", failure)
+        throw CannotStart("database", file, failure.reason(), cause = failure)
     }

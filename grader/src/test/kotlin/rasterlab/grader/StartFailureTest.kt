@@ -37,14 +37,6 @@ class StartFailureTest {
     }
 
     @Test
-    fun `the option of every command is unknown to the server`() {
-        val printed = StringWriter()
-        val code = commandLine().setErr(PrintWriter(printed, true)).execute("serve", "--lang", "ru", "--port", "-1")
-        assertTrue("--port -1: expected" in printed.toString(), printed.toString())
-        assertEquals(2, code)
-    }
-
-    @Test
     fun `a file that is no database is refused without the reason`() {
         val file = folder.resolve("notes.db").apply { writeText("not a database ".repeat(100)) }
         assertTrue("not a database" in refusal(file), refusal(file))

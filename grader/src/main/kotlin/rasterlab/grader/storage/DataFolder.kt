@@ -12,12 +12,6 @@ import kotlin.io.path.absolute
 import kotlin.io.path.isDirectory
 import kotlin.io.path.setPosixFilePermissions
 
-/** The server cannot start; the message is one line for the person who started it. */
-class CannotStart(
-    override val message: String,
-    cause: Throwable? = null,
-) : Exception(message, cause)
-
 /** A folder, and the database in it or elsewhere, that one server has to itself until it closes them. */
 class DataFolder private constructor(
     val databaseFile: Path,
@@ -46,26 +40,24 @@ class DataFolder private constructor(
 
         private fun fileOf(url: String): Path {
             val name = url.removePrefix("jdbc:").takeIf { it.startsWith("sqlite:") }?.removePrefix("sqlite:")
-            if (name == null) throw CannotStart("--db $url: only sqlite:FILE is served so far; PostgreSQL comes later")
+            if (name == null) throw CannotStart("db.kind", url)
             val plain = name.isNotEmpty() && name.none { it in "?:" }
-            if (!plain) throw CannotStart("--db $url: expected sqlite:FILE with a plain file name")
+            if (!plain) throw CannotStart("db.name", url)
             val file = Path.of(name).absolute().normalize()
-            if (file.isDirectory()) throw CannotStart("--db $url: is a folder, expected a file")
-            if (!file.parent.isDirectory()) throw CannotStart("--db $url: there is no folder ${file.parent}")
+            if (file.isDirectory()) throw CannotStart("db.folder", url)
+            if (!file.parent.isDirectory()) throw CannotStart("db.none", url, file.parent)
             return file
         }
 
         private fun make(folder: Path) {
             if (folder.isDirectory()) return
-            if (Files.exists(folder)) throw CannotStart("--data $folder: is a file, expected a folder")
+            if (Files.exists(folder)) throw CannotStart("data.file", folder)
             val views = folder.fileSystem.supportedFileAttributeViews()
             try {
                 Files.createDirectories(folder)
                 if ("posix" in views) folder.setPosixFilePermissions(OWNER_ONLY)
             } catch (failure: IOException) {
-                throw CannotStart(
-                    "--data $folder: cannot be made (${failure.javaClass.simpleName} at ${failure.message})",
-                )
+                throw CannotStart("data.made", folder, failure.javaClass.simpleName, failure.message.orEmpty())
             }
         }
 
@@ -77,13 +69,11 @@ class DataFolder private constructor(
                 if (channel.tryLock() != null) return channel
                 channel.close()
             } catch (failure: OverlappingFileLockException) {
-                throw CannotStart("${file.parent}: another server is using it")
+                throw CannotStart("used", file.parent)
             } catch (failure: IOException) {
-                throw CannotStart(
-                    "${file.parent}: cannot be written (${failure.javaClass.simpleName} at ${failure.message})",
-                )
+                throw CannotStart("written", file.parent, failure.javaClass.simpleName, failure.message.orEmpty())
             }
-            throw CannotStart("${file.parent}: another server is using it")
+            throw CannotStart("used", file.parent)
         }
     }
 }
