@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.UnaryOperator;
 import javax.swing.JOptionPane;
+import javax.swing.plaf.basic.BasicFileChooserUI;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
@@ -73,6 +74,14 @@ public class SaveChooser extends LastFolderChooser {
     @Override
     public void approveSelection() {
         if (getDialogType() != SAVE_DIALOG || writable()) super.approveSelection();
+        else showWhole(getSelectedFile());
+    }
+
+    /** A folder that is not there cannot be entered, so it stays where it was typed. */
+    private void showWhole(File file) {
+        boolean entered = getCurrentDirectory().equals(file.getAbsoluteFile().getParentFile());
+        if (!entered && getUI() instanceof BasicFileChooserUI shown)
+            shown.setFileName(file.getPath());
     }
 
     private boolean writable() {

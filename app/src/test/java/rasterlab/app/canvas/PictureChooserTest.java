@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import javax.swing.JFileChooser;
+import javax.swing.plaf.basic.BasicFileChooserUI;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -80,6 +81,13 @@ class PictureChooserTest {
         chooser.setSelectedFile(new File(folder.toFile(), "ho\0use.png"));
         chooser.approveSelection();
         isRefused(folder.resolve("ho\uFFFDuse.png"), "the system allows no such file name");
+    }
+
+    @Test
+    void typedFolderThatIsNotThereStays() {
+        Path file = choose("none/house.png");
+        assertEquals(1, refused.size());
+        assertEquals(file.toString(), ((BasicFileChooserUI) chooser.getUI()).getFileName());
     }
 
     @Test
