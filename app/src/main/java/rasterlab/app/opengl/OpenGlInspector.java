@@ -196,7 +196,8 @@ final class OpenGlInspector {
     }
 
     private String reasons(OpenGlLabState state) {
-        if (state.missing().isPresent()) return texts.text("missing", state.missing().get());
+        if (state.missing().isPresent())
+            return texts.text("missing", Complaints.said(texts.language(), state.missing().get()));
         List<Deviations> named = Deviations.of(state.choice());
         if (named.isEmpty()) return texts.text("why.none");
         return named.stream()

@@ -23,6 +23,7 @@ import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.Settling;
 import rasterlab.app.canvas.SvgDrawing;
 import rasterlab.app.canvas.SvgPicture;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 
 /**
@@ -97,6 +98,7 @@ final class OpenGlStage extends JPanel implements Settling {
     private String missing() {
         return model.state()
                 .missing()
+                .map(reason -> Complaints.said(texts.language(), reason))
                 .map(reason -> texts.text("missing", reason))
                 .orElse(texts.text("drawing"));
     }

@@ -65,6 +65,8 @@ final class SettingRows {
     /** OpenGL's names and numbers as they are, other words in the window's language. */
     private String said(Setting setting, String option) {
         if (setting == Setting.SIZE && ofFile()) return ownSize();
+        if (setting == Setting.IMAGE && option.equals("file") && ofFile())
+            return texts.text("option.image.file.named", fileName());
         String key = "option." + setting.code() + "." + option.replace(':', '-');
         if (texts.has(key)) return texts.text(key);
         return texts.textOr("option." + option, option.replace(":", ", "));
@@ -73,6 +75,10 @@ final class SettingRows {
     /** Whether the texture is an image of the user's, whatever size the lab's own would have. */
     private boolean ofFile() {
         return model.state().choice().is(Setting.IMAGE, "file");
+    }
+
+    private String fileName() {
+        return model.state().choice().file().orElseThrow().name();
     }
 
     private String ownSize() {
@@ -87,6 +93,7 @@ final class SettingRows {
                     boolean shown = setting.group() == group;
                     if (chooser.isVisible() != shown) column.showRow(chooser, shown);
                     chooser.show(model.state().choice().get(setting));
+                    if (setting == Setting.IMAGE) chooser.repaint();
                     if (setting == Setting.SIZE) {
                         chooser.setEnabled(!ofFile());
                         chooser.repaint();

@@ -101,6 +101,7 @@ class OpenGlInspectorTest {
         open(file);
         assertFalse(named("size").isEnabled());
         assertEquals("4 × 2", shown((JComboBox<?>) named("size")));
+        assertEquals("from flag.png", shown((JComboBox<?>) named("image")));
         assertFalse(named("problem").isVisible(), "a word of a problem that there is not");
     }
 }
