@@ -125,7 +125,7 @@ record Chart(
                     List.of(
                             String.format(Locale.ROOT, "%.1f", sample.distance()),
                             String.format(Locale.ROOT, "%.3f", sample.gamma()),
-                            Stretch.of(sample.distance()).code()));
+                            texts.text("stretch." + Stretch.of(sample.distance()).code())));
         return table;
     }
 

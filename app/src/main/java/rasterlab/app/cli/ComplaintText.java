@@ -1,6 +1,8 @@
 package rasterlab.app.cli;
 
 import java.util.Collection;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -13,7 +15,8 @@ import rasterlab.app.outcome.Complaint;
  */
 public record ComplaintText(ReportLanguage language) {
     /** Names that picocli quotes, of which a sentence may have any number. */
-    private static final String QUOTED = "(?<![\\p{L}\\d])'([^']*)'(?![\\p{L}\\d])";
+    private static final Pattern QUOTED =
+            Pattern.compile("«[^»]*»|(?<![\\p{L}\\d])'([^']*)'(?![\\p{L}\\d])");
 
     public String of(ParameterException e) {
         return of(explanation(e));
@@ -49,6 +52,17 @@ public record ComplaintText(ReportLanguage language) {
     String of(String english) {
         return language == ReportLanguage.EN
                 ? english
-                : Complaints.saidToTypist(language.inWindow(), english).replaceAll(QUOTED, "«$1»");
+                : quoted(Complaints.saidToTypist(language.inWindow(), english));
+    }
+
+    /** What stands in quotation marks of this language was typed so and stays. */
+    private static String quoted(String said) {
+        return QUOTED.matcher(said)
+                .replaceAll(
+                        found ->
+                                Matcher.quoteReplacement(
+                                        found.group(1) == null
+                                                ? found.group()
+                                                : "«" + found.group(1) + "»"));
     }
 }

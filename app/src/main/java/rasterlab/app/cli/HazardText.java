@@ -8,6 +8,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.study.FirstDifference;
 import rasterlab.app.study.HazardMatrix;
+import rasterlab.app.study.StudyWords;
 import rasterlab.engine.study.HazardTrial.Cell;
 
 /** The method × hazard table as text. */
@@ -18,9 +19,11 @@ final class HazardText {
         List<String> heads = new ArrayList<>(List.of(matrix.topic()));
         heads.addAll(matrix.methods());
         var table = new TextTable(heads);
+        var words = new StudyWords(texts.language());
         for (String hazard : matrix.hazards()) {
             List<String> row = new ArrayList<>(List.of(hazard));
-            for (String method : matrix.methods()) row.add(marked(matrix.cell(hazard, method)));
+            for (String method : matrix.methods())
+                row.add(marked(matrix.cell(hazard, method), words));
             table.add(row);
         }
         table.lines().forEach(out::println);
@@ -31,24 +34,25 @@ final class HazardText {
     }
 
     /** The verdict, with "!" where it is not the recorded one. */
-    private static String marked(Cell cell) {
-        return cell.verdict().kind().code() + (cell.asRecorded() ? "" : " !");
+    private static String marked(Cell cell, StudyWords words) {
+        return words.verdict(cell.verdict().kind()) + (cell.asRecorded() ? "" : " !");
     }
 
     private static String said(String detail, Language language) {
         Texts words = Texts.of("study", language);
-        return Complaints.saidToTypist(language, FirstDifference.said(words, detail));
+        return Complaints.said(language, FirstDifference.said(words, detail));
     }
 
     private static String difference(Cell cell, Texts texts) {
         String detail = cell.verdict().detail();
+        var words = new StudyWords(texts.language());
         String differs =
                 texts.text(
                         "differs",
                         cell.method(),
                         cell.hazard(),
-                        cell.verdict().kind().code(),
-                        cell.recorded().code());
+                        words.verdict(cell.verdict().kind()),
+                        words.verdict(cell.recorded()));
         return differs + (detail.isEmpty() ? "" : "; " + said(detail, texts.language()));
     }
 }

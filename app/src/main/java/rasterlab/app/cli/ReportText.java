@@ -39,8 +39,7 @@ final class ReportText {
                         points.accuracy(),
                         points.stability(),
                         points.speed()));
-        if (report.nanosPerItem() > 0)
-            say("cost", String.format(Locale.ROOT, "%.2f ns", report.nanosPerItem()));
+        if (report.nanosPerItem() > 0) say("cost", texts.text("cost-nanos", report.nanosPerItem()));
         say("isolation", report.isolation(language()));
         report.diagnostics().forEach(this::printDiagnostic);
         printCases(exercise, report.cases());

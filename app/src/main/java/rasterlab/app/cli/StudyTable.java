@@ -26,6 +26,7 @@ final class StudyTable {
     /** Times and errors, under a line with their units; what it leaves out is named below. */
     static List<String> narrow(Study study, ReportLanguage language) {
         Texts texts = language.texts();
+        var words = new StudyWords(language.inWindow());
         var table =
                 new TextTable(
                         heads(
@@ -39,11 +40,10 @@ final class StudyTable {
                                 "verdict"));
         for (Measurement each : study.measurements())
             table.add(
-                    Stream.of(named(each), times(each), errors(each))
+                    Stream.of(named(each), times(each), errors(each, words))
                             .flatMap(List::stream)
                             .toList());
         var lines = new ArrayList<String>();
-        var words = new StudyWords(language.inWindow());
         lines.addAll(wrapped(texts.text("study.units", words.item(study), words.errorUnit(study))));
         lines.addAll(table.lines());
         List<String> counts = StudyCounts.of(study).names();
@@ -74,7 +74,7 @@ final class StudyTable {
             row.add(String.valueOf(each.size()));
             row.addAll(times(each));
             counts.cells(each).forEach(cell -> row.add(shortened(cell)));
-            row.addAll(errors(each));
+            row.addAll(errors(each, words));
             table.add(row);
         }
         return table.lines();
@@ -96,9 +96,9 @@ final class StudyTable {
                 number(cost.lowNanos()) + "–" + number(cost.highNanos()));
     }
 
-    private static List<String> errors(Measurement measured) {
+    private static List<String> errors(Measurement measured, StudyWords words) {
         Deviation error = measured.error();
-        String verdict = measured.kind().code();
+        String verdict = words.verdict(measured.kind());
         if (!measured.cost().timed()) return List.of(NOT_TIMED, NOT_TIMED, verdict);
         return List.of(
                 rounded(error.worst()), String.valueOf(error.missing() + error.extra()), verdict);

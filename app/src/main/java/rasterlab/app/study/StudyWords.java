@@ -30,6 +30,10 @@ public final class StudyWords {
         return texts.textOr(unitKey(study.errorUnit()), study.errorUnit());
     }
 
+    public String verdict(Verdict.Kind kind) {
+        return texts.text("verdict." + kind.code());
+    }
+
     /**
      * An error with its unit, which takes the form that goes with the number.
      *

@@ -77,6 +77,8 @@ class ChartCommandTest {
                         "3.0 1.667 calm",
                         "4.0 1.500 calm")) assertTrue(rows.contains(row), row + " in " + rows);
         ran.assertDone();
+        String russian = Ran.lab("chart", "perspective", "--lang", "ru").out();
+        assertTrue(russian.contains("  2.000  на грани\n"), russian);
     }
 
     @Test

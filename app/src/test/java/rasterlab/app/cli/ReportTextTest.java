@@ -1,6 +1,7 @@
 package rasterlab.app.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -28,13 +29,25 @@ class ReportTextTest {
     @ParameterizedTest(name = "a picture is not below its case''s title and name once: {0}")
     @CsvSource({"'', 'steep-line'", "a gap, 'a gap, steep-line'"})
     void picturesAreBelowTitleAndName(String title, String expected) {
+        Exercise exercise = exercise(title.isEmpty() ? Map.of() : Map.of("en", title));
+        List<String> lines = printed(Language.ENGLISH, exercise);
+        assertEquals(expected, lines.get(lines.indexOf("  #..") - 2));
+    }
+
+    @ParameterizedTest(name = "the time is not told as: {1}")
+    @CsvSource({"ENGLISH, 'Cost per pixel: 1234.50 ns'", "RUSSIAN, 'Время на пиксель: 1234,50 нс'"})
+    void timeHasTheFormOfTheLanguage(Language language, String expected) {
+        List<String> lines = printed(language, exercise(Map.of()));
+        assertTrue(lines.contains(expected), lines.toString());
+    }
+
+    private static List<String> printed(Language language, Exercise exercise) {
         var printed = new ByteArrayOutputStream();
         var out = new PrintStream(printed, false, StandardCharsets.UTF_8);
-        new ReportText(out, Texts.of("cli", "report", Language.ENGLISH), "MyLine.java")
-                .print(exercise(title.isEmpty() ? Map.of() : Map.of("en", title)), report());
+        new ReportText(out, Texts.of("cli", "report", language), "MyLine.java")
+                .print(exercise, report());
         out.flush();
-        List<String> lines = printed.toString(StandardCharsets.UTF_8).lines().toList();
-        assertEquals(expected, lines.get(lines.indexOf("  #..") - 2));
+        return printed.toString(StandardCharsets.UTF_8).lines().toList();
     }
 
     private static Exercise exercise(Map<String, String> caseTitle) {
@@ -77,6 +90,6 @@ class ReportTextTest {
                 List.of(judged),
                 List.of(),
                 Report.PROCESS_LIMITS,
-                0);
+                1234.5);
     }
 }

@@ -80,6 +80,11 @@ class StudyCommandTest {
         assertEquals(
                 List.of("naive-textbook", "w", "16", "–", "–", "–", "–", "endless"),
                 List.of(StudyTable.wide(study, ReportLanguage.EN).get(1).trim().split(" +")));
+        for (List<String> lines :
+                List.of(
+                        StudyTable.narrow(study, ReportLanguage.RU),
+                        StudyTable.wide(study, ReportLanguage.RU)))
+            assertTrue(lines.stream().anyMatch(line -> line.endsWith("не кончается")), "" + lines);
     }
 
     @ParameterizedTest(name = "the table of {0} is wider than a terminal")
