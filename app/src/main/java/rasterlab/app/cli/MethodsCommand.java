@@ -2,6 +2,7 @@ package rasterlab.app.cli;
 
 import java.io.PrintStream;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
@@ -52,9 +53,10 @@ final class MethodsCommand implements Callable<Integer> {
         Optional<TopicTexts> said = TopicTexts.of(topic.name(), console.language().inWindow());
         out.println(texts.text("topic") + " " + topic.name());
         out.println();
-        TopicRun.Form form = Runs.named(topic.name()).form();
-        printWrapped(label("  ", "reads", "reads", "answers"), form.input());
-        printWrapped(label("  ", "answers", "reads", "answers"), form.answer());
+        var forms = new FormWords(console.language().inWindow());
+        TopicRun run = Runs.named(topic.name());
+        printWrapped(label("  ", "reads", "reads", "answers"), forms.reads(run));
+        printWrapped(label("  ", "answers", "reads", "answers"), forms.answers(run));
         out.println();
         for (Method<?> method : topic.methods()) {
             out.println("  " + texts.text("method") + " " + method.name());
@@ -69,7 +71,8 @@ final class MethodsCommand implements Callable<Integer> {
                     about(said, method, "failures", method.about().failures()));
             out.println();
         }
-        if (!topic.vocabulary().isEmpty()) printVocabulary(topic);
+        Map<String, String> vocabulary = forms.vocabulary(topic);
+        if (!vocabulary.isEmpty()) printVocabulary(vocabulary);
         var hazards = new TextTable(texts.text("hazard"), texts.text("special"));
         for (Hazard<?> hazard : topic.hazards()) {
             Optional<String> special = said.flatMap(one -> one.hazard(hazard));
@@ -100,9 +103,9 @@ final class MethodsCommand implements Callable<Integer> {
         }
     }
 
-    private void printVocabulary(Topic<?, ?, ?> topic) {
+    private void printVocabulary(Map<String, String> vocabulary) {
         var words = new TextTable(texts.text("name"), texts.text("meaning"));
-        topic.vocabulary().forEach((word, meaning) -> words.add(List.of(word, meaning)));
+        vocabulary.forEach((word, meaning) -> words.add(List.of(word, meaning)));
         words.lines().forEach(line -> console.out().println("  " + line));
         console.out().println();
     }
