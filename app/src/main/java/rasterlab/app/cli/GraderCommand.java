@@ -12,7 +12,7 @@ import rasterlab.app.outcome.Complaint;
 @Command(
         name = "grader",
         description = {
-            "The grading server; `./lab grader --help` lists what it does.",
+            "Starts the grading server; `./lab grader --help` lists what it does.",
             "It is a program of its own, started by the ./lab script."
         },
         footer = "Example: ./lab grader serve --data course --port 8080")

@@ -31,6 +31,7 @@ import rasterlab.exercises.scene.Setting;
 /** Renders a scene in software. */
 @Command(
         name = "render",
+        abbreviateSynopsis = true,
         mixinStandardHelpOptions = true,
         description = {
             "Renders a scene and prints what was rendered as JSON.",

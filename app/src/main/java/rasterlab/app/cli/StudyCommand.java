@@ -21,7 +21,8 @@ import rasterlab.engine.study.Topic;
         mixinStandardHelpOptions = true,
         description = {
             "Measures every method of a topic: cost per item, timed and where it can be counted, against error.",
-            "Prints a table, all its columns with --wide; --out writes a chart (.svg, .png) or the numbers (.csv, .json)."
+            "Prints a table, all its columns with --wide; --out writes a chart (.svg, .png)",
+            "or the numbers (.csv, .json)."
         },
         footer = {"", "Example: ./lab study line --out line.svg --out line.csv"})
 final class StudyCommand implements Callable<Integer> {

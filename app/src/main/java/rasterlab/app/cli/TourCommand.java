@@ -15,7 +15,7 @@ import rasterlab.app.tour.Tour;
         mixinStandardHelpOptions = true,
         description = {
             "Makes one page of every lab, charts, rendered scenes and a graded round trip.",
-            "Needs no display."
+            "No display is needed."
         },
         exitCodeListHeading = "%nExit codes:%n",
         exitCodeList = {

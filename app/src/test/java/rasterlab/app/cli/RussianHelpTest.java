@@ -53,6 +53,19 @@ class RussianHelpTest {
         assertEquals(List.of(), open);
     }
 
+    @ParameterizedTest(name = "a name or a bracket is broken in two by ./lab help {0}")
+    @MethodSource("commands")
+    void noLineEndsInTheMiddleOfAName(String command) {
+        for (String language : List.of("en", "ru"))
+            assertEquals(
+                    List.of(),
+                    Ran.lab("help", command, "--lang", language)
+                            .out()
+                            .lines()
+                            .filter(line -> line.matches(".*(\\(\\.?|-]|--?)"))
+                            .toList());
+    }
+
     private static void assertRussian(Ran ran) {
         ran.assertDone();
         assertTrue(ran.out().contains("Вызов: "), ran.out());
