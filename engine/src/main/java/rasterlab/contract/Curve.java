@@ -58,16 +58,10 @@ public record Curve(Kind kind, double[] x, double[] y) {
         int most = MOST_POINTS;
         if (kind == Kind.BEZIER) most = MOST_BEZIER_POINTS;
         if (kind == Kind.HERMITE) most = 4;
+        String needed = least == most ? "" + least : least + " to " + most;
         if (points < least || points > most)
             throw new IllegalArgumentException(
-                    "points: "
-                            + kind.code()
-                            + " needs "
-                            + least
-                            + " to "
-                            + most
-                            + ", got "
-                            + points);
+                    "points: " + kind.code() + " needs " + needed + ", got " + points);
     }
 
     private static void requireCoordinate(String axis, int i, double value) {

@@ -17,10 +17,14 @@ import java.util.regex.Pattern;
  * <p>A sentence is found by the English pattern that it fits, the one with most words of its own
  * first; what stands in its places is translated likewise, but for what is quoted and, in a place
  * such as {@code {0,name}}, what somebody has named: a file may be called "nothing" or "1.0". A
+ * number in a place such as {@code {0,about}} was computed and typed by nobody: it is rounded. A
  * sentence that fits none, such as one of the operating system, stays as it is.
  */
 public final class Complaints {
-    private static final Pattern PLACE = Pattern.compile("(['\"]?)\\{(\\d)(,name)?}");
+    private static final Pattern PLACE = Pattern.compile("(['\"]?)\\{(\\d)(,name|,about)?}");
+
+    /** A place in JSON, or a file, in front of what is wrong there. */
+    private static final Pattern POINTED = Pattern.compile("(/[^ :]*: )(.+)", Pattern.DOTALL);
 
     /** Compiled once: they are also asked for while a picture is painted. */
     private static final List<Sentence> SENTENCES = sentences();
@@ -31,14 +35,28 @@ public final class Complaints {
     /**
      * @param pattern with a group for each place, in the order of {@code places}
      * @param names numbers of the places that stay as they are
+     * @param computed numbers of the places whose number is rounded
+     * @param pointed whether the sentence itself begins with a file and a colon
      * @param ownLength letters outside the places
      */
     private record Sentence(
-            String key, Pattern pattern, List<Integer> places, Set<Integer> names, int ownLength) {
+            String key,
+            Pattern pattern,
+            List<Integer> places,
+            Set<Integer> names,
+            Set<Integer> computed,
+            boolean pointed,
+            int ownLength) {
+        /** A method's refusal may be any sentence, which is looked for behind this one. */
+        boolean frame() {
+            return key.equals("run.refuses");
+        }
+
         static Sentence of(String key, String english) {
             var pattern = new StringBuilder();
             var places = new ArrayList<Integer>();
             var names = new HashSet<Integer>();
+            var computed = new HashSet<Integer>();
             Matcher place = PLACE.matcher(english);
             int end = 0;
             int own = english.length();
@@ -46,13 +64,21 @@ public final class Complaints {
                 int number = Integer.parseInt(place.group(2));
                 pattern.append(Pattern.quote(english.substring(end, place.end(1)))).append("(.+?)");
                 places.add(number);
-                if (!place.group(1).isEmpty() || place.group(3) != null) names.add(number);
+                boolean about = ",about".equals(place.group(3));
+                if (about) computed.add(number);
+                else if (!place.group(1).isEmpty() || place.group(3) != null) names.add(number);
                 end = place.end();
                 own -= end - place.end(1);
             }
             pattern.append(Pattern.quote(english.substring(end)));
             return new Sentence(
-                    key, Pattern.compile(pattern.toString(), Pattern.DOTALL), places, names, own);
+                    key,
+                    Pattern.compile(pattern.toString(), Pattern.DOTALL),
+                    places,
+                    names,
+                    computed,
+                    english.startsWith("{0,name}: "),
+                    own);
         }
     }
 
@@ -66,7 +92,8 @@ public final class Complaints {
         return english.keys().stream()
                 .map(key -> Sentence.of(key, english.text(key)))
                 .sorted(
-                        Comparator.comparingInt(Sentence::ownLength)
+                        Comparator.comparing(Sentence::frame)
+                                .thenComparing(Sentence::ownLength)
                                 .reversed()
                                 .thenComparing(Sentence::key))
                 .toList();
@@ -86,9 +113,22 @@ public final class Complaints {
     private Optional<String> said(String english) {
         for (Sentence sentence : SENTENCES) {
             Matcher found = sentence.pattern.matcher(english);
-            if (found.matches()) return Optional.of(said(sentence, found));
+            if (found.matches())
+                return sentence.pointed
+                        ? Optional.of(said(sentence, found))
+                        : pointed(english).or(() -> Optional.of(said(sentence, found)));
         }
         return Optional.empty();
+    }
+
+    /**
+     * Where the place is no part of the sentence; otherwise a pattern's first place would take it.
+     */
+    private Optional<String> pointed(String english) {
+        Matcher found = POINTED.matcher(english);
+        return found.matches()
+                ? said(found.group(2)).map(said -> found.group(1) + said)
+                : Optional.empty();
     }
 
     private String said(Sentence sentence, Matcher found) {
@@ -98,7 +138,9 @@ public final class Complaints {
                         place -> {
                             int number = Integer.parseInt(place.group(2));
                             String value = found.group(sentence.places.indexOf(number) + 1);
-                            if (!sentence.names.contains(number))
+                            if (sentence.computed.contains(number))
+                                value = NumberForm.rounded(value, translations.language());
+                            else if (!sentence.names.contains(number))
                                 value = said(value).orElse(numbers.apply(value));
                             return Matcher.quoteReplacement(place.group(1) + value);
                         });

@@ -1,5 +1,7 @@
 package rasterlab.app.language;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.text.DecimalFormatSymbols;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
@@ -7,12 +9,14 @@ import java.util.regex.Pattern;
 
 /** Numbers that Java has written, in the form of a language and with the same digits. */
 final class NumberForm {
-    private static final Pattern NUMBER = Pattern.compile("(-?)(\\d+)(?:\\.(\\d+)(?:E(-?\\d+))?)?");
+    private static final Pattern NUMBER =
+            Pattern.compile("(-?)(Infinity|NaN|\\d+)(?:\\.(\\d+)(?:(?:E|e\\+0?)(-?\\d+))?)?");
 
     /** One, or several such as a point. */
     private static final Pattern NUMBERS =
-            Pattern.compile("\\(?%1$s(?:, %1$s)*\\)?".formatted(NUMBER.pattern()));
+            Pattern.compile("[\\[(]*%1$s(?:, %1$s)*[])]*".formatted(NUMBER.pattern()));
 
+    private static final MathContext DIGITS = new MathContext(6);
     private static final String RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
     private NumberForm() {}
@@ -26,10 +30,19 @@ final class NumberForm {
                 .replaceAll(number -> Matcher.quoteReplacement(one(number, point)));
     }
 
+    /** The number to six digits; the text itself where it is something else. */
+    static String rounded(String number, Language language) {
+        if (!NUMBER.matcher(number).matches() || !Double.isFinite(Double.parseDouble(number)))
+            return of(number, language);
+        double value = new BigDecimal(number).round(DIGITS).doubleValue();
+        return of(String.valueOf(value), language);
+    }
+
     private static String one(MatchResult number, char point) {
         String fraction = number.group(3);
         boolean whole = fraction == null || fraction.equals("0");
-        String digits = number.group(2) + (whole ? "" : point + fraction);
+        String size = number.group(2).equals("Infinity") ? "∞" : number.group(2);
+        String digits = size + (whole ? "" : point + fraction);
         if (number.group(4) != null) {
             String power = "10" + raised(number.group(4));
             digits = digits.equals("1") ? power : digits + "·" + power;

@@ -134,6 +134,6 @@ class RunSplineTest {
                         "curve",
                         "matrix",
                         "{\"kind\":\"hermite\",\"points\":[[0,0],[1,1],[2,2]],\"at\":[0]}",
-                        "/points: hermite needs 4 to 4, got 3"));
+                        "/points: hermite needs 4, got 3"));
     }
 }

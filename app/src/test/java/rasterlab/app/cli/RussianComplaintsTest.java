@@ -71,6 +71,18 @@ class RussianComplaintsTest {
             render vase --out FOLDER/a.png --clip-plane 1,2 --lang ru
             render sphere --out FOLDER/a.png --detail 0 --lang ru
             render vase --out FOLDER/a.png --near 3 --far 2 --lang ru
+            render sphere --out FOLDER/a.png --detail -1 --lang ru
+            render quad --out FOLDER/a.png --lang ru
+            render sphere --out FOLDER/a.png --shading wire --crease 200 --lang ru
+            render vase --out FOLDER/a.png --stereo anaglyph --eyes 300deg --lang ru
+            render vase --out FOLDER/a.png --stereo side-by-side --size 1x1 --lang ru
+            render vase --out FOLDER/a.png --stereo anaglyph --projection front --lang ru
+            render vase --out FOLDER/a.png --stereo x --lang ru
+            render vase --out FOLDER/a.png --cull x --lang ru
+            render vase --out FOLDER/a.png --camera 1,2,0 --lang ru
+            render vase --diff EMPTY --lang ru
+            opengl --out FOLDER/a.png --turn 400 --lang ru
+            opengl --out FOLDER/a.png --set scene=quadd --lang ru
             render vase --out FOLDER/a.png --camera 1,2 --lang ru
             render vase --out FOLDER/a.png --up y --lang ru
             render vase --out FOLDER/a.png --eyes 3deg --lang ru
@@ -144,6 +156,36 @@ class RussianComplaintsTest {
                 "fill recursive-textbook | {\"picture\":[\"...\",\".#.\",\"...\"],\"seed\":[0,0],"
                         + "\"with\":\".\",\"connectivity\":4} | 4",
                 "circle bresenham | {\"center\":[0,0],\"radius\":-1} | 2",
+                "line bresenham | {\"from\":[0,0],\"to\":[5,1],\"window\":[5,0,1,2]} | 2",
+                "fill stack | {\"picture\":\"\",\"seed\":[0,0],\"with\":\"x\",\"connectivity\":4} | 2",
+                "curve de-casteljau | {\"kind\":\"hermite\",\"points\":[[0,0],[1,1]],\"at\":[0.5]} | 2",
+                "matrix formula | {\"name\":\"ROT3DX\",\"angle\":3,\"p\":4} | 2",
+                "matrix formula | {\"name\":\"IDENTITY\",\"p\":4} | 2",
+                "line-plane formula | {\"line\":[[0,0,0],[0,0,0]],\"plane\":[[0,0,0],[1,0,0],[0,1,0]]} | 2",
+                "line-plane formula | {\"line\":[[0,0,0],[0,0,1]],\"plane\":[[0,0,0],[1,0,0],[2,0,0]]} | 2",
+                "line-plane formula | {\"line\":[[0,0,0],[0,0,1]]} | 2",
+                "matrix formula | {\"name\":\"CENTRAL\",\"k\":0} | 2",
+                "matrix formula | {\"name\":\"GL_PERSPECTIVE\",\"fovy\":180,\"aspect\":1,\"near\":1,\"far\":2} | 2",
+                "matrix formula | {\"name\":\"LOOKAT\",\"eye\":[0,0,1],\"center\":[0,0,1],\"up\":[0,1,0]} | 3",
+                "color formula | {\"hvs\":[120,0.8,0.8]} | 3",
+                "texture-filter nearest | {\"picture\":[[0,1],[2]],\"pixels\":[]} | 2",
+                "texture-mapping affine | {\"from\":[0,0,1],\"to\":[1,1,0],\"pixels\":3} | 2",
+                "clip-segment cohen-sutherland | {\"window\":[5,0,1,2],\"segments\":[]} | 2",
+                "clip-segment cohen-sutherland | {\"window\":[[0,0],[1,0],[0,1]],\"segments\":[[0,0,1,1]]} | 3",
+                "clip-polygon sutherland-hodgman | {\"window\":[0,0,1,1],\"polygon\":[[0,0]]} | 3",
+                "vertex-normals area | {\"vertices\":[[0,0,0]],\"triangles\":[[0,1,2]]} | 2",
+                "visible-faces back-face | {\"vertices\":[[0,0,0]],\"faces\":[[0,1,2]],\"eye\":[0,0,1]} | 2",
+                "triangulate fan | {\"polygon\":[[0,0],[4,0],[1,1],[0,4]]} | 3",
+                "point-in-triangle simplex | {\"triangle\":[[0,0],[1,1],[2,2]],\"points\":[[0,0]]} | 3",
+                "circle midpoint | {\"center\":[2147483647,0],\"radius\":30} | 3",
+                "depth-buffer z16 | {\"near\":1,\"far\":0.5,\"depths\":[1]} | 2",
+                "depth-buffer z16 | {\"near\":1,\"far\":5,\"depths\":[9]} | 2",
+                "depth-buffer z16 | {\"near\":1,\"far\":5,\"depths\":[2],\"to\":[3]} | 2",
+                "depth-order painter | {\"polygons\":[[[0,0,0],[1,0,0],[2,0,0]]],\"eye\":[0,0,5]} | 2",
+                "hidden-surfaces painter | {\"vertices\":[[0,0,0]],\"faces\":[[0,0,0]],\"theta\":1,\"phi\":2,\"rho\":3,\"size\":[9,9]} | 2",
+                "view one-matrix | {\"points\":[[0,0,0]],\"theta\":1,\"phi\":1,\"rho\":0} | 2",
+                "shade phong | {\"normal\":[0,0,1],\"to-light\":[0,0,1],\"to-eye\":[0,0,1],\"material\":{\"shininess\":300}} | 2",
+                "rotate-axis matrix | {\"points\":[[0,0,0]],\"through\":[0,0,0],\"direction\":[0,0,0],\"degrees\":1} | 2",
                 "curve uniform | {\"kind\":\"bezier\",\"points\":[[0,0]]} | 2",
             })
     void aRefusedInputIsToldInRussian(String names, String input, int code) {
@@ -166,6 +208,13 @@ class RussianComplaintsTest {
     void whatWasTypedStays(String call, String said) {
         String told = Ran.lab((call + " --lang ru").split(" ")).err();
         assertTrue(told.contains(said), told);
+    }
+
+    @Test
+    @DisplayName("quotes that were typed are replaced")
+    void typedQuotesStay() {
+        String told = Ran.labReading("{'from':1}", "run", "line", "dda", "--lang", "ru").err();
+        assertTrue(told.contains("«{'from':1}»"), told);
     }
 
     @Test

@@ -31,6 +31,17 @@ class ComplaintsTest {
                         + " | нормаль (0; −0,5; 2) не имеет направления",
                 "RUSSIAN | face 3: corners 0, 1, 2 span no area"
                         + " | грань 3: вершины 0, 1, 2 не охватывают площади",
+                "RUSSIAN | world to eye must have an inverse, got determinant 150.28236737529534"
+                        + " | у перехода от мира к глазу должна быть обратная матрица,"
+                        + " а её определитель 150,282",
+                "RUSSIAN | point 2 (9.0, 9.0) is outside but judged inside, 1.592e+15 ulps from the"
+                        + " boundary | точка 2 (9; 9) снаружи, а признана внутренней;"
+                        + " до границы 1,592·10¹⁵ ulp",
+                "RUSSIAN | segment 0 is sent as (NaN, 0.5)→(-Infinity, 10.0), nothing is left"
+                        + " | отрезок 0 выдан как (NaN; 0,5)→(−∞; 10), а от него ничего не остаётся",
+                "RUSSIAN | /zmin: zmin must be above 0 and below 1, the farthest plane, got 2.0"
+                        + " | /zmin: zmin должно быть больше 0 и меньше 1, дальней плоскости, получено 2",
+                "RUSSIAN | OpenGL 1.3 is older than 1.4 | версия OpenGL 1.3 раньше 1.4",
                 "RUSSIAN | no folder -1.5.0 | нет папки -1.5.0",
                 "RUSSIAN | /x/half.png: the picture is cut off: the file ends too early; allowed are"
                         + " whole pictures as PNG, JPEG, GIF or BMP; an image of the lab is shown"

@@ -47,7 +47,7 @@ class CurveRefusalTest {
                         Kind.HERMITE,
                         new double[5],
                         new double[5],
-                        "points: hermite needs 4 to 4, got 5"),
+                        "points: hermite needs 4, got 5"),
                 argumentSet(
                         "B-spline of three",
                         Kind.B_SPLINE,
