@@ -99,7 +99,8 @@ final class StudentCalls {
     }
 
     /** Sends the class first: the student's getMessage may loop, or never fit in memory. */
-    private void threw(long nonce, Throwable thrown) throws IOException {
+    private void threw(long nonce, Throwable error) throws IOException {
+        Throwable thrown = thrownFirst(error);
         ByteArrayOutputStream body = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(body);
         out.writeByte(Wire.THREW);
@@ -111,6 +112,13 @@ final class StudentCalls {
         out.writeUTF(printed.take());
         out.writeInt(lineOf(thrown));
         send(nonce, body.toByteArray());
+    }
+
+    /** The error around what a static initialiser threw tells neither what that was nor where. */
+    private static Throwable thrownFirst(Throwable error) {
+        boolean around =
+                error.getClass() == ExceptionInInitializerError.class && error.getCause() != null;
+        return around ? error.getCause() : error;
     }
 
     private static String messageOf(Throwable thrown) {

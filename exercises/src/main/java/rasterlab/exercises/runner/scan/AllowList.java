@@ -56,4 +56,11 @@ public final class AllowList {
         Set<String> words = members.getOrDefault(type, Set.of());
         return words.contains(member) || words.contains("*") && !words.contains("-" + member);
     }
+
+    /** All methods and fields that may be used, sorted, where the class has only some. */
+    List<String> some(String type) {
+        Set<String> words = members.getOrDefault(type, Set.of());
+        if (words.contains("*")) return List.of();
+        return words.stream().filter(word -> !word.equals("<init>")).sorted().toList();
+    }
 }

@@ -49,7 +49,7 @@ final class Uses {
             }
             case Type.OBJECT -> {
                 String name = type.getInternalName();
-                if (!own.contains(name) && !allowed.allows(name)) refusals.add(line, name);
+                if (!own.contains(name) && !allowed.allows(name)) refusals.addClass(line, name);
             }
             default -> {
                 // a primitive type
@@ -63,8 +63,13 @@ final class Uses {
         boolean may =
                 judged.computeIfAbsent(
                         owner + "." + name + descriptor, one -> mayUse(owner, name, descriptor));
-        if (!may) refusals.add(line, owner + "." + name);
-        else type(line, Type.getType(descriptor));
+        if (may) type(line, Type.getType(descriptor));
+        else if (mayName(owner)) refusals.addMember(line, owner, name, allowed.some(owner));
+        else type(line, owner);
+    }
+
+    private boolean mayName(String owner) {
+        return owner.startsWith("[") || own.contains(owner) || allowed.allows(owner);
     }
 
     private boolean mayUse(String owner, String name, String descriptor) {
