@@ -8,6 +8,7 @@ import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelSet;
 import rasterlab.engine.raster.Plotted;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.LimitReached;
@@ -98,13 +99,15 @@ public final class LineJudge {
         return true;
     }
 
-    private static Finding shown(
+    private Finding shown(
             GradingVerdict verdict, Message said, PixelRecording wanted, Answer answer) {
         PixelRecording actual = answer.pixels();
+        PixelDifference difference = PixelDifference.of(wanted, actual);
+        PixelSet amiss = PixelSet.of(new Turns(wanted, actual).amiss(demand.inOrder()));
         return new Finding(
                 verdict,
                 said,
-                CasePictures.of(PixelDifference.of(wanted, actual)),
+                CasePictures.of(difference, amiss.filter(difference.right()::contains)),
                 Optional.of(new Plotted(actual, answer.ending() == Answer.Ending.CUT)));
     }
 

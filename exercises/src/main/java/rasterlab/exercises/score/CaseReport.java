@@ -1,6 +1,8 @@
 package rasterlab.exercises.score;
 
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * One judged case.
@@ -26,8 +28,23 @@ public record CaseReport(
     /** The name of the line on speed, which is no case of the exercise. */
     static final String SPEED = "speed";
 
+    private static final Pattern NUMBERED = Pattern.compile(HIDDEN + " (\\d+)");
+
+    /** Whether a case is called so because its own name is kept from the student. */
+    public static boolean isHidden(String name) {
+        return name.equals(HIDDEN);
+    }
+
+    /** Tells a case without a name of its own from others of the same result. */
+    public static String hidden(int number) {
+        return HIDDEN + " " + number;
+    }
+
     /** What is called so in every exercise, in that language; empty for a case's name. */
     public static Optional<String> ownTitle(String name, String language) {
+        Matcher numbered = NUMBERED.matcher(name);
+        if (numbered.matches())
+            return Optional.of(Message.of("case.hidden.of", numbered.group(1)).in(language));
         return name.equals(HIDDEN) || name.equals(SPEED)
                 ? Optional.of(Message.of("case." + name).in(language))
                 : Optional.empty();

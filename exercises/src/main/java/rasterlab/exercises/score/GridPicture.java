@@ -40,11 +40,12 @@ final class GridPicture {
         cell = Math.max(SMALLEST_CELL, Math.min(LARGEST_CELL, SIDE / longest));
     }
 
-    /** Right, extra and missing pixels, as PNG. */
-    byte[] difference(PixelDifference difference) {
+    /** Right, extra and missing pixels, as PNG; right ones that are {@code amiss} crossed out. */
+    byte[] difference(PixelDifference difference, PixelSet amiss) {
         return png(
                 graphics -> {
                     squares(graphics, difference.right());
+                    marks(graphics, PixelMark.EXTRA, amiss);
                     marks(graphics, PixelMark.MISSING, difference.missing());
                     marks(graphics, PixelMark.EXTRA, difference.extra());
                 });

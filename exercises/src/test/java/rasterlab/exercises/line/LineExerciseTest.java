@@ -2,15 +2,18 @@ package rasterlab.exercises.line;
 
 import static java.util.stream.Collectors.toSet;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -27,6 +30,7 @@ import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.Exercise.Kind;
 import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Answer;
+import rasterlab.exercises.score.CasePictures;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
 
@@ -270,5 +274,32 @@ class LineExerciseTest {
                 new LineJudge(demand, true)
                         .judge(segment, new Answer(Answer.Ending.RETURNED, twice, "", "", 0, ""));
         assertEquals("pixel (1, 0) is drawn again", finding.said().toString().split(";")[0]);
+    }
+
+    @Test
+    @DisplayName("three equal pictures are shown of pixels that are right but drawn again")
+    void onePixelWithoutEndIsSeenToBeWrong() {
+        Segment point = new Segment(4, 3, 4, 3);
+        PixelRecording endless = new PixelRecording(9);
+        for (int i = 0; i < 9; i++) endless.plot(4, 3);
+        assertMarked(point, endless, Answer.Ending.CUT, false);
+    }
+
+    @Test
+    @DisplayName("three equal pictures are shown of right pixels that come backwards")
+    void pixelsThatComeBackwardsAreSeenToBeWrong() {
+        PixelRecording backwards = new PixelRecording(2);
+        backwards.plot(1, 0);
+        backwards.plot(0, 0);
+        assertMarked(new Segment(0, 0, 1, 0), backwards, Answer.Ending.RETURNED, true);
+    }
+
+    private static void assertMarked(
+            Segment segment, PixelRecording drawn, Answer.Ending ending, boolean inOrder) {
+        LineCase demand = new LineCase(List.of(segment), false, inOrder, 100, false);
+        Answer answer = new Answer(ending, drawn, "", "", 0, "");
+        CasePictures pictures =
+                new LineJudge(demand, true).judge(segment, answer).pictures().orElseThrow();
+        assertFalse(Arrays.equals(pictures.expectedPng(), pictures.differencePng()));
     }
 }

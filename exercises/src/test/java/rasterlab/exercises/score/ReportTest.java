@@ -17,6 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.raster.PixelRecording;
+import rasterlab.engine.raster.PixelSet;
 
 /** What a student is shown and what not. */
 class ReportTest {
@@ -77,12 +78,31 @@ class ReportTest {
 
     @Test
     void picturesTellMissingAndExtraByShape() throws IOException {
-        BufferedImage missing = picture(CasePictures.of(difference("-")).orElseThrow());
-        BufferedImage extra = picture(CasePictures.of(difference("+")).orElseThrow());
+        BufferedImage missing =
+                picture(CasePictures.of(difference("-"), PixelSet.EMPTY).orElseThrow());
+        BufferedImage extra =
+                picture(CasePictures.of(difference("+"), PixelSet.EMPTY).orElseThrow());
         assertEquals(33, missing.getWidth());
         assertEquals(PixelMark.ARGB, extra.getRGB(16, 16), "the cross has the colour of each lab");
         assertNotEquals(missing.getRGB(16, 16), extra.getRGB(16, 16), "ring is open, cross is not");
         assertNotEquals(missing.getRGB(16, 7), missing.getRGB(16, 16));
+    }
+
+    @Test
+    void aRightPixelThatIsDrawnAgainIsCrossedOut() throws IOException {
+        PixelRecording again = new PixelRecording(1);
+        again.plot(1, 0);
+        CasePictures pictures =
+                CasePictures.of(difference("###"), PixelSet.of(again)).orElseThrow();
+        BufferedImage picture = picture(pictures);
+        assertEquals(PixelMark.ARGB, picture.getRGB(32 + 16, 16));
+        assertNotEquals(PixelMark.ARGB, picture.getRGB(16, 16), "drawn once");
+    }
+
+    @Test
+    void hiddenCasesAreToldApart() {
+        assertEquals("hidden 2", CaseReport.ownTitle(CaseReport.hidden(2), "en").orElseThrow());
+        assertEquals("скрытый 2", CaseReport.ownTitle(CaseReport.hidden(2), "ru").orElseThrow());
     }
 
     private static BufferedImage picture(CasePictures pictures) throws IOException {
@@ -102,16 +122,17 @@ class ReportTest {
 
     @Test
     void expectedAndActualLeaveOutWhatTheOtherHas() {
-        CasePictures both = CasePictures.of(difference("#+-#")).orElseThrow();
-        CasePictures exact = CasePictures.of(difference("#.##")).orElseThrow();
-        CasePictures drawn = CasePictures.of(difference("##.#")).orElseThrow();
+        CasePictures both = CasePictures.of(difference("#+-#"), PixelSet.EMPTY).orElseThrow();
+        CasePictures exact = CasePictures.of(difference("#.##"), PixelSet.EMPTY).orElseThrow();
+        CasePictures drawn = CasePictures.of(difference("##.#"), PixelSet.EMPTY).orElseThrow();
         assertArrayEquals(exact.differencePng(), both.expectedPng());
         assertArrayEquals(drawn.differencePng(), both.actualPng());
     }
 
     @Test
     void theBeginningOfALongPictureIsTheOneThatTheTextShows() throws IOException {
-        CasePictures pictures = CasePictures.of(difference("#".repeat(90) + "-")).orElseThrow();
+        CasePictures pictures =
+                CasePictures.of(difference("#".repeat(90) + "-"), PixelSet.EMPTY).orElseThrow();
         BufferedImage picture = picture(pictures);
         assertEquals(80 * 8 + 1, picture.getWidth());
         assertTrue(pictures.text().endsWith("#-"), pictures::text);
@@ -127,6 +148,6 @@ class ReportTest {
 
     @Test
     void nothingIsDrawnWhereThereIsNoPixel() {
-        assertEquals(Optional.empty(), CasePictures.of(difference("")));
+        assertEquals(Optional.empty(), CasePictures.of(difference(""), PixelSet.EMPTY));
     }
 }
