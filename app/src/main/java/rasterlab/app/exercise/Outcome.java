@@ -33,7 +33,7 @@ record Outcome(
     record Remark(int line, int column, Said said) {}
 
     Outcome {
-        cases = List.copyOf(cases);
+        cases = TriedCase.toldApart(cases);
         remarks = List.copyOf(remarks);
     }
 

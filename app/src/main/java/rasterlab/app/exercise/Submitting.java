@@ -4,10 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Collectors;
-import java.util.stream.StreamSupport;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Points;
 
@@ -81,16 +78,11 @@ final class Submitting {
     private Outcome outcome(String source, String id) throws IOException, InterruptedException {
         JsonNode english = server.submission(token, id, "en");
         JsonNode russian = server.submission(token, id, "ru");
-        Map<String, JsonNode> russianCases =
-                StreamSupport.stream(russian.path("cases").spliterator(), false)
-                        .collect(
-                                Collectors.toMap(
-                                        one -> one.path("name").asText(),
-                                        one -> one,
-                                        (first, second) -> first));
         List<TriedCase> cases = new ArrayList<>();
-        for (JsonNode one : english.path("cases")) {
-            JsonNode other = russianCases.getOrDefault(one.path("name").asText(), one);
+        for (int i = 0; i < english.path("cases").size(); i++) {
+            JsonNode one = english.path("cases").get(i);
+            // Not by its name: several may be called hidden.
+            JsonNode other = russian.path("cases").path(i);
             cases.add(tried(one, said(one, other), pictures(one.path("pictures"))));
         }
         return new Outcome(

@@ -1,6 +1,8 @@
 package rasterlab.app.exercise;
 
 import java.awt.Dimension;
+import java.awt.Point;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -41,9 +43,22 @@ record TriedCase(
             return pixels().width * pixels().height;
         }
 
+        /** Column and row of the topmost wrong pixel, or of the middle where none is wrong. */
+        Point centre() {
+            List<String> rows = rows();
+            for (int y = 0; y < rows.size(); y++)
+                for (int x = 0; x < rows.get(y).length(); x++)
+                    if ("+-".indexOf(rows.get(y).charAt(x)) >= 0) return new Point(x, y);
+            return new Point(pixels().width / 2, rows.size() / 2);
+        }
+
+        private List<String> rows() {
+            return text.lines().filter(row -> !row.startsWith("columns")).toList();
+        }
+
         /** Of that box, across and down. */
         Dimension pixels() {
-            List<String> rows = text.lines().filter(row -> !row.startsWith("columns")).toList();
+            List<String> rows = rows();
             int across = rows.stream().mapToInt(String::length).max().orElse(0);
             return new Dimension(across, rows.size());
         }
@@ -70,6 +85,20 @@ record TriedCase(
 
     private static TriedCase untried(Exercise.Case one) {
         return new TriedCase(one.name(), "", 0, one.points(), Said.NOTHING, Optional.empty(), "");
+    }
+
+    /** Those whose own names are kept from the student get numbers, by which they are chosen. */
+    static List<TriedCase> toldApart(List<TriedCase> cases) {
+        var toldApart = new ArrayList<TriedCase>();
+        int hidden = 0;
+        for (TriedCase one : cases)
+            toldApart.add(
+                    CaseReport.isHidden(one.name) ? one.called(CaseReport.hidden(++hidden)) : one);
+        return List.copyOf(toldApart);
+    }
+
+    private TriedCase called(String next) {
+        return new TriedCase(next, verdict, points, of, said, pictures, scene);
     }
 
     boolean right() {

@@ -20,6 +20,10 @@ record Work(Phase phase, int done, int of, List<TriedCase> cases) {
         GRADING
     }
 
+    Work {
+        cases = TriedCase.toldApart(cases);
+    }
+
     static final Work NONE = of(Phase.NONE);
 
     static Work of(Phase phase) {

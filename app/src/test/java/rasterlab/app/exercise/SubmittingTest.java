@@ -86,6 +86,30 @@ class SubmittingTest {
     }
 
     @Test
+    @DisplayName("what is said of a hidden case is said of another one in Russian")
+    void hiddenCasesAreToldApartInEachLanguage() throws Exception {
+        try (var server = server();
+                var trial = joined(server, Duration.ofSeconds(20))) {
+            server.on(
+                    RESULT,
+                    exchange -> {
+                        String language = exchange.getRequestURI().getQuery();
+                        String two = hidden("first " + language) + "," + hidden("next " + language);
+                        FakeServer.send(exchange, 200, "application/json", DONE.replace(CASE, two));
+                    });
+            trial.model.submit();
+            List<TriedCase> cases = trial.awaitEnd().outcome().orElseThrow().cases();
+            assertEquals(
+                    List.of("hidden 1", "hidden 2"), cases.stream().map(TriedCase::name).toList());
+            assertEquals(new Said("next lang=en", "next lang=ru"), cases.get(1).said());
+        }
+    }
+
+    private static String hidden(String message) {
+        return CASE.replace("ties", "hidden").replace("pixel (1, 2) is missing", message);
+    }
+
+    @Test
     void accountIsThereAgain() throws Exception {
         try (var server = server()) {
             try (var trial = joined(server, Duration.ofSeconds(20))) {
