@@ -5,14 +5,17 @@ import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import javax.accessibility.AccessibleRole;
 import javax.imageio.ImageIO;
 import javax.swing.Timer;
@@ -34,7 +37,17 @@ final class CasePicture extends SelfDrawn {
 
     private static final int GAP = 10;
 
+    /**
+     * Each pixel is at least so many view units wide, where the room has place for some of them.
+     */
+    private static final int CLEAR = 3;
+
     private record Shown(String key, BufferedImage picture) {}
+
+    /**
+     * @param part of the raster that is seen
+     */
+    private record Placed(Rectangle part, NamedPictures pictures) {}
 
     /**
      * @param pixels that the pictures show, across and down
@@ -59,6 +72,7 @@ final class CasePicture extends SelfDrawn {
     private final Timer blink = new Timer(BLINK_MILLIS, e -> turn());
     private transient Optional<TriedCase.Pictures> pictures = Optional.empty();
     private transient List<Shown> decoded = List.of();
+    private transient Map<String, RasterPicture> rasters = Map.of();
     private transient Grid grid = new Grid(new Dimension(1, 1), 1);
     private String view = VIEWS.get(0);
     private boolean second;
@@ -80,6 +94,16 @@ final class CasePicture extends SelfDrawn {
             decoded = next.map(this::decoded).orElse(List.of());
             if (!decoded.isEmpty())
                 grid = Grid.of(next.orElseThrow().pixels(), decoded.get(0).picture());
+            rasters =
+                    decoded.stream()
+                            .collect(
+                                    Collectors.toMap(
+                                            Shown::key,
+                                            one ->
+                                                    RasterPicture.of(
+                                                            one.picture(),
+                                                            grid.pixels(),
+                                                            grid.dots())));
             next.ifPresent(drawn -> getAccessibleContext().setAccessibleDescription(drawn.text()));
         }
         repaint();
@@ -150,12 +174,16 @@ final class CasePicture extends SelfDrawn {
                 alone.equals("together")
                         ? decoded
                         : decoded.stream().filter(one -> one.key().equals(alone)).toList();
-        placed(seen.stream().map(Shown::key).toList())
+        parted(seen.stream().map(Shown::key).toList())
                 .ifPresent(
                         placed -> {
-                            g.setFont(placed.type());
+                            g.setFont(placed.pictures().type());
                             for (int i = 0; i < seen.size(); i++)
-                                paint(g, seen.get(i), placed.places().get(i));
+                                paint(
+                                        g,
+                                        seen.get(i).key(),
+                                        placed.part(),
+                                        placed.pictures().places().get(i));
                         });
     }
 
@@ -166,31 +194,37 @@ final class CasePicture extends SelfDrawn {
 
     /** Where those pictures stand now; empty where their names have no room. */
     Optional<NamedPictures> placed(List<String> keys) {
+        return parted(keys).map(Placed::pictures);
+    }
+
+    private Optional<Placed> parted(List<String> keys) {
         Font type = getFont() == null ? UIManager.getFont("Label.font") : getFont();
         List<String> names = keys.stream().map(key -> texts.text("view." + key)).toList();
         int gap = UIScale.scale(GAP);
         // The frame's last line lies outside of its picture.
         var room = new Dimension(getWidth() - 1, getHeight() - 1);
-        return new NamedPictures.Wanted(names, grid.pixels(), type, this::getFontMetrics, gap)
-                .in(room);
+        var whole = new NamedPictures.Wanted(names, grid.pixels(), type, this::getFontMetrics, gap);
+        Rectangle part = around(whole.part(CLEAR, room));
+        return whole.of(part.getSize()).in(room).map(pictures -> new Placed(part, pictures));
+    }
+
+    /** A part of the raster of that size, with the first wrong pixel in its middle where it can. */
+    private Rectangle around(Dimension part) {
+        Dimension all = grid.pixels();
+        Point centre = pictures.map(TriedCase.Pictures::centre).orElse(new Point());
+        int left = Math.min(all.width - part.width, Math.max(0, centre.x - part.width / 2));
+        int top = Math.min(all.height - part.height, Math.max(0, centre.y - part.height / 2));
+        return new Rectangle(left, top, part.width, part.height);
     }
 
     /** One picture with a frame and its name. */
-    private void paint(Graphics2D g, Shown one, Rectangle place) {
-        int width = grid.dots() * grid.pixels().width;
-        int height = grid.dots() * grid.pixels().height;
-        g.setRenderingHint(
-                RenderingHints.KEY_INTERPOLATION,
-                place.width % width == 0
-                        ? RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR
-                        : RenderingHints.VALUE_INTERPOLATION_BICUBIC);
-        int right = place.x + place.width;
-        int bottom = place.y + place.height;
-        g.drawImage(one.picture(), place.x, place.y, right, bottom, 0, 0, width, height, null);
+    private void paint(Graphics2D g, String key, Rectangle part, Rectangle place) {
+        rasters.get(key).paint(g, part, place);
         g.setColor(UIManager.getColor("Component.borderColor"));
         g.drawRect(place.x, place.y, place.width, place.height);
         g.setColor(UIManager.getColor("Label.foreground"));
-        int base = bottom + NamedPictures.ABOVE_NAME + g.getFontMetrics().getAscent();
-        g.drawString(texts.text("view." + one.key()), place.x, base);
+        int base =
+                place.y + place.height + NamedPictures.ABOVE_NAME + g.getFontMetrics().getAscent();
+        g.drawString(texts.text("view." + key), place.x, base);
     }
 }

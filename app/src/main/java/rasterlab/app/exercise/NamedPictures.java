@@ -27,6 +27,9 @@ record NamedPictures(List<Rectangle> places, Font type) {
 
     private static final float LEAST = 0.7f;
 
+    /** Columns or rows that a part of a picture has at least. */
+    private static final int LEAST_PART = 8;
+
     /**
      * What is to be placed.
      *
@@ -48,6 +51,41 @@ record NamedPictures(List<Rectangle> places, Font type) {
                 if (width(next) > width(best)) best = next;
             }
             return best;
+        }
+
+        /**
+         * Across and down, as much of the raster as has so many units for each pixel in that room;
+         * the whole where too little would be left.
+         */
+        Dimension part(int pixel, Dimension room) {
+            Dimension best = new Dimension();
+            int name = metrics.apply(type).getHeight() + ABOVE_NAME;
+            for (int columns = names.size(); columns >= 1; columns--) {
+                int rows = (names.size() + columns - 1) / columns;
+                int wide = widest(columns, room.width - gap * (columns - 1)) / pixel;
+                int high = ((room.height + gap) / rows - gap - name) / pixel;
+                var next =
+                        new Dimension(Math.min(raster.width, wide), Math.min(raster.height, high));
+                boolean enough = next.width >= LEAST_PART && next.height >= LEAST_PART;
+                boolean whole = next.equals(raster);
+                if ((enough || whole) && area(next) > area(best)) best = next;
+            }
+            return area(best) > 0 ? best : raster;
+        }
+
+        /** The width that each picture can have beside the names of the others. */
+        private int widest(int columns, int rest) {
+            int wide = rest / columns;
+            while (wide > 0 && width(columns, type, wide) > rest) wide--;
+            return wide;
+        }
+
+        private static int area(Dimension part) {
+            return part.width * part.height;
+        }
+
+        Wanted of(Dimension part) {
+            return new Wanted(names, part, type, metrics, gap);
         }
 
         private static int width(Optional<NamedPictures> placed) {

@@ -69,6 +69,30 @@ class NamedPicturesTest {
         }
     }
 
+    @ParameterizedTest(name = "single pixels are not seen of {0}×{1} in room of {2}×{3}")
+    @CsvSource({"80, 40, 280, 130", "80, 40, 210, 190", "80, 40, 600, 400", "40, 40, 280, 130"})
+    void pixelsOfAPartAreSeen(int across, int down, int width, int height) {
+        var g = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+        var wanted =
+                new NamedPictures.Wanted(
+                        NAMES, new Dimension(across, down), TYPE, g::getFontMetrics, 10);
+        var room = new Dimension(width, height);
+        Dimension part = wanted.part(3, room);
+        Rectangle first = wanted.of(part).in(room).orElseThrow().places().get(0);
+        assertTrue(first.width >= 3 * part.width, first + " for " + part);
+        int taken = 3 * first.width * first.height;
+        assertTrue(4 * taken >= width * height, "three of " + first + " leave the room empty");
+    }
+
+    @Test
+    @DisplayName("pictures are cut that have room for all of their pixels")
+    void wholePicturesAreShownWhereTheyHaveRoom() {
+        var g = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+        var raster = new Dimension(10, 5);
+        var wanted = new NamedPictures.Wanted(NAMES, raster, TYPE, g::getFontMetrics, 10);
+        assertEquals(raster, wanted.part(3, new Dimension(280, 130)));
+    }
+
     @Test
     @DisplayName("pictures stand in room that has none for their names")
     void namesWithoutRoomLeaveNoPlace() {
