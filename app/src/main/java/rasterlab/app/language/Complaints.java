@@ -26,6 +26,10 @@ public final class Complaints {
     /** A place in JSON, or a file, in front of what is wrong there. */
     private static final Pattern POINTED = Pattern.compile("(/[^ :]*: )(.+)", Pattern.DOTALL);
 
+    /** In straight quotes, of which an apostrophe in or behind a word is none. */
+    private static final Pattern QUOTED =
+            Pattern.compile("(?<![\\p{L}\\p{N}])'([^'\\n]*)'(?![\\p{L}\\p{N}])");
+
     /** Compiled once: they are also asked for while a picture is painted. */
     private static final List<Sentence> SENTENCES = sentences();
 
@@ -102,7 +106,8 @@ public final class Complaints {
     /** The sentence in that language. */
     public static String said(Language language, String english) {
         UnaryOperator<String> numbers = number -> NumberForm.of(number, language);
-        return new Complaints(language, numbers).said(english).orElse(english);
+        String said = new Complaints(language, numbers).said(english).orElse(english);
+        return language == Language.ENGLISH ? QUOTED.matcher(said).replaceAll("“$1”") : said;
     }
 
     /** The same with numbers as Java writes and reads them, for who has to type them. */

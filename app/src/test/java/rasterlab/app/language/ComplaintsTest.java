@@ -17,7 +17,8 @@ class ComplaintsTest {
     private static final long MOST = 400_000;
 
     @ParameterizedTest(
-            name = "a number is written as Java does, or a file''s number otherwise: {1}")
+            name =
+                    "a number is written as Java does, or a file''s number otherwise, or quotes are those of programs: {1}")
     @CsvSource(
             delimiter = '|',
             value = {
@@ -42,6 +43,9 @@ class ComplaintsTest {
                 "RUSSIAN | /zmin: zmin must be above 0 and below 1, the farthest plane, got 2.0"
                         + " | /zmin: zmin должно быть больше 0 и меньше 1, дальней плоскости, получено 2",
                 "RUSSIAN | OpenGL 1.3 is older than 1.4 | версия OpenGL 1.3 раньше 1.4",
+                "ENGLISH | no course with the code 'X'; ask for it"
+                        + " | no course with the code “X”; ask for it",
+                "ENGLISH | the teachers' z'/dz' of '' | the teachers' z'/dz' of “”",
                 "RUSSIAN | no folder -1.5.0 | нет папки -1.5.0",
                 "RUSSIAN | /x/half.png: the picture is cut off: the file ends too early; allowed are"
                         + " whole pictures as PNG, JPEG, GIF or BMP; an image of the lab is shown"
