@@ -77,7 +77,7 @@ final class EditorBar extends JPanel {
 
     private static JButton button(String key, Texts texts, Runnable action) {
         JButton button = Controls.button(key, texts, action);
-        button.putClientProperty(FlatClientProperties.STYLE, "margin: 2,5,2,5");
+        button.putClientProperty(FlatClientProperties.STYLE, "margin: 2,4,2,4");
         return button;
     }
 

@@ -9,9 +9,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Properties;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -147,6 +150,21 @@ class BundlesTest {
                             if (other.matcher((String) text).find()) found.add(key + "=" + text);
                         });
         assertEquals(new TreeSet<>(), found);
+    }
+
+    @Test
+    @DisplayName("what was undone is done again by several words")
+    void redoHasOneRussianWord() throws IOException {
+        var words = new TreeSet<String>();
+        for (Path file : allFiles())
+            if (file.toString().endsWith("_ru.properties"))
+                read(file)
+                        .forEach(
+                                (key, text) -> {
+                                    if (((String) key).matches("(.*\\.)?redo(\\.hint)?"))
+                                        words.add(((String) text).replace("&", "").split(" ")[0]);
+                                });
+        assertEquals(Set.of("Повторить"), words);
     }
 
     /**
