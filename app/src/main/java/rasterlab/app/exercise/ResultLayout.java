@@ -12,7 +12,8 @@ import rasterlab.app.canvas.LargeType;
 
 /**
  * The cases with the chosen one's reason and pictures beside them, or below them where the cases'
- * names take the width. Verdicts decide nothing: a check moves no place.
+ * names take the width, in large type also where they leave none for the verdicts. Verdicts decide
+ * nothing: a check moves no place.
  */
 final class ResultLayout implements LayoutManager {
     private static final int GAP = 12;
@@ -25,6 +26,9 @@ final class ResultLayout implements LayoutManager {
 
     /** From so much height on the cases can stand above the pictures, in sizes of the type. */
     private static final int ABOVE = 16;
+
+    /** The same in large type, beside which half a row more counts for less than all verdicts. */
+    private static final int ABOVE_LARGE = 11;
 
     /** Rows of the cases that are seen at least, with their head. */
     private static final int ROWS = 4;
@@ -63,7 +67,8 @@ final class ResultLayout implements LayoutManager {
         int bar = UIScale.scale(UIManager.getInt("ScrollBar.width")) + 2;
         int needed = table.needed() + bar;
         int most = width - gap - (LargeType.now() ? BESIDE_LARGE : BESIDE) * size;
-        if (table.least() + bar > most && height >= ABOVE * size) {
+        boolean tight = LargeType.now() ? needed > most : table.least() + bar > most;
+        if (tight && height >= (LargeType.now() ? ABOVE_LARGE : ABOVE) * size) {
             int left = (width - gap) * 2 / 5;
             int top = Math.min((height - gap) / 2, height - gap - heightOfWords(left));
             top = Math.max(top, ROWS * table.getRowHeight());

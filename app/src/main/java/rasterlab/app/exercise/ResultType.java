@@ -10,11 +10,18 @@ import rasterlab.app.canvas.LargeType;
  * larger than leaves the pictures and the cases' verdicts their room.
  */
 final class ResultType {
-    /** The result is at least so many sizes of its type high. */
+    /** Sizes of its type that a result is high and wide at least, with the pictures beside. */
     private static final int HIGH = 20;
 
-    /** The result is at least so many sizes of its type wide. */
     private static final int WIDE = 54;
+
+    /** The same with the pictures below, where fewer cases are in sight. */
+    private static final int HIGH_ABOVE = 18;
+
+    private static final int WIDE_ABOVE = 36;
+
+    /** Of the type of labels: that much smaller it may be for more cases. */
+    private static final float NEARLY = 0.85f;
 
     /** Of the type of labels. */
     private static final float LEAST = 0.6f;
@@ -24,9 +31,14 @@ final class ResultType {
     /** For a result of that size. */
     static Font in(Dimension result) {
         Font label = UIManager.getFont("Label.font");
+        float usual = label.getSize2D();
         if (!LargeType.now()) return label;
-        float most = Math.min((float) result.height / HIGH, (float) result.width / WIDE);
-        float least = LEAST * label.getSize2D();
-        return label.deriveFont(Math.min(label.getSize2D(), Math.max(least, most)));
+        float beside = most(result, HIGH, WIDE);
+        float most = beside >= NEARLY * usual ? beside : most(result, HIGH_ABOVE, WIDE_ABOVE);
+        return label.deriveFont(Math.min(usual, Math.max(LEAST * usual, Math.max(beside, most))));
+    }
+
+    private static float most(Dimension result, int high, int wide) {
+        return Math.min((float) result.height / high, (float) result.width / wide);
     }
 }

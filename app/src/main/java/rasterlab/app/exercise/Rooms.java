@@ -3,10 +3,12 @@ package rasterlab.app.exercise;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.Font;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import rasterlab.app.language.Texts;
 
@@ -80,7 +82,20 @@ final class Rooms extends JPanel {
         int type = UIManager.getFont("Label.font").getSize();
         boolean room = getWidth() >= WIDE * type && getHeight() >= HIGH * type;
         if (getWidth() > 0 && room != together()) arrange(room);
+        wearTitlesOfTheWindow();
         super.doLayout();
+    }
+
+    /** Titles within a tab are no larger than that of the tab, which is fitted to the window. */
+    private void wearTitlesOfTheWindow() {
+        var around = SwingUtilities.getAncestorOfClass(JTabbedPane.class, this);
+        if (together() || around == null || around.getFont().equals(tabs.getFont())) return;
+        Font usual = UIManager.getFont("TabbedPane.font");
+        float share = around.getFont().getSize2D() / usual.getSize2D();
+        tabs.setFont(around.getFont());
+        tabs.putClientProperty(
+                "JTabbedPane.tabHeight",
+                Math.round(share * UIManager.getInt("TabbedPane.tabHeight")));
     }
 
     private void arrange(boolean room) {

@@ -99,6 +99,7 @@ class ResultPlacesTest {
         List<String> all = CasePicture.VIEWS.subList(1, 4);
         float names = picture.placed(all).orElseThrow().type().getSize2D();
         float cases = named(pane, "cases").getFont().getSize2D();
+        assertTrue(cases >= 0.7 * type, "cases of " + cases + " beside type of " + type);
         assertTrue(names >= 0.7 * cases, "names of " + names + " beside cases of " + cases);
         EventQueue.invokeAndWait(pane::close);
     }

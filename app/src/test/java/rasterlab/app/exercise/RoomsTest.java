@@ -9,6 +9,7 @@ import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -92,6 +93,20 @@ class RoomsTest {
         paintSmall(again);
         int shown = ((JTabbedPane) again.getComponent(0)).getSelectedIndex();
         assertEquals(Rooms.Room.PROGRAM.ordinal(), shown);
+    }
+
+    @Test
+    @DisplayName("titles within a tab are larger than that of the tab")
+    void titlesAreAsLargeAsThoseAround() throws Exception {
+        Rooms rooms = made(Language.ENGLISH);
+        var around = new JTabbedPane();
+        EventQueue.invokeAndWait(
+                () -> {
+                    around.setFont(around.getFont().deriveFont(9f));
+                    around.add(rooms);
+                });
+        for (int round = 0; round < 2; round++) OffscreenPainter.paint(around, 600, 400);
+        assertEquals(around.getFont(), rooms.getComponent(0).getFont());
     }
 
     @Test
