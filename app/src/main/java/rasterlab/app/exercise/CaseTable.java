@@ -173,6 +173,11 @@ final class CaseTable extends JTable {
             }
     }
 
+    /** Chooses the first case where none is chosen. */
+    void chooseAny() {
+        if (getSelectedRow() < 0 && getRowCount() > 0) setRowSelectionInterval(0, 0);
+    }
+
     /** The table in what scrolls it, where the chosen case is in sight in each of its sizes. */
     JScrollPane scrolled() {
         var scroll = new JScrollPane(this);

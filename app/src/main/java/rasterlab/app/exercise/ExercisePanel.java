@@ -85,7 +85,7 @@ public final class ExercisePanel extends LabPanel implements Settling {
     }
 
     private void addResult() {
-        result = new ResultPane(texts, kept.rooms(), lab, this::goTo, onFailure);
+        result = new ResultPane(texts, kept.rooms(), lab, this::goTo, model::cancel, onFailure);
     }
 
     private void putTogether() {
@@ -206,15 +206,22 @@ public final class ExercisePanel extends LabPanel implements Settling {
         editor.show(state.exercise().id(), state.source());
         editor.remark(state.upToDate() ? state.outcome().orElseThrow().remarks() : List.of());
         bar.refresh();
-        say(notice, state.notice());
+        say(notice, joins(state) ? Notice.of("joining") : state.notice());
         say(unsaved, state.unsaved());
         result.show(state, model.untried());
         turn(state);
     }
 
+    private static boolean joins(ExerciseState state) {
+        return state.work().phase() == Work.Phase.JOINING;
+    }
+
     /** To the result of what begins, and to the words above which it was asked for. */
     private void turn(ExerciseState state) {
-        if (state.work().running() && !running) rooms.show(Rooms.Room.RESULT);
+        if (state.work().running() && !running && !joins(state)) {
+            rooms.show(Rooms.Room.RESULT);
+            result.focusGiveUp();
+        }
         if (!state.notice().isEmpty() && !state.notice().equals(said))
             rooms.show(Rooms.Room.PROGRAM);
         running = state.work().running();

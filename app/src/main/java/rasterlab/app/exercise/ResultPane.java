@@ -12,6 +12,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
@@ -33,6 +34,7 @@ final class ResultPane extends JPanel {
     private final JLabel points = new JLabel(" ");
     private final JLabel where = new JLabel(" ");
     private final JProgressBar progress = new JProgressBar();
+    private final JButton giveUp;
     private final CardLayout cards = new CardLayout();
     private final JPanel answer = new JPanel(cards);
     private final JPanel cases;
@@ -55,12 +57,14 @@ final class ResultPane extends JPanel {
     /**
      * @param kept which case was chosen in an earlier pane; takes what is chosen here
      * @param toLine told the remark whose line the user wants to see
+     * @param cancel gives up what runs
      */
     ResultPane(
             Texts texts,
             RoomsKept kept,
             OpenInLab lab,
             Consumer<Outcome.Remark> toLine,
+            Runnable cancel,
             Consumer<Throwable> onFailure) {
         super(new MigLayout("insets 0, gap 0 6, wrap 1", "[grow,fill]", "[][grow,fill]"));
         this.texts = texts;
@@ -94,6 +98,9 @@ final class ResultPane extends JPanel {
         progress.setStringPainted(true);
         progress.getAccessibleContext().setAccessibleName(texts.text("progress"));
         head.add(progress);
+        giveUp = Controls.button("cancel", texts, cancel);
+        giveUp.setName("result.cancel");
+        head.add(giveUp);
         head.add(where);
         FlowRows.keepWrapped(head);
         add(head, "wmin 0");
@@ -128,13 +135,14 @@ final class ResultPane extends JPanel {
     @Override
     public void doLayout() {
         wear(ResultType.in(getSize()));
+        offerToGiveUp();
         super.doLayout();
     }
 
     /** The label lies in the middle of its row of buttons. */
     private void wear(Font type) {
         if (type.equals(table.getFont()) && viewLabel.isPreferredSizeSet()) return;
-        List.of(points, where, table, reason, viewLabel, view, open, picture)
+        List.of(points, where, giveUp, table, reason, viewLabel, view, open, picture)
                 .forEach(part -> part.setFont(type));
         verdict.setFont(type.deriveFont(Font.BOLD));
         viewLabel.setPreferredSize(null);
@@ -147,7 +155,8 @@ final class ResultPane extends JPanel {
      */
     void show(ExerciseState state, List<TriedCase> untried) {
         boolean running = !state.work().cases().isEmpty();
-        Optional<Outcome> outcome = state.work().running() ? Optional.empty() : state.outcome();
+        // The last one stays until the next one's cases come.
+        Optional<Outcome> outcome = running ? Optional.empty() : state.outcome();
         List<TriedCase> judged = outcome.map(Outcome::cases).orElse(state.work().cases());
         String language = texts.locale().getLanguage();
         boolean sourceRefused =
@@ -174,6 +183,7 @@ final class ResultPane extends JPanel {
         sayHead(state, outcome);
         if (other) {
             chosen.ifPresent(table::choose);
+            if (outcome.isPresent()) table.chooseAny();
             table.scrollToChosen();
         }
         showChosen();
@@ -196,8 +206,23 @@ final class ResultPane extends JPanel {
         return all;
     }
 
+    /** The button that gives up what runs, where that of the program is out of sight. */
+    private void offerToGiveUp() {
+        boolean alone = getParent() instanceof JTabbedPane;
+        boolean offered = progress.isVisible() && alone;
+        if (offered == giveUp.isVisible()) return;
+        if (giveUp.isFocusOwner()) table.requestFocusInWindow();
+        giveUp.setVisible(offered);
+    }
+
+    /** Gives the keyboard to the button that gives up what runs, where it is in sight. */
+    void focusGiveUp() {
+        if (giveUp.isVisible()) giveUp.requestFocusInWindow();
+    }
+
     private void show(Work work) {
         progress.setVisible(work.running());
+        offerToGiveUp();
         progress.setIndeterminate(work.of() == 0);
         progress.setMaximum(Math.max(1, work.of()));
         progress.setValue(work.done());
@@ -210,7 +235,7 @@ final class ResultPane extends JPanel {
 
     private void sayHead(ExerciseState state, Optional<Outcome> outcome) {
         show(state.work());
-        if (outcome.isEmpty()) {
+        if (outcome.isEmpty() || state.work().running()) {
             verdict.setText(texts.text("result." + nothingYet(state.work().phase())));
             verdict.setForeground(UIManager.getColor("Label.foreground"));
             points.setText("");

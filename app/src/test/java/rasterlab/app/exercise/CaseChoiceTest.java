@@ -134,6 +134,71 @@ class CaseChoiceTest {
     }
 
     @Test
+    @DisplayName("no case is chosen in a right result of an earlier run")
+    void rightResultIsShownByItsFirstCase() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
+                    show(pane, Work.NONE, Optional.of(ShownResult.outcome(GradingVerdict.OK)));
+                    assertEquals(0, cases(pane).getSelectedRow());
+                    pane.close();
+                });
+    }
+
+    @Test
+    @DisplayName("another hidden case than the one that was chosen is chosen again")
+    void hiddenCasesAreChosenApart() throws Exception {
+        Outcome plain = ShownResult.outcome(GradingVerdict.WRONG);
+        TriedCase hidden =
+                new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, Optional.empty(), "");
+        var outcome =
+                new Outcome(
+                        "",
+                        1,
+                        "wrong",
+                        plain.points(),
+                        List.of(hidden, hidden, hidden),
+                        List.of(),
+                        Said.NOTHING,
+                        0);
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane before = pane(Language.ENGLISH, kept, FAILURES::add);
+                    show(before, Work.NONE, Optional.of(outcome));
+                    cases(before).setRowSelectionInterval(1, 1);
+                    before.close();
+                    ResultPane after = pane(Language.RUSSIAN, kept, FAILURES::add);
+                    show(after, Work.NONE, Optional.of(outcome));
+                    assertEquals(1, cases(after).getSelectedRow());
+                    assertEquals("скрытый 2", cases(after).getValueAt(1, 1));
+                    after.close();
+                });
+    }
+
+    @Test
+    @DisplayName("verdicts are lost before there are others, or do not come back")
+    void verdictsStayUntilOthersCome() throws Exception {
+        Optional<Outcome> before = Optional.of(wrong());
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(Language.ENGLISH, kept, FAILURES::add);
+                    show(pane, Work.NONE, before);
+                    show(pane, Work.of(Work.Phase.JOINING), before);
+                    assertEquals("wrong", cases(pane).getValueAt(3, 3));
+                    show(pane, new Work(Work.Phase.CHECKING, 0, 9, List.of()), before);
+                    assertEquals("wrong", cases(pane).getValueAt(3, 3));
+                    show(pane, judged(1), before);
+                    assertEquals("–", cases(pane).getValueAt(3, 3));
+                    show(pane, Work.NONE, before);
+                    assertEquals("wrong", cases(pane).getValueAt(3, 3));
+                    pane.close();
+                });
+    }
+
+    @Test
     @DisplayName("the first cases stay out of sight when there is room for them")
     void listStartsAtItsTopWhereTheChosenCaseIsInSight() throws Exception {
         var made = new AtomicReference<ResultPane>();

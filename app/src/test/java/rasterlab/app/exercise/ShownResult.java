@@ -62,7 +62,7 @@ final class ShownResult {
      */
     static ResultPane pane(Language language, RoomsKept kept, Consumer<Throwable> onFailure) {
         return new ResultPane(
-                Texts.of("exercise", language), kept, NOWHERE, remark -> {}, onFailure);
+                Texts.of("exercise", language), kept, NOWHERE, remark -> {}, () -> {}, onFailure);
     }
 
     static void show(ResultPane pane, Work work, Optional<Outcome> outcome) {
