@@ -1,0 +1,66 @@
+package rasterlab.exercises.runner;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static rasterlab.exercises.Sources.method;
+
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.Report;
+
+/** What a student reads of a class that may not be used. */
+class ForbiddenClassesTest {
+    private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
+    private static Judge judge;
+
+    @BeforeAll
+    static void start() {
+        judge = Judge.start(JudgeSettings.defaults());
+    }
+
+    @AfterAll
+    static void end() {
+        judge.close();
+    }
+
+    @ParameterizedTest(name = "one mistake has several messages, or words of the compiler: {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "try { new java.io.FileWriter(\"x\").close(); } catch (java.io.IOException e) { }"
+                        + "| the class java.io.FileWriter is not allowed"
+                        + "| класс java.io.FileWriter в этом задании не разрешён",
+                "try { if (x0 > 0) throw new java.io.IOException(); }"
+                        + " catch (java.io.IOException e) { }"
+                        + "| the class java.io.IOException is not allowed"
+                        + "| класс java.io.IOException в этом задании не разрешён",
+                "Runtime.getRuntime().gc();"
+                        + "| the class java.lang.Runtime is not allowed"
+                        + "| класс java.lang.Runtime в этом задании не разрешён",
+                "try { Class.forName(\"A\").getMethod(\"b\").invoke(null); } catch (Exception e) { }"
+                        + "| java.lang.Class.forName is not allowed in this exercise;"
+                        + " of java.lang.Class these are allowed: desiredAssertionStatus, getName,"
+                        + " getSimpleName"
+                        + "| java.lang.Class.forName в этом задании не разрешено;"
+                        + " у java.lang.Class разрешено: desiredAssertionStatus, getName,"
+                        + " getSimpleName",
+                "new java.io.PrintStream(System.out).println();"
+                        + "| the constructor of java.io.PrintStream is not allowed"
+                        + "| конструктор класса java.io.PrintStream в этом задании не разрешён",
+            })
+    void aMistakeIsToldOnceAtItsLine(String body, String english, String russian) throws Exception {
+        Report report =
+                judge.grade(EXERCISE, method("\n" + body + "\n"), CaseSelection.open(), one -> {});
+        assertEquals(1, report.diagnostics().size(), report.diagnostics()::toString);
+        Diagnostic told = report.diagnostics().get(0);
+        assertEquals(6, told.line());
+        assertTrue(told.message("en").startsWith(english), told.message("en"));
+        assertTrue(told.message("ru").startsWith(russian), told.message("ru"));
+    }
+}
