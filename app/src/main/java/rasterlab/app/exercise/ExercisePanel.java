@@ -176,13 +176,13 @@ public final class ExercisePanel extends LabPanel implements Settling {
         editor.focus();
     }
 
-    /** Waits until nothing is checked or handed in. */
+    /** Waits until nothing is checked; a server may never answer. */
     @Override
     public void settle() throws InterruptedException {
         var resting = new CountDownLatch(1);
         Consumer<ExerciseState> tellRest =
                 state -> {
-                    if (!state.work().running()) resting.countDown();
+                    if (state.work().phase() != Work.Phase.CHECKING) resting.countDown();
                 };
         EventQueue.invokeLater(
                 () -> {

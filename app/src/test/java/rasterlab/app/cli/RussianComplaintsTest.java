@@ -13,6 +13,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -125,69 +126,7 @@ class RussianComplaintsTest {
     }
 
     @ParameterizedTest(name = "./lab run {0} is answered in English: {1}")
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "line bresenham | '' | 2",
-                "line bresenham | {\"from\":[0,0],\"to\":[5,1.5]} | 2",
-                "line bresenham | {\"from\":[0,0],\"to\":[5]} | 2",
-                "line bresenham | {\"from\":[0,0],\"to\":[5,1,2]} | 2",
-                "line bresenham | {\"from\":[0,0],\"to\":7} | 2",
-                "line bresenham | {\"from\":[0,0],\"to\":{}} | 2",
-                "line bresenham | {\"from\":[0,0],\"to\":[5,\"1\"]} | 2",
-                "line bresenham | {\"from\":[0,0],\"too\":[5,1]} | 2",
-                "line bresenham | {\"from\":[0,0],\"from\":[5,1]} | 2",
-                "line bresenham | {\"from\":[0,0]} | 2",
-                "line bresenham | {\"from\":[0,0],\"to\":[5,1]} 7 | 2",
-                "line bresenham | {\"from\":[0,0] | 2",
-                "line bresenham | {\"from\":[0,0],,} | 2",
-                "line bresenham | [] | 2",
-                "line bresenham | {\"from\":[0,0],\"to\":[2e9,0]} | 4",
-                "fill stack | {\"picture\":[],\"seed\":[0,0],\"with\":\"x\",\"connectivity\":4} | 2",
-                "fill stack | {\"picture\":[\".\"],\"seed\":[0,9],\"with\":\"x\",\"connectivity\":4} | 2",
-                "fill stack | {\"picture\":[\".\"],\"seed\":[0,0],\"with\":\"xy\",\"connectivity\":4} | 2",
-                "fill stack | {\"picture\":[\".\"],\"seed\":[0,0],\"with\":\"x\",\"connectivity\":5} | 2",
-                "spline-function cubic | {\"x\":[0,1,1],\"y\":[0,1,0],\"at\":[],"
-                        + "\"ends\":{\"kind\":\"natural\"}} | 3",
-                "polygon-fill scanline | {\"polygon\":[[0,0],[1e300,0],[0,1]],"
-                        + "\"rule\":\"evenodd\",\"size\":[4,4]} | 3",
-                "polygon-fill scanline | {\"polygon\":[[0,0],[9e9,0],[0,9e9]],"
-                        + "\"rule\":\"evenodd\",\"size\":[8192,8192]} | 4",
-                "fill recursive-textbook | {\"picture\":[\"...\",\".#.\",\"...\"],\"seed\":[0,0],"
-                        + "\"with\":\".\",\"connectivity\":4} | 4",
-                "circle bresenham | {\"center\":[0,0],\"radius\":-1} | 2",
-                "line bresenham | {\"from\":[0,0],\"to\":[5,1],\"window\":[5,0,1,2]} | 2",
-                "fill stack | {\"picture\":\"\",\"seed\":[0,0],\"with\":\"x\",\"connectivity\":4} | 2",
-                "curve de-casteljau | {\"kind\":\"hermite\",\"points\":[[0,0],[1,1]],\"at\":[0.5]} | 2",
-                "matrix formula | {\"name\":\"ROT3DX\",\"angle\":3,\"p\":4} | 2",
-                "matrix formula | {\"name\":\"IDENTITY\",\"p\":4} | 2",
-                "line-plane formula | {\"line\":[[0,0,0],[0,0,0]],\"plane\":[[0,0,0],[1,0,0],[0,1,0]]} | 2",
-                "line-plane formula | {\"line\":[[0,0,0],[0,0,1]],\"plane\":[[0,0,0],[1,0,0],[2,0,0]]} | 2",
-                "line-plane formula | {\"line\":[[0,0,0],[0,0,1]]} | 2",
-                "matrix formula | {\"name\":\"CENTRAL\",\"k\":0} | 2",
-                "matrix formula | {\"name\":\"GL_PERSPECTIVE\",\"fovy\":180,\"aspect\":1,\"near\":1,\"far\":2} | 2",
-                "matrix formula | {\"name\":\"LOOKAT\",\"eye\":[0,0,1],\"center\":[0,0,1],\"up\":[0,1,0]} | 3",
-                "color formula | {\"hvs\":[120,0.8,0.8]} | 3",
-                "texture-filter nearest | {\"picture\":[[0,1],[2]],\"pixels\":[]} | 2",
-                "texture-mapping affine | {\"from\":[0,0,1],\"to\":[1,1,0],\"pixels\":3} | 2",
-                "clip-segment cohen-sutherland | {\"window\":[5,0,1,2],\"segments\":[]} | 2",
-                "clip-segment cohen-sutherland | {\"window\":[[0,0],[1,0],[0,1]],\"segments\":[[0,0,1,1]]} | 3",
-                "clip-polygon sutherland-hodgman | {\"window\":[0,0,1,1],\"polygon\":[[0,0]]} | 3",
-                "vertex-normals area | {\"vertices\":[[0,0,0]],\"triangles\":[[0,1,2]]} | 2",
-                "visible-faces back-face | {\"vertices\":[[0,0,0]],\"faces\":[[0,1,2]],\"eye\":[0,0,1]} | 2",
-                "triangulate fan | {\"polygon\":[[0,0],[4,0],[1,1],[0,4]]} | 3",
-                "point-in-triangle simplex | {\"triangle\":[[0,0],[1,1],[2,2]],\"points\":[[0,0]]} | 3",
-                "circle midpoint | {\"center\":[2147483647,0],\"radius\":30} | 3",
-                "depth-buffer z16 | {\"near\":1,\"far\":0.5,\"depths\":[1]} | 2",
-                "depth-buffer z16 | {\"near\":1,\"far\":5,\"depths\":[9]} | 2",
-                "depth-buffer z16 | {\"near\":1,\"far\":5,\"depths\":[2],\"to\":[3]} | 2",
-                "depth-order painter | {\"polygons\":[[[0,0,0],[1,0,0],[2,0,0]]],\"eye\":[0,0,5]} | 2",
-                "hidden-surfaces painter | {\"vertices\":[[0,0,0]],\"faces\":[[0,0,0]],\"theta\":1,\"phi\":2,\"rho\":3,\"size\":[9,9]} | 2",
-                "view one-matrix | {\"points\":[[0,0,0]],\"theta\":1,\"phi\":1,\"rho\":0} | 2",
-                "shade phong | {\"normal\":[0,0,1],\"to-light\":[0,0,1],\"to-eye\":[0,0,1],\"material\":{\"shininess\":300}} | 2",
-                "rotate-axis matrix | {\"points\":[[0,0,0]],\"through\":[0,0,0],\"direction\":[0,0,0],\"degrees\":1} | 2",
-                "curve uniform | {\"kind\":\"bezier\",\"points\":[[0,0]]} | 2",
-            })
+    @CsvFileSource(resources = "refused-inputs.txt", delimiter = '|', quoteCharacter = '\'')
     void aRefusedInputIsToldInRussian(String names, String input, int code) {
         Ran ran = Ran.labReading(input, ("run " + names + " --lang ru").split(" "));
         assertEquals(code, ran.exitCode(), ran.err());
