@@ -138,10 +138,11 @@ final class CasePicture extends SelfDrawn {
 
     private List<Shown> decoded(TriedCase.Pictures from) {
         try {
+            BufferedImage expected = decoded(from.expected());
             return List.of(
-                    new Shown("expected", decoded(from.expected())),
-                    new Shown("actual", decoded(from.actual())),
-                    new Shown("difference", decoded(from.difference())));
+                    new Shown("expected", expected),
+                    new Shown("actual", alike(decoded(from.actual()), expected)),
+                    new Shown("difference", alike(decoded(from.difference()), expected)));
         } catch (IOException e) {
             onFailure.accept(e);
             return List.of();
@@ -152,6 +153,19 @@ final class CasePicture extends SelfDrawn {
         BufferedImage picture = ImageIO.read(new ByteArrayInputStream(png));
         if (picture == null) throw new IOException("a case's picture is no PNG");
         return picture;
+    }
+
+    private static BufferedImage alike(BufferedImage picture, BufferedImage first)
+            throws IOException {
+        if (picture.getWidth() == first.getWidth() && picture.getHeight() == first.getHeight())
+            return picture;
+        throw new IOException(
+                "a case's pictures are of %d×%d and %d×%d pixels"
+                        .formatted(
+                                first.getWidth(),
+                                first.getHeight(),
+                                picture.getWidth(),
+                                picture.getHeight()));
     }
 
     @Override
@@ -208,10 +222,13 @@ final class CasePicture extends SelfDrawn {
         return whole.of(part.getSize()).in(room).map(pictures -> new Placed(part, pictures));
     }
 
-    /** A part of the raster of that size, with the first wrong pixel in its middle where it can. */
+    /** A part of the raster of that size, with the first mark in its middle where it can. */
     private Rectangle around(Dimension part) {
         Dimension all = grid.pixels();
-        Point centre = pictures.map(TriedCase.Pictures::centre).orElse(new Point());
+        Point centre =
+                Optional.ofNullable(rasters.get("difference"))
+                        .map(RasterPicture::firstMark)
+                        .orElse(new Point());
         int left = Math.min(all.width - part.width, Math.max(0, centre.x - part.width / 2));
         int top = Math.min(all.height - part.height, Math.max(0, centre.y - part.height / 2));
         return new Rectangle(left, top, part.width, part.height);

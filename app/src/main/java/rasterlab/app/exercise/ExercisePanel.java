@@ -4,6 +4,7 @@ import java.awt.BorderLayout;
 import java.awt.EventQueue;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JPanel;
@@ -180,16 +181,21 @@ public final class ExercisePanel extends LabPanel implements Settling {
     @Override
     public void settle() throws InterruptedException {
         var resting = new CountDownLatch(1);
+        var listening = new AtomicReference<Runnable>();
         Consumer<ExerciseState> tellRest =
                 state -> {
                     if (state.work().phase() != Work.Phase.CHECKING) resting.countDown();
                 };
         EventQueue.invokeLater(
                 () -> {
-                    model.listen(tellRest);
+                    listening.set(model.listen(tellRest));
                     tellRest.accept(model.state());
                 });
-        resting.await();
+        try {
+            resting.await();
+        } finally {
+            EventQueue.invokeLater(() -> listening.get().run());
+        }
     }
 
     /** Stops listening; work that runs goes on in the model. */

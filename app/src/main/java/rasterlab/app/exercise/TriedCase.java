@@ -1,7 +1,6 @@
 package rasterlab.app.exercise;
 
 import java.awt.Dimension;
-import java.awt.Point;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -41,15 +40,6 @@ record TriedCase(
         /** Number of pixels of the box that holds both pictures. */
         int size() {
             return pixels().width * pixels().height;
-        }
-
-        /** Column and row of the topmost wrong pixel, or of the middle where none is wrong. */
-        Point centre() {
-            List<String> rows = rows();
-            for (int y = 0; y < rows.size(); y++)
-                for (int x = 0; x < rows.get(y).length(); x++)
-                    if ("+-".indexOf(rows.get(y).charAt(x)) >= 0) return new Point(x, y);
-            return new Point(pixels().width / 2, rows.size() / 2);
         }
 
         private List<String> rows() {

@@ -30,7 +30,7 @@ class LabModelsTest {
     @Test
     void tabNeedsItsOwnLabAlone() {
         models.make("line");
-        assertEquals(List.of("line", "line.figures", "line.mode"), begun);
+        assertEquals(List.of("line", "line.tried", "line.figures", "line.mode"), begun);
         assertEquals(Set.copyOf(begun), models.kept().keySet());
         assertEquals(Set.copyOf(begun), models.asMade().keySet());
     }

@@ -174,7 +174,6 @@ public final class Renderer implements AutoCloseable {
                             .formatted(
                                     request.width(), request.height(), out.width(), out.height()));
         Cancellation.check(cancelled);
-        out.clear(0xFF000000 | request.scene().backgroundRgb());
         if (request.look().stereo().isEmpty())
             return draw(request, RequestView.of(request, request.width()), out, cancelled);
         drawEyes(request, request.look().stereo().get(), out, cancelled);
@@ -186,10 +185,10 @@ public final class Renderer implements AutoCloseable {
         int width = Eyes.width(stereo, out.width());
         double separation = stereo.separation(request.camera().rho());
         double half = new StereoPair(request.camera(), separation).separation() / 2;
+        out.clear(0xFF000000 | request.scene().backgroundRgb());
         var left = new Raster(width, out.height());
         var right = new Raster(width, out.height());
         for (Raster eye : List.of(left, right)) {
-            eye.clear(0xFF000000 | request.scene().backgroundRgb());
             double toTheRight = eye == left ? -half : half;
             draw(request, RequestView.of(request, width, toTheRight), eye, cancelled);
         }
@@ -200,27 +199,29 @@ public final class Renderer implements AutoCloseable {
             RenderRequest request, RequestView seen, Raster out, BooleanSupplier cancelled) {
         Look look = request.look();
         ViewedMesh view = seen.viewed();
+        int background = seen.scene().backgroundRgb();
+        int opaque = 0xFF000000 | background;
         if (look.visibility().equals(SURFACES)) {
             look.requireSurfaces();
             var lights = new FaceLights(seen.scene(), view, look.terms(), look.sides());
+            out.clear(opaque);
             new SurfacePicture(lights, look.texture()).draw(out, cancelled);
             return Optional.empty();
         }
-        int background = seen.scene().backgroundRgb();
-        Optional<Veil> veil = veil(look, seen);
         String chosen = visibility(request).chosen();
         ShadingMethod shading = ShadingMethod.named(shading(request).chosen());
         Visibility method = named(visibilities, chosen).implementation();
-        if (shading == ShadingMethod.WIRE)
-            new WirePicture(view, wire(look), background, veil, out).draw(method, cancelled);
-        else if (chosen.equals(PIPELINE) && drawsDirectly(look, shading))
-            direct().draw(
-                            lights(look, seen),
-                            directLook(look, shading),
-                            0xFF000000 | background,
-                            out,
-                            cancelled);
-        else return Optional.of(method.draw(view, paint(look, shading, seen), out, cancelled));
+        boolean wire = shading == ShadingMethod.WIRE;
+        if (!wire && chosen.equals(PIPELINE) && drawsDirectly(look, shading)) {
+            DirectLook how = directLook(look, shading);
+            direct().draw(lights(look, seen), how, opaque, out, cancelled);
+            return Optional.empty();
+        }
+        out.clear(opaque);
+        if (!wire)
+            return Optional.of(method.draw(view, paint(look, shading, seen), out, cancelled));
+        new WirePicture(view, wire(look), background, veil(look, seen), out)
+                .draw(method, cancelled);
         return Optional.empty();
     }
 

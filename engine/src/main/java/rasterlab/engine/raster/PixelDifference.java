@@ -81,22 +81,33 @@ public record PixelDifference(PixelSet right, PixelSet missing, PixelSet extra) 
      * shown.
      */
     public String text() {
-        return box().map(this::text).orElse("");
+        return text(PixelSet.EMPTY);
+    }
+
+    /**
+     * The same around the topmost of other pixels where none is wrong.
+     *
+     * @param told pixels that are right, but something is to be said of them
+     */
+    public String text(PixelSet told) {
+        return box().map(whole -> text(whole, shown(whole, told))).orElse("");
     }
 
     /** The part of the box that {@link #text} shows; none if there is no pixel at all. */
-    public Optional<PixelWindow> shown() {
-        return box().map(this::shown);
+    public Optional<PixelWindow> shown(PixelSet told) {
+        return box().map(whole -> shown(whole, told));
     }
 
-    private PixelWindow shown(PixelWindow whole) {
-        PixelSet wrong = missing.union(extra);
-        PixelSet centre = wrong.isEmpty() ? right : wrong;
+    private PixelWindow shown(PixelWindow whole, PixelSet told) {
+        PixelSet centre =
+                Stream.of(missing.union(extra), told)
+                        .filter(set -> !set.isEmpty())
+                        .findFirst()
+                        .orElse(right);
         return whole.around(centre.x(0), centre.y(0), MOST_COLUMNS, MOST_ROWS);
     }
 
-    private String text(PixelWindow whole) {
-        PixelWindow shown = shown(whole);
+    private String text(PixelWindow whole, PixelWindow shown) {
         var text = new StringBuilder();
         if (!shown.equals(whole)) text.append(part(shown, whole)).append('\n');
         for (long y = shown.ymin(); y <= shown.ymax(); y++) {

@@ -14,7 +14,9 @@ import java.awt.geom.Line2D;
 public enum PixelMark {
     /** A ring: the exact picture lights this pixel, the method does not. */
     MISSING,
-    /** A cross: the method lights this pixel, the exact picture does not. */
+    /**
+     * A cross: the method lights this pixel, the exact picture does not, or not again or not yet.
+     */
     EXTRA;
 
     /** Vermillion (Okabe and Ito, 2008); nothing but a wrong pixel has it. Opaque, 0xAARRGGBB. */

@@ -103,7 +103,7 @@ public final class LineJudge {
             GradingVerdict verdict, Message said, PixelRecording wanted, Answer answer) {
         PixelRecording actual = answer.pixels();
         PixelDifference difference = PixelDifference.of(wanted, actual);
-        PixelSet amiss = PixelSet.of(new Turns(wanted, actual).amiss(demand.inOrder()));
+        PixelSet amiss = PixelSet.of(new Turns(wanted, actual).amiss(difference, demand.inOrder()));
         return new Finding(
                 verdict,
                 said,

@@ -23,12 +23,12 @@ public record CasePictures(
      */
     public static Optional<CasePictures> of(PixelDifference difference, PixelSet amiss) {
         return difference
-                .shown()
+                .shown(amiss)
                 .map(
                         shown -> {
                             GridPicture grid = new GridPicture(shown);
                             return new CasePictures(
-                                    difference.text(),
+                                    difference.text(amiss),
                                     grid.lit(difference.right(), difference.missing()),
                                     grid.lit(difference.right(), difference.extra()),
                                     grid.difference(difference, amiss));

@@ -25,6 +25,9 @@ public record Message(List<Sentence> sentences) {
     /** A number with a fraction. */
     private static final Pattern BROKEN = Pattern.compile("\\d+\\.\\d+");
 
+    /** Of other people's words, which stay as they are. */
+    private static final Set<String> VERBATIM = Set.of("quoted", "printed", "printed.case");
+
     private static final JsonMapper MAPPER = new JsonMapper();
 
     /**
@@ -37,7 +40,9 @@ public record Message(List<Sentence> sentences) {
         }
 
         private String in(ResourceBundle texts) {
-            Object[] said = arguments.stream().map(one -> inForm(one, texts)).toArray();
+            boolean ours = !VERBATIM.contains(key);
+            Object[] said =
+                    arguments.stream().map(one -> ours ? inForm(one, texts) : one).toArray();
             return new MessageFormat(texts.getString(key), Locale.ROOT).format(said);
         }
 
@@ -52,8 +57,8 @@ public record Message(List<Sentence> sentences) {
         }
 
         /**
-         * With what stands between numbers in that language, which a decimal comma does not, and a
-         * minus as wide as plus.
+         * With what stands between numbers in that language, which a decimal comma does not, and
+         * with its minus.
          */
         private static String pixel(String argument, ResourceBundle texts) {
             return PIXEL.matcher(argument)
@@ -61,7 +66,7 @@ public record Message(List<Sentence> sentences) {
                             pixel ->
                                     pixel.group()
                                             .replace(", ", texts.getString("apart"))
-                                            .replace('-', '−'));
+                                            .replace("-", texts.getString("minus")));
         }
     }
 

@@ -294,6 +294,15 @@ class LineExerciseTest {
         assertMarked(new Segment(0, 0, 1, 0), backwards, Answer.Ending.RETURNED, true);
     }
 
+    @Test
+    @DisplayName("three equal pictures are shown of a long line whose end is drawn again")
+    void aPixelOutsideTheFirstPartIsSeenToBeDrawnAgain() {
+        PixelRecording again = new PixelRecording(201);
+        for (int x = 0; x < 200; x++) again.plot(x, 0);
+        again.plot(199, 0);
+        assertMarked(new Segment(0, 0, 199, 0), again, Answer.Ending.RETURNED, false);
+    }
+
     private static void assertMarked(
             Segment segment, PixelRecording drawn, Answer.Ending ending, boolean inOrder) {
         LineCase demand = new LineCase(List.of(segment), false, inOrder, 100, false);

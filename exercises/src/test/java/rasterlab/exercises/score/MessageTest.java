@@ -38,10 +38,10 @@ class MessageTest {
     }
 
     @Test
-    @DisplayName("a hyphen stands for a minus")
-    void writesCoordinatesAsTheWindowDoes() {
+    @DisplayName("a Russian minus is a hyphen, or what programs read in English changes")
+    void writesCoordinatesInTheLanguageAskedFor() {
         Message extra = Message.of("pixel.extra", "(-3, -40)");
-        assertTrue(extra.in("en").contains("(−3, −40)"), extra.in("en"));
+        assertTrue(extra.in("en").contains("(-3, -40)"), extra.in("en"));
         assertTrue(extra.in("ru").contains("(−3; −40)"), extra.in("ru"));
     }
 
@@ -51,7 +51,9 @@ class MessageTest {
         Message late = Message.of("child.time", 2.5);
         assertTrue(late.in("en").contains("2.5"), late.in("en"));
         assertTrue(late.in("ru").contains("2,5"), late.in("ru"));
-        assertEquals("version 2.5", Message.quoted("version 2.5").in("ru"));
+        assertEquals("2.5", Message.quoted("2.5").in("ru"));
+        Message printed = Message.of("printed", "x", "(-3, -4)");
+        assertTrue(printed.in("ru").contains("(-3, -4)"), printed.in("ru"));
     }
 
     @Test

@@ -26,7 +26,7 @@ import rasterlab.engine.texture.TextureSampler;
 /** One picture after the other by one pipeline; keeps its working memory. One thread at a time. */
 public final class DirectPicture implements AutoCloseable {
     private final TrianglePipeline pipeline;
-    private DepthRaster depths = new DepthRaster(1, 1);
+    private float[] depths = {};
 
     /**
      * @param pipeline draws for this alone, and ends with it
@@ -36,7 +36,7 @@ public final class DirectPicture implements AutoCloseable {
     }
 
     /**
-     * Draws the picture anew, but for a scene without faces.
+     * Draws the whole picture, whatever it held.
      *
      * @param background 0xAARRGGBB
      * @param cancelled asked by several threads
@@ -49,7 +49,10 @@ public final class DirectPicture implements AutoCloseable {
             Raster out,
             BooleanSupplier cancelled) {
         var space = new ClipSpace(lights.view());
-        if (space.empty()) return;
+        if (space.empty()) {
+            out.clear(background);
+            return;
+        }
         boolean[] opaque = look.opaque(lights);
         PointLighting[] lighting = lights.forThread();
         TriangleView view = space.view();
@@ -70,9 +73,9 @@ public final class DirectPicture implements AutoCloseable {
     }
 
     private DepthRaster withDepths(Raster out) {
-        if (depths.width() != out.width() || depths.height() != out.height())
-            depths = new DepthRaster(out.width(), out.height());
-        return depths.of(out);
+        int cells = out.argb().length;
+        if (depths.length != cells) depths = new float[cells];
+        return new DepthRaster(out, depths);
     }
 
     /** Lights all faces at once; a batch takes what is its own. */

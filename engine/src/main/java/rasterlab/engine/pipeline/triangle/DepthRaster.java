@@ -18,22 +18,23 @@ public final class DepthRaster {
         Arrays.fill(depth, FARTHEST);
     }
 
-    private DepthRaster(Raster raster, float[] depth) {
+    /**
+     * A picture with depths that are there already, neither of them copied.
+     *
+     * @param depth one for each cell
+     * @throws IllegalArgumentException if there are more or fewer
+     */
+    public DepthRaster(Raster raster, float[] depth) {
+        if (depth.length != raster.argb().length)
+            throw new IllegalArgumentException(
+                    "depth must hold %d numbers for %d×%d pixels, got %d"
+                            .formatted(
+                                    raster.argb().length,
+                                    raster.width(),
+                                    raster.height(),
+                                    depth.length));
         this.raster = raster;
         this.depth = depth;
-    }
-
-    /**
-     * These depths, not a copy, for the pixels of another picture.
-     *
-     * @throws IllegalArgumentException if its size is another
-     */
-    public DepthRaster of(Raster picture) {
-        if (picture.width() != width() || picture.height() != height())
-            throw new IllegalArgumentException(
-                    "picture must be of %d×%d pixels, got %d×%d"
-                            .formatted(width(), height(), picture.width(), picture.height()));
-        return new DepthRaster(picture, depth);
     }
 
     public int width() {

@@ -37,7 +37,7 @@ final class PixelFill {
     /** Whether an alpha is wanted that counts for nothing. */
     private boolean wholeAlpha;
 
-    /** Depths of nothing, as large as the largest picture without a depth test. */
+    /** Depths of nothing, as many as are there to be tested. */
     private float[] nothing = {};
 
     /** Whether the batch may still know of pixels from behind. */

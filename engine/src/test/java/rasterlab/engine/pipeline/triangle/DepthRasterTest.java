@@ -1,7 +1,6 @@
 package rasterlab.engine.pipeline.triangle;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import org.junit.jupiter.api.Test;
@@ -9,18 +8,12 @@ import rasterlab.engine.raster.Raster;
 
 class DepthRasterTest {
     @Test
-    void depthsServeAnotherPicture() {
-        var depths = new DepthRaster(3, 2);
+    void everyPixelHasADepthAndNothingElseHas() {
         var picture = new Raster(3, 2);
-        assertSame(picture, depths.of(picture).raster());
-        assertSame(depths.depth(), depths.of(picture).depth());
-    }
-
-    @Test
-    void depthsServeNoPictureOfAnotherSize() {
-        var depths = new DepthRaster(3, 2);
         var thrown =
-                assertThrows(IllegalArgumentException.class, () -> depths.of(new Raster(2, 3)));
-        assertEquals("picture must be of 3×2 pixels, got 2×3", thrown.getMessage());
+                assertThrows(
+                        IllegalArgumentException.class,
+                        () -> new DepthRaster(picture, new float[5]));
+        assertEquals("depth must hold 6 numbers for 3×2 pixels, got 5", thrown.getMessage());
     }
 }
