@@ -19,6 +19,7 @@ import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.OpenInLab;
+import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
@@ -298,7 +299,7 @@ final class ResultPane extends JPanel {
 
     private void showChosen() {
         Optional<TriedCase> chosen = table.chosen();
-        String said = chosen.map(one -> one.said().in(texts.language())).orElse("");
+        String said = chosen.map(one -> Shown.pixels(one.said().in(texts.language()))).orElse("");
         boolean smallest =
                 shown.flatMap(Outcome::smallestCounterexample)
                         .filter(one -> chosen.filter(one::equals).isPresent())

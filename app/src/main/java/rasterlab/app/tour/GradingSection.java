@@ -9,7 +9,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
+import rasterlab.exercises.score.GradingVerdict;
 
 /** A real server, a course, a student and four submissions. */
 final class GradingSection implements TourPart {
@@ -88,16 +90,28 @@ final class GradingSection implements TourPart {
                             .text(
                                     "grading.unexpected",
                                     solution.name,
-                                    page.texts().text("graded." + verdict),
-                                    page.texts().text("graded." + solution.verdict)));
+                                    called(verdict, page.texts()),
+                                    called(solution.verdict, page.texts())));
     }
 
-    private record Graded(String solution, JsonNode result, double seconds) {
+    /**
+     * A verdict as in the lab, but for the fault of a server, which is not ours.
+     *
+     * @param verdict its code
+     */
+    static String called(String verdict, Texts texts) {
+        return verdict.equals(GradingVerdict.INTERNAL.code())
+                ? texts.text("grading.internal")
+                : Texts.of("exercise", texts.language()).text("verdict." + verdict);
+    }
+
+    /** What the server answered to one solution. */
+    record Graded(String solution, JsonNode result, double seconds) {
         List<String> row(Texts texts) {
             JsonNode points = result.path("points");
             return List.of(
                     texts.text("grading." + solution),
-                    texts.text("graded." + result.path("verdict").asText()),
+                    called(result.path("verdict").asText(), texts),
                     points.path("total").asInt() + "/" + points.path("of").asInt(),
                     points.path("accuracy").asText(),
                     points.path("stability").asText(),
@@ -122,16 +136,15 @@ final class GradingSection implements TourPart {
             rows.add(
                     List.of(
                             title(judged),
-                            page.texts().text("graded." + judged.path("verdict").asText()),
+                            called(judged.path("verdict").asText(), page.texts()),
                             judged.path("points").asText() + "/" + judged.path("of").asText(),
-                            judged.path("message").asText()));
+                            Shown.pixels(judged.path("message").asText())));
         if (!rows.isEmpty()) page.table(page.texts().text("grading.cases"), rows);
-        showFirstPicture(page, client, student, graded);
+        showFirstPicture(page, path -> client.get(path, student), graded);
     }
 
     /** The first case that has pictures: as text, and what was expected beside what was drawn. */
-    private static void showFirstPicture(
-            TourPage page, GraderClient client, String student, Graded graded)
+    static void showFirstPicture(TourPage page, PngSource pngs, Graded graded)
             throws IOException, InterruptedException {
         for (JsonNode judged : graded.result.path("cases")) {
             JsonNode pictures = judged.path("pictures");
@@ -144,11 +157,16 @@ final class GradingSection implements TourPart {
                 figures.add(
                         page.picture(
                                 "graded-" + graded.solution + "-" + name + "-" + kind,
-                                client.get(pictures.path(kind).asText(), student),
+                                pngs.get(pictures.path(kind).asText()),
                                 page.texts().text("grading." + kind)));
             page.smallGallery(figures);
             return;
         }
+    }
+
+    /** What the server has at an address. */
+    interface PngSource {
+        byte[] get(String path) throws IOException, InterruptedException;
     }
 
     private static String title(JsonNode judged) {

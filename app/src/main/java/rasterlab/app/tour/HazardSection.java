@@ -3,6 +3,7 @@ package rasterlab.app.tour;
 import java.util.ArrayList;
 import java.util.List;
 import rasterlab.app.study.HazardMatrix;
+import rasterlab.app.study.StudyWords;
 import rasterlab.app.study.TopicNames;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Hazard;
@@ -26,13 +27,14 @@ final class HazardSection implements TourPart {
         HazardMatrix matrix = HazardMatrix.judged(topic, HazardTrial.WALL_LIMIT);
         var called = TopicNames.in(page.texts().language());
         page.heading(page.texts().text("topic", called.topic(topic.name()), topic.name()));
+        var words = new StudyWords(page.texts().language());
         List<String> heads = new ArrayList<>(List.of(page.texts().text("hazards.hazard")));
         heads.addAll(matrix.methods());
         List<List<String>> rows = new ArrayList<>();
         for (Hazard<?> hazard : topic.hazards()) {
             List<String> row = new ArrayList<>(List.of(called.hazard(topic, hazard)));
             for (String method : matrix.methods())
-                row.add(verdict(page, matrix.cell(hazard.name(), method)));
+                row.add(verdict(words, matrix.cell(hazard.name(), method)));
             rows.add(row);
         }
         page.table(heads, rows);
@@ -40,8 +42,8 @@ final class HazardSection implements TourPart {
             throw new IllegalStateException(page.texts().text("hazards.differ"));
     }
 
-    private static String verdict(TourPage page, Cell cell) {
-        String verdict = page.texts().text("verdict." + cell.verdict().kind().code());
+    private static String verdict(StudyWords words, Cell cell) {
+        String verdict = words.verdict(cell.verdict().kind());
         return cell.asRecorded() ? verdict : verdict + " !";
     }
 }

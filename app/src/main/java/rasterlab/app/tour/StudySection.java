@@ -2,8 +2,8 @@ package rasterlab.app.tour;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import rasterlab.app.canvas.Shown;
-import rasterlab.app.language.Texts;
 import rasterlab.app.study.StudyChart;
 import rasterlab.app.study.StudyWords;
 import rasterlab.app.study.TopicNames;
@@ -45,15 +45,17 @@ final class StudySection implements TourPart {
                         "study-" + topic.name(),
                         StudyChart.image(study, page.texts().language()),
                         caption));
-        List<List<String>> rows = new ArrayList<>();
-        for (Measurement measured : study.measurements()) rows.add(row(measured, page.texts()));
         var words = new StudyWords(page.texts().language());
+        List<List<String>> rows = new ArrayList<>();
+        for (Measurement measured : study.measurements())
+            rows.add(row(measured, words, page.texts().locale()));
         page.table(
                 page.texts().text("study.heads", words.item(study), words.errorUnit(study)), rows);
     }
 
-    private static List<String> row(Measurement measured, Texts texts) {
-        String verdict = texts.text("verdict." + measured.kind().code());
+    /** A measurement with its numbers as the locale writes them. */
+    static List<String> row(Measurement measured, StudyWords words, Locale locale) {
+        String verdict = words.verdict(measured.kind());
         if (!measured.cost().timed())
             return List.of(
                     measured.method(),
@@ -66,13 +68,13 @@ final class StudySection implements TourPart {
         return List.of(
                 measured.method(),
                 String.valueOf(measured.size()),
-                String.format(texts.locale(), "%.2f", measured.cost().medianNanos()),
+                String.format(locale, "%.2f", measured.cost().medianNanos()),
                 String.format(
-                        texts.locale(),
+                        locale,
                         "%.2f–%.2f",
                         measured.cost().lowNanos(),
                         measured.cost().highNanos()),
-                Shown.number(measured.error().worst(), texts.locale()),
+                Shown.number(measured.error().worst(), locale),
                 String.valueOf(measured.error().missing() + measured.error().extra()),
                 verdict);
     }

@@ -27,6 +27,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 
 /** The place of the result before there is one. */
 class ResultGuideTest {
@@ -98,6 +99,40 @@ class ResultGuideTest {
                     ((JTable) named(pane, "cases")).setRowSelectionInterval(0, 0);
                     String said = ((JTextArea) named(pane, "reason")).getText();
                     assertTrue(said.contains(words), said);
+                    pane.close();
+                });
+    }
+
+    @ParameterizedTest(
+            name = "a hyphen stands for the minus of a pixel, or in what was thrown: {0}")
+    @CsvSource({
+        "ENGLISH, 'pixel (−3, 4) is missing, (−2, −5) is drawn'",
+        "RUSSIAN, 'нет пикселя (−3; 4), нарисован (−2; −5)'"
+    })
+    void coordinatesHaveAMinus(Language language, String words) throws Exception {
+        Message said =
+                Message.of("pixel.instead", "(-3, 4)", "(-2, -5)").and(Message.quoted("x (-1, 2)"));
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(language, FAILURES::add);
+                    TriedCase open = TriedCase.untried(EXERCISE).get(0);
+                    var wrong =
+                            new TriedCase(
+                                    open.name(),
+                                    "wrong",
+                                    0,
+                                    open.of(),
+                                    Said.of(said::in),
+                                    Optional.empty(),
+                                    "");
+                    show(
+                            pane,
+                            new Work(Work.Phase.CHECKING, 1, 2, List.of(wrong)),
+                            Optional.empty());
+                    ((JTable) named(pane, "cases")).setRowSelectionInterval(0, 0);
+                    assertEquals(
+                            words + "; x (-1, 2)", ((JTextArea) named(pane, "reason")).getText());
                     pane.close();
                 });
     }

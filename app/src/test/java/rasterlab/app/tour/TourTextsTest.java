@@ -3,6 +3,7 @@ package rasterlab.app.tour;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Properties;
 import java.util.Set;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,13 +20,27 @@ class TourTextsTest {
         assertEquals(ownKeys(bundle, "en"), ownKeys(bundle, "ru"));
     }
 
-    @ParameterizedTest(name = "a graded verdict is called otherwise than in the lab: {0}")
-    @EnumSource(GradingVerdict.class)
-    void verdictsAreCalledAsInTheLabOfExercises(GradingVerdict verdict) {
-        if (verdict == GradingVerdict.INTERNAL) return;
-        Texts tour = Texts.of("tour", Language.RUSSIAN);
-        Texts lab = Texts.of("exercise", Language.RUSSIAN);
-        assertEquals(lab.text("verdict." + verdict.code()), tour.text("graded." + verdict.code()));
+    @ParameterizedTest(name = "a server''s verdict is called otherwise than in the lab: {0}")
+    @EnumSource(Language.class)
+    void verdictsAreCalledAsInTheLabOfExercises(Language language) {
+        Texts tour = Texts.of("tour", language);
+        Texts lab = Texts.of("exercise", language);
+        for (GradingVerdict verdict : GradingVerdict.values())
+            assertEquals(
+                    verdict == GradingVerdict.INTERNAL
+                            ? tour.text("grading.internal")
+                            : lab.text("verdict." + verdict.code()),
+                    GradingSection.called(verdict.code(), tour));
+    }
+
+    @ParameterizedTest(name = "the tour has a list of verdicts of its own: {0}")
+    @ValueSource(strings = {"en", "ru"})
+    void verdictsAreKeptOnce(String language) {
+        assertEquals(
+                List.of(),
+                ownKeys("rasterlab.app.tour.messages", language).stream()
+                        .filter(key -> key.matches("(verdict|graded)\\..*"))
+                        .toList());
     }
 
     /** Keys of the language's own file; a missing one is not filled in from the English file. */
