@@ -3,23 +3,32 @@ package rasterlab.app.cli;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Properties;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.cli.run.Runs;
 import rasterlab.app.cli.run.TopicRun;
 import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Topic;
 
 /** What {@code ./lab methods} says of JSON in Russian. */
 class FormWordsTest {
+    /** Ends the key of the English that stands above a translation. */
+    private static final String EN = ".en";
+
     private static final Pattern NAME = Pattern.compile("\"[^\"]+\"");
 
     /** Two words one after the other, or one that names nothing. */
@@ -62,14 +71,51 @@ class FormWordsTest {
                 .collect(Collectors.toCollection(TreeSet::new));
     }
 
-    @ParameterizedTest(name = "the English of {0} was changed and its translation was not")
-    @MethodSource("topics")
-    void eachTranslationStandsBelowItsEnglish(String topic) {
-        TopicRun run = Runs.named(topic);
-        Texts texts = russian.texts();
-        String reads = run.form().input();
-        String answers = run.form().answer();
-        assertEquals(reads, texts.textOr(topic + ".reads.en", reads));
-        assertEquals(answers, texts.textOr(topic + ".answers.en", answers));
+    static Stream<String> translated() throws IOException {
+        return translations().stringPropertyNames().stream()
+                .filter(key -> !key.endsWith(EN))
+                .sorted();
+    }
+
+    @ParameterizedTest(name = "the English of {0} was changed or left out, its translation was not")
+    @MethodSource("translated")
+    void eachTranslationStandsBelowItsEnglish(String key) throws IOException {
+        assertEquals(english(key), translations().getProperty(key + EN));
+    }
+
+    @Test
+    @DisplayName("English stands there without its translation")
+    void eachEnglishHasItsTranslation() throws IOException {
+        Set<String> keys = translations().stringPropertyNames();
+        assertEquals(
+                List.of(),
+                keys.stream()
+                        .filter(key -> key.endsWith(EN))
+                        .filter(key -> !keys.contains(key.substring(0, key.length() - EN.length())))
+                        .toList());
+    }
+
+    /** What the topic itself says in place of a translation. */
+    private static String english(String key) {
+        String[] parts = key.split("\\.", 3);
+        TopicRun run = Runs.named(parts[0]);
+        return switch (parts[1]) {
+            case "reads" -> run.form().input();
+            case "answers" -> run.form().answer();
+            case "word" -> run.topic().vocabulary().get(parts[2]);
+            default -> throw new AssertionError(key + " is the key of nothing");
+        };
+    }
+
+    /** Those of the Russian file itself. */
+    private static Properties translations() throws IOException {
+        var translations = new Properties();
+        try (var in =
+                new InputStreamReader(
+                        FormWords.class.getResourceAsStream("topic_ru.properties"),
+                        StandardCharsets.UTF_8)) {
+            translations.load(in);
+        }
+        return translations;
     }
 }
