@@ -1,6 +1,7 @@
 package rasterlab.app.study;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Font;
@@ -16,6 +17,8 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.knowm.xchart.XYChart;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Language;
@@ -142,6 +145,15 @@ class SizeLabelsTest {
         return Math.abs(
                 Integer.parseInt(labels.get(0).group(group))
                         - Integer.parseInt(labels.get(1).group(group)));
+    }
+
+    @ParameterizedTest(name = "sizes are said to stand only where there is room: {0}")
+    @EnumSource(Language.class)
+    void axisSaysWhatIsBesideThePoints(Language language) {
+        String axis =
+                new StudyWords(language).costAxis(new Study("line", "pixel", "pixels", List.of()));
+        assertTrue(axis.matches(".*(greatest size|наибольший размер).*"), axis);
+        assertFalse(axis.matches(".*(room|мест[оа]).*"), axis);
     }
 
     @Test
