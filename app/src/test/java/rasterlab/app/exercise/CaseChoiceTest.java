@@ -178,6 +178,28 @@ class CaseChoiceTest {
     }
 
     @Test
+    @DisplayName("hidden cases share one name while they are graded")
+    void hiddenCasesAreToldApartWhileTheyAreGraded() throws Exception {
+        TriedCase hidden =
+                new TriedCase("hidden", "wrong", 0, 4, Said.NOTHING, Optional.empty(), "");
+        EventQueue.invokeAndWait(
+                () -> {
+                    LabTheme.LIGHT.install();
+                    ResultPane pane = pane(Language.RUSSIAN, kept, FAILURES::add);
+                    show(pane, grading(hidden, hidden), Optional.empty());
+                    assertEquals("скрытый 2", cases(pane).getValueAt(1, 1));
+                    cases(pane).setRowSelectionInterval(0, 0);
+                    show(pane, grading(hidden, hidden, hidden), Optional.empty());
+                    assertEquals(0, cases(pane).getSelectedRow());
+                    pane.close();
+                });
+    }
+
+    private static Work grading(TriedCase... cases) {
+        return new Work(Work.Phase.GRADING, cases.length, 0, List.of(cases));
+    }
+
+    @Test
     @DisplayName("verdicts are lost before there are others, or do not come back")
     void verdictsStayUntilOthersCome() throws Exception {
         Optional<Outcome> before = Optional.of(wrong());
