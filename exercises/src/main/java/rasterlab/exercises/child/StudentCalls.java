@@ -100,46 +100,18 @@ final class StudentCalls {
 
     /** Sends the class first: the student's getMessage may loop, or never fit in memory. */
     private void threw(long nonce, Throwable error) throws IOException {
-        Throwable thrown = thrownFirst(error);
+        Thrown thrown = Thrown.of(error);
         ByteArrayOutputStream body = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(body);
         out.writeByte(Wire.THREW);
-        out.writeUTF(Wire.cut(thrown.getClass().getName()));
+        out.writeUTF(Wire.cut(thrown.type()));
         send(nonce, body.toByteArray());
         body.reset();
         out.writeByte(Wire.MESSAGE);
-        out.writeUTF(Wire.cut(messageOf(thrown)));
+        out.writeUTF(Wire.cut(thrown.message()));
         out.writeUTF(printed.take());
-        out.writeInt(lineOf(thrown));
+        out.writeInt(thrown.line());
         send(nonce, body.toByteArray());
-    }
-
-    /** The error around what a static initialiser threw tells neither what that was nor where. */
-    private static Throwable thrownFirst(Throwable error) {
-        boolean around =
-                error.getClass() == ExceptionInInitializerError.class && error.getCause() != null;
-        return around ? error.getCause() : error;
-    }
-
-    private static String messageOf(Throwable thrown) {
-        try {
-            String message = thrown.getMessage();
-            return message == null ? "" : message;
-        } catch (Throwable e) {
-            return "(its getMessage() threw " + Wire.cut(e.getClass().getName()) + ")";
-        }
-    }
-
-    /** The innermost line of the student's own; 0 where the trace has none. */
-    private static int lineOf(Throwable thrown) {
-        try {
-            for (StackTraceElement call : thrown.getStackTrace())
-                if (Wire.SOURCE_FILE.equals(call.getFileName()))
-                    return Math.max(0, call.getLineNumber());
-            return 0;
-        } catch (Throwable e) {
-            return 0;
-        }
     }
 
     private void send(long nonce, byte[] body) throws IOException {
