@@ -30,6 +30,11 @@ final class ResultLayout implements LayoutManager {
     /** The same in large type, beside which half a row more counts for less than all verdicts. */
     private static final int ABOVE_LARGE = 11;
 
+    /** Reason and buttons below the cases have so many tenths of the width. */
+    private static final int WORDS = 4;
+
+    private static final int WORDS_MOST = 6;
+
     /** Rows of the cases that are seen at least, with their head. */
     private static final int ROWS = 4;
 
@@ -69,7 +74,7 @@ final class ResultLayout implements LayoutManager {
         int most = width - gap - (LargeType.now() ? BESIDE_LARGE : BESIDE) * size;
         boolean tight = LargeType.now() ? needed > most : table.least() + bar > most;
         if (tight && height >= (LargeType.now() ? ABOVE_LARGE : ABOVE) * size) {
-            int left = (width - gap) * 2 / 5;
+            int left = widthOfWords(width - gap, height - gap - ROWS * table.getRowHeight());
             int top = Math.min((height - gap) / 2, height - gap - heightOfWords(left));
             top = Math.max(top, ROWS * table.getRowHeight());
             cases.setBounds(0, 0, width, wholeRows(top));
@@ -95,6 +100,13 @@ final class ResultLayout implements LayoutManager {
         int rows = (height - around) / table.getRowHeight();
         boolean all = rows >= table.getRowCount();
         return all || rows < 1 ? height : around + rows * table.getRowHeight();
+    }
+
+    /** More than usual only where they would be cut at that height. */
+    private int widthOfWords(int width, int most) {
+        int tenths = WORDS;
+        while (tenths < WORDS_MOST && heightOfWords(width * tenths / 10) > most) tenths++;
+        return width * tenths / 10;
     }
 
     /** Wrapped to that width. */

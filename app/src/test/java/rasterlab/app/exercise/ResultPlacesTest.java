@@ -25,6 +25,7 @@ import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.Message;
 
 /** Where table, reason and pictures stand before a check and after it. */
 class ResultPlacesTest {
@@ -73,9 +74,13 @@ class ResultPlacesTest {
         EventQueue.invokeAndWait(pane::close);
     }
 
-    /** The sizes are those of a window of 1280×800 at 150 and 200 %. */
+    /** The sizes are those of a window of 1280×800 at 125, 150, 175 and 200 %. */
     @ParameterizedTest(name = "verdicts or pictures have no room: {0}, projector, type of {1}")
     @CsvSource({
+        "ENGLISH, 24, 1250, 630",
+        "RUSSIAN, 24, 1250, 630",
+        "ENGLISH, 33, 1250, 545",
+        "RUSSIAN, 33, 1250, 545",
         "ENGLISH, 28, 1250, 590",
         "RUSSIAN, 28, 1250, 590",
         "ENGLISH, 38, 1250, 500",
@@ -88,7 +93,7 @@ class ResultPlacesTest {
                 () -> {
                     ShownResult.install(LabTheme.PROJECTOR, type);
                     made.set(pane(language, FAILURES::add));
-                    show(made.get(), Work.NONE, Optional.of(outcome(GradingVerdict.WRONG)));
+                    show(made.get(), Work.NONE, Optional.of(explained()));
                 });
         ResultPane pane = made.get();
         for (int round = 0; round < 2; round++) OffscreenPainter.paint(pane, width, height);
@@ -101,7 +106,35 @@ class ResultPlacesTest {
         float cases = named(pane, "cases").getFont().getSize2D();
         assertTrue(cases >= 0.7 * type, "cases of " + cases + " beside type of " + type);
         assertTrue(names >= 0.7 * cases, "names of " + names + " beside cases of " + cases);
+        Component open = named(pane, "open");
+        assertTrue(
+                open.getParent().getY() + open.getY() + open.getHeight()
+                        <= open.getParent().getParent().getHeight(),
+                "the button is cut");
         EventQueue.invokeAndWait(pane::close);
+    }
+
+    /** Each case is wrong for one reason, as long as most are. */
+    private static Outcome explained() {
+        Message said =
+                Message.of("pixel.instead", "(-12, 34)", "(-12, 35)")
+                        .and(Message.of("known-fault", "bresenham-textbook"));
+        Outcome plain = outcome(GradingVerdict.WRONG);
+        List<TriedCase> cases =
+                plain.cases().stream()
+                        .map(
+                                one ->
+                                        new TriedCase(
+                                                one.name(),
+                                                one.verdict(),
+                                                0,
+                                                one.of(),
+                                                Said.of(said::in),
+                                                Optional.empty(),
+                                                ""))
+                        .toList();
+        return new Outcome(
+                "", 0, plain.verdict(), plain.points(), cases, List.of(), Said.NOTHING, 0);
     }
 
     @Test
