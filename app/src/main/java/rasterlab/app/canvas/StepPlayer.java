@@ -47,11 +47,11 @@ public final class StepPlayer extends JPanel {
         this.steps = steps;
         this.texts = texts;
         this.reading = reading;
-        toStart = button("toStart", PlayerIcon.TO_START, () -> steps.goTo(steps.first()));
-        back = button("back", PlayerIcon.BACK, () -> steps.goTo(steps.step() - 1));
+        toStart = button("toStart", PlayerIcon.TO_START, () -> go(steps.first()));
+        back = button("back", PlayerIcon.BACK, () -> go(steps.step() - 1));
         play = button("play", PlayerIcon.PLAY, this::togglePlaying);
-        forward = button("forward", PlayerIcon.FORWARD, () -> steps.goTo(steps.step() + 1));
-        toEnd = button("toEnd", PlayerIcon.TO_END, () -> steps.goTo(steps.last()));
+        forward = button("forward", PlayerIcon.FORWARD, () -> go(steps.step() + 1));
+        toEnd = button("toEnd", PlayerIcon.TO_END, () -> go(steps.last()));
         add(buttons);
         addPosition();
         addSpeed();
@@ -80,12 +80,10 @@ public final class StepPlayer extends JPanel {
     /** Lets the keys that the hints name work while that component has the focus. */
     public void bindKeys(JComponent stage) {
         KeyBinding.within(stage, KeyStroke.getKeyStroke("SPACE"), this::togglePlaying);
-        KeyBinding.within(
-                stage, KeyStroke.getKeyStroke("PAGE_UP"), () -> steps.goTo(steps.step() - 1));
-        KeyBinding.within(
-                stage, KeyStroke.getKeyStroke("PAGE_DOWN"), () -> steps.goTo(steps.step() + 1));
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("HOME"), () -> steps.goTo(steps.first()));
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("END"), () -> steps.goTo(steps.last()));
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("PAGE_UP"), () -> go(steps.step() - 1));
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("PAGE_DOWN"), () -> go(steps.step() + 1));
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("HOME"), () -> go(steps.first()));
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("END"), () -> go(steps.last()));
     }
 
     /** Plays from where it stands, from the first step when it stands at the last; or stops. */
@@ -100,8 +98,16 @@ public final class StepPlayer extends JPanel {
     }
 
     public void stop() {
+        boolean played = timer.isRunning();
         timer.stop();
         showPlaying();
+        if (played) steps.rest();
+    }
+
+    /** One step of the user's, after which others follow while it plays or the slider is held. */
+    private void go(int step) {
+        steps.goTo(step);
+        if (!timer.isRunning() && !position.getValueIsAdjusting()) steps.rest();
     }
 
     /** How it plays, for the player that comes after it. */
@@ -163,7 +169,7 @@ public final class StepPlayer extends JPanel {
         name(position, "player.position");
         position.addChangeListener(
                 e -> {
-                    if (!refreshing) steps.goTo(position.getValue());
+                    if (!refreshing) go(position.getValue());
                 });
         var place = new JPanel(new MigLayout("insets 0, gap 8", "[grow,fill][]", "[center]"));
         place.add(position, "wmin 60");

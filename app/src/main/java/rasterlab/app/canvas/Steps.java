@@ -13,6 +13,9 @@ public interface Steps {
     /** Goes to a step; one outside [first, last] goes to the nearer end. */
     void goTo(int step);
 
+    /** Told when no other step follows at once: one was made alone, or playing has stopped. */
+    default void rest() {}
+
     /** Whether playing goes on at the first step after the last. */
     boolean turnsRound();
 }

@@ -1,6 +1,5 @@
 package rasterlab.app.visibility;
 
-import rasterlab.engine.scene.Scene;
 import rasterlab.engine.transform.SphericalView;
 
 /** Moves of the eye. */
@@ -19,8 +18,10 @@ final class Cameras {
                 camera.rho());
     }
 
-    static SphericalView retreated(SphericalView camera, double factor, Scene scene) {
-        double first = scene.defaultCamera().rho();
+    /** Within the distances that suit the scene. */
+    static SphericalView retreated(VisibilityChoice choice, double factor) {
+        SphericalView camera = choice.camera();
+        double first = choice.shown().scene().defaultCamera().rho();
         double rho = Math.max(NEAREST * first, Math.min(FARTHEST * first, camera.rho() * factor));
         return new SphericalView(camera.thetaRadians(), camera.phiRadians(), rho);
     }

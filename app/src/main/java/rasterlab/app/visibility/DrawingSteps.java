@@ -38,6 +38,11 @@ final class DrawingSteps implements Steps {
     }
 
     @Override
+    public void rest() {
+        if (turning()) turntable.rest();
+    }
+
+    @Override
     public boolean turnsRound() {
         return turning();
     }

@@ -21,7 +21,11 @@ record PixelReport(Question asked, List<PixelTouch> touches, OptionalDouble stor
      * @param x column
      * @param y row
      */
-    record Question(RenderRequest request, int x, int y) {}
+    record Question(RenderRequest request, int x, int y) {
+        boolean isAt(ChosenPixel pixel) {
+            return pixel.x() == x && pixel.y() == y;
+        }
+    }
 
     static PixelReport of(Question asked, BooleanSupplier cancelled) {
         Optional<FaceDrawing> drawing = FaceDrawing.of(asked.request);

@@ -38,6 +38,11 @@ final class Turntable implements Steps {
     }
 
     @Override
+    public void rest() {
+        model.count();
+    }
+
+    @Override
     public boolean turnsRound() {
         return true;
     }

@@ -202,11 +202,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Moves the eye away by a factor, within the distances that suit the scene. */
     public void retreat(double factor) {
-        move(
-                choice ->
-                        choice.withCamera(
-                                Cameras.retreated(
-                                        choice.camera(), factor, choice.shown().scene())));
+        move(choice -> choice.withCamera(Cameras.retreated(choice, factor)));
     }
 
     /** Brings the eye to a place. */
@@ -226,7 +222,14 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     public void endDrag() {
         history.endDrag();
         publish(state);
-        if (compared.isEmpty()) draw(state.choice(), true);
+        count();
+    }
+
+    /** Counts the wrong pixels of a view after which no other follows at once. */
+    void count() {
+        if (compared.isPresent() || !stage.known()) return;
+        compared = Optional.of(stage.plain(state.choice()));
+        compared.ifPresent(differences::ask);
     }
 
     public History<VisibilityChoice> history() {
@@ -355,8 +358,8 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
         histories.cancel();
         if (!stage.known()) return;
         pictures.ask(stage.frame(choice, state.step()));
-        compared = Optional.of(choice).filter(now -> counted || now.difference()).map(stage::plain);
-        compared.ifPresent(differences::ask);
+        compared = Optional.empty();
+        if (counted || choice.difference()) count();
         if (choice.drawing()) walks.ask(stage.request(choice, choice.visibility()));
         askPixel();
     }
@@ -385,10 +388,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     }
 
     private void accept(PixelReport found) {
-        boolean still =
-                state.chosen()
-                        .filter(at -> at.x() == found.asked().x() && at.y() == found.asked().y())
-                        .isPresent();
+        boolean still = state.chosen().filter(found.asked()::isAt).isPresent();
         if (still) publish(state.with(Optional.of(found)));
     }
 

@@ -113,7 +113,7 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     /** A change that is over at once, after which wrong pixels are counted as after a drag. */
     private void change(Runnable change) {
         change.run();
-        model.endDrag();
+        model.count();
     }
 
     @Override
@@ -262,7 +262,8 @@ final class VisibilityStage extends SelfDrawn implements Settling {
     private void refuse(
             StageOverlay overlay, Graphics2D g, Picture picture, String message, double scale) {
         String method = picture.request().visibility();
-        String own = texts.text("refused.by", method, message);
+        String why = Complaints.said(texts.language(), message);
+        String own = texts.text("refused.by", method, why);
         String said =
                 texts.language() == Language.ENGLISH ? own : texts.textOr("refused." + method, own);
         int width = (int) (picture.raster().width() / scale);

@@ -107,6 +107,19 @@ class VisibilityLabModelTest {
     }
 
     @Test
+    @DisplayName("the end of a drag draws again what is shown already, only to count")
+    void endOfADragAsksForNoPictureAgain() {
+        model.resize(10, 10);
+        model.beginDrag();
+        model.turn(0.2, 0);
+        settle();
+        begun.clear();
+        model.endDrag();
+        settle();
+        assertEquals(2, begun.size(), "the exact picture, and the method's held against it");
+    }
+
+    @Test
     void turningDropsTheDifferenceOfTheOldView() {
         model.resize(10, 10);
         model.choose(choice -> choice.withDifference(true));

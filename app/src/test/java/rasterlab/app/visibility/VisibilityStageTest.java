@@ -1,6 +1,7 @@
 package rasterlab.app.visibility;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -95,6 +96,55 @@ class VisibilityStageTest {
         var turned =
                 new MouseWheelEvent(stage, MouseEvent.MOUSE_WHEEL, 0, 0, 9, 9, 0, false, 0, 3, 1);
         for (MouseWheelListener each : stage.getMouseWheelListeners()) each.mouseWheelMoved(turned);
+    }
+
+    @Test
+    @DisplayName("the wheel or a key in the middle of a drag ends it for undo")
+    void dragIsOneChangeWhateverElseTurnsTheEye() throws Exception {
+        OffscreenPainter.paint(stage, 240, 160);
+        VisibilityChoice before = model.state().choice();
+        EventQueue.invokeAndWait(
+                () -> {
+                    mouse(MouseEvent.MOUSE_PRESSED, 20);
+                    mouse(MouseEvent.MOUSE_DRAGGED, 40);
+                    turnWheel();
+                    mouse(MouseEvent.MOUSE_DRAGGED, 60);
+                    stage.getActionMap()
+                            .get("pressed LEFT")
+                            .actionPerformed(new ActionEvent(stage, 0, ""));
+                    mouse(MouseEvent.MOUSE_DRAGGED, 80);
+                    mouse(MouseEvent.MOUSE_RELEASED, 80);
+                });
+        assertNotEquals(before, model.state().choice());
+        model.history().undo();
+        assertEquals(before, model.state().choice());
+        assertFalse(model.history().undoable());
+    }
+
+    private void mouse(int id, int x) {
+        int held = MouseEvent.BUTTON1_DOWN_MASK;
+        stage.dispatchEvent(
+                new MouseEvent(stage, id, 0, held, x, 50, 1, false, MouseEvent.BUTTON1));
+    }
+
+    @Test
+    @DisplayName("a refusal is told in English")
+    void refusalIsSaidInTheWindowsLanguage() throws Exception {
+        try (var lab =
+                new VisibilityLabModel(
+                        (request, cancelled) -> {
+                            throw new IllegalArgumentException(
+                                    "window must be convex, but goes round 2 times");
+                        },
+                        EventQueue::invokeLater,
+                        this::fail)) {
+            var refusing = new VisibilityStage(lab, Texts.of("visibility", Language.RUSSIAN));
+            OffscreenPainter.paint(refusing, 640, 160);
+            OffscreenPainter.paint(refusing, 640, 160);
+            String svg = refusing.svg().document();
+            assertTrue(svg.contains("отказался"), svg);
+            assertFalse(svg.contains("must"), svg);
+        }
     }
 
     private static BufferedImage decoded(String base64) throws IOException {
