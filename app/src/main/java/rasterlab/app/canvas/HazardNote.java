@@ -3,7 +3,6 @@ package rasterlab.app.canvas;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Verdict;
@@ -29,7 +28,7 @@ public record HazardNote(String hazard, String method, Verdict verdict, List<Unl
                         Texts.of("study", language).text("verdict." + verdict.kind().code()));
         String detail = verdict.detail();
         boolean failed = verdict.kind() != Verdict.Kind.EXACT;
-        if (failed && !detail.isEmpty()) said += " (" + Complaints.said(language, detail) + ")";
+        if (failed && !detail.isEmpty()) said += " (" + VerdictDetail.said(language, detail) + ")";
         return Stream.concat(Stream.of(said), unlike.stream().map(each -> each.in(texts)))
                 .collect(Collectors.joining(". ", "", "."));
     }

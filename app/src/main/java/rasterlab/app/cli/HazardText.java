@@ -3,10 +3,8 @@ package rasterlab.app.cli;
 import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
-import rasterlab.app.language.Complaints;
-import rasterlab.app.language.Language;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Texts;
-import rasterlab.app.study.FirstDifference;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.app.study.StudyWords;
 import rasterlab.engine.study.HazardTrial.Cell;
@@ -38,11 +36,6 @@ final class HazardText {
         return words.verdict(cell.verdict().kind()) + (cell.asRecorded() ? "" : " !");
     }
 
-    private static String said(String detail, Language language) {
-        Texts words = Texts.of("study", language);
-        return Complaints.said(language, FirstDifference.said(words, detail));
-    }
-
     private static String difference(Cell cell, Texts texts) {
         String detail = cell.verdict().detail();
         var words = new StudyWords(texts.language());
@@ -53,6 +46,7 @@ final class HazardText {
                         cell.hazard(),
                         words.verdict(cell.verdict().kind()),
                         words.verdict(cell.recorded()));
-        return differs + (detail.isEmpty() ? "" : "; " + said(detail, texts.language()));
+        return differs
+                + (detail.isEmpty() ? "" : "; " + VerdictDetail.said(texts.language(), detail));
     }
 }

@@ -14,6 +14,7 @@ import rasterlab.app.canvas.NameChooser;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.Unshown;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.Hazard;
@@ -189,7 +190,7 @@ final class StudyInspector {
     private String detail(Measurement point) {
         return point.detail().isEmpty()
                 ? point.method()
-                : point.method() + ": " + FirstDifference.said(texts, point.detail());
+                : point.method() + ": " + VerdictDetail.said(texts.language(), point.detail());
     }
 
     private String error(Study study, Measurement point) {
@@ -228,7 +229,9 @@ final class StudyInspector {
                         + called.hazard(state.topic(), hazard)
                         + ". "
                         + description(state, hazard)
-                        + (said.isEmpty() ? "" : "\n→ " + FirstDifference.said(texts, said)));
+                        + (said.isEmpty()
+                                ? ""
+                                : "\n→ " + VerdictDetail.said(texts.language(), said)));
         say(input, texts.text("input.is", InputText.of(hazard.input(), texts)));
         Optional<Unshown> obstacle = lab.obstacleTo(state.topic().name(), hazard.name());
         open.setEnabled(obstacle.isEmpty());

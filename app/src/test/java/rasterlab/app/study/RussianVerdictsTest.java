@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Named;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.app.language.Complaints;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.HazardTrial;
 import rasterlab.engine.study.Topic;
@@ -21,22 +21,19 @@ class RussianVerdictsTest {
                     "(?<![/.`-])\\b[a-z]{2,} [a-z]{2,}\\b"
                             + "|(?<= )(an?|and|got|is|of|or|the|to)(?= )|\\d\\.\\d|Infinity");
 
-    private static final Texts WORDS = Texts.of("study", Language.RUSSIAN);
-
-    static Stream<Topic<?, ?, ?>> topics() {
-        return Topics.all().stream().map(topic -> (Topic<?, ?, ?>) topic);
+    static Stream<Named<Topic<?, ?, ?>>> topics() {
+        return Topics.all().stream().map(topic -> Named.of(topic.name(), topic));
     }
 
     /** A crash is told in Java's own words. */
-    @ParameterizedTest
+    @ParameterizedTest(name = "a refusal or a deviation is told in English: {0}")
     @MethodSource("topics")
     void isRussian(Topic<?, ?, ?> topic) {
         List<String> english =
                 HazardMatrix.judged(topic, HazardTrial.WALL_LIMIT).cells().stream()
                         .map(cell -> cell.verdict().detail())
                         .filter(detail -> !detail.startsWith("java."))
-                        .map(detail -> FirstDifference.said(WORDS, detail))
-                        .map(detail -> Complaints.said(Language.RUSSIAN, detail))
+                        .map(detail -> VerdictDetail.said(Language.RUSSIAN, detail))
                         .filter(said -> ENGLISH.matcher(said).find())
                         .distinct()
                         .toList();

@@ -10,18 +10,26 @@ import java.awt.Container;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import java.util.stream.Stream;
 import javax.swing.text.JTextComponent;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.canvas.OpenInLab;
 import rasterlab.app.canvas.Unshown;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.raster.Plotted;
+import rasterlab.engine.study.HazardTrial;
 
+@Timeout(60)
 class StudyInspectorTest {
     private static final OpenInLab NOWHERE =
             new OpenInLab() {
@@ -77,6 +85,34 @@ class StudyInspectorTest {
             inspector.refresh();
             String shown = shown(inspector);
             assertTrue(shown.matches("(?s).*<b>[^<]*</b>\\s+midpoint\\s.*"), shown);
+        }
+        assertEquals(List.of(), failures);
+    }
+
+    @Test
+    @DisplayName("a refusal or a deviation is told in English beside its cell")
+    void detailIsSaidInTheWindowsLanguage() throws Exception {
+        List<Throwable> failures = new CopyOnWriteArrayList<>();
+        var tried = new CountDownLatch(1);
+        try (var model =
+                new StudyLabModel(List.of(new SegmentClipTopic()), Runnable::run, failures::add)) {
+            model.listen(
+                    state -> {
+                        if (!state.work().running() && !state.cells().isEmpty()) tried.countDown();
+                    });
+            model.tryHazards();
+            tried.await();
+            var inspector =
+                    new StudyInspector(
+                            model, Texts.of("study", Language.RUSSIAN), NOWHERE, () -> {});
+            model.show(StudyView.HAZARDS);
+            for (HazardTrial.Cell cell : model.state().cells()) {
+                String detail = cell.verdict().detail();
+                model.choose(cell.hazard(), cell.method());
+                inspector.refresh();
+                String shown = shown(inspector);
+                assertTrue(shown.contains(VerdictDetail.said(Language.RUSSIAN, detail)), shown);
+            }
         }
         assertEquals(List.of(), failures);
     }

@@ -1,4 +1,4 @@
-package rasterlab.app.study;
+package rasterlab.app.canvas;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -6,11 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
-import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
 
-class FirstDifferenceTest {
+class VerdictDetailTest {
     @ParameterizedTest(name = "a difference of pixels stays in English: {0}")
     @CsvSource(
             delimiter = '|',
@@ -22,16 +20,14 @@ class FirstDifferenceTest {
                 "no result within 5 s | no result within 5 s",
             })
     void isSaidInTheLanguageOfTheWindow(String english, String russian) {
-        assertEquals(russian, FirstDifference.said(Texts.of("study", Language.RUSSIAN), english));
-        assertEquals(english, FirstDifference.said(Texts.of("study", Language.ENGLISH), english));
+        assertEquals(russian, VerdictDetail.said(Language.RUSSIAN, english));
+        assertEquals(english, VerdictDetail.said(Language.ENGLISH, english));
     }
 
     @ParameterizedTest(name = "a hyphen stands for a minus: {0}")
     @EnumSource(Language.class)
     void coordinatesAreWrittenAsElsewhere(Language language) {
-        String said =
-                FirstDifference.said(
-                        Texts.of("study", language), "pixel (-1199999999, -2) is extra");
+        String said = VerdictDetail.said(language, "pixel (-1199999999, -2) is extra");
         assertTrue(said.contains("(−1199999999" + Shown.apart(language.locale()) + "−2)"), said);
     }
 }

@@ -1,13 +1,14 @@
-package rasterlab.app.study;
+package rasterlab.app.canvas;
 
 import java.util.List;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
-import rasterlab.app.canvas.Shown;
+import rasterlab.app.language.Complaints;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
-/** What comparisons of pixels say in English, in another language. */
-public final class FirstDifference {
+/** What a verdict says in English beside its kind, in the language of the window. */
+public final class VerdictDetail {
     private static final Pattern PLACE = Pattern.compile("\\((-?\\d+), (-?\\d+)\\)");
 
     /** Of a method that does not end: how many of what it gave, and how many are right. */
@@ -23,14 +24,18 @@ public final class FirstDifference {
                     new Sentence("pixel {} is missing", "difference.missing"),
                     new Sentence("pixel {} is extra", "difference.extra"));
 
-    private FirstDifference() {}
+    private VerdictDetail() {}
 
     /**
-     * The sentence with what is about pixels translated; the rest stays as it is.
-     *
-     * @param texts of this package
+     * A first difference, a refusal or a deviation; what is none of them, such as a crash in Java's
+     * own words, stays as it is.
      */
-    public static String said(Texts texts, String detail) {
+    public static String said(Language language, String detail) {
+        return Complaints.said(language, difference(Texts.of("canvas", language), detail));
+    }
+
+    /** The sentence with what is about pixels translated; the rest stays as it is. */
+    private static String difference(Texts texts, String detail) {
         String said = detail;
         for (Sentence each : SENTENCES)
             said =
