@@ -1,15 +1,20 @@
 package rasterlab.app.shell;
 
 import com.formdev.flatlaf.ui.FlatTabbedPaneUI;
+import com.formdev.flatlaf.ui.FlatUIUtils;
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Graphics;
+import java.awt.Graphics2D;
 import java.awt.LayoutManager;
 import java.awt.Rectangle;
 import java.util.Arrays;
 import java.util.List;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.StageColours;
 
 /**
  * Titles of tabs in as many rows as they need, each in its place whichever is chosen: the first row
@@ -35,11 +40,24 @@ final class TabRows extends FlatTabbedPaneUI {
         return -super.getTabRunOffset(tabPlacement, tabCount, tabIndex, !forward);
     }
 
-    /** In rows the line under a chosen title would seem to lie over a title of the next row. */
+    /**
+     * In rows the line under a chosen title would seem to lie over a title of the next row; a frame
+     * tells there that the keys move among the titles.
+     */
     @Override
     protected void paintTabSelection(
             Graphics g, int tabPlacement, int tabIndex, int x, int y, int w, int h) {
         if (runCount < 2) super.paintTabSelection(g, tabPlacement, tabIndex, x, y, w, h);
+        else if (FlatUIUtils.isPermanentFocusOwner(tabPane))
+            frame((Graphics2D) g.create(x, y, w, h), w, h);
+    }
+
+    private static void frame(Graphics2D g, int width, int height) {
+        g.setColor(StageColours.now().focus());
+        g.setStroke(new BasicStroke(UIScale.scale(2f)));
+        int inset = UIScale.scale(1);
+        g.drawRect(inset, inset, width - 2 * inset, height - 2 * inset);
+        g.dispose();
     }
 
     /** In rows the chosen title is told by its ground. */
