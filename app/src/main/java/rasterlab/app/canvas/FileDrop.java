@@ -52,8 +52,19 @@ public final class FileDrop extends TransferHandler {
         this.refused = refused;
     }
 
+    /**
+     * What takes files around the text that something is put into, if that is for it: files that
+     * are dropped, or pasted without text. With text, it is their names that are pasted.
+     */
+    public static Optional<FileDrop> around(TransferSupport support) {
+        boolean text = support.isDataFlavorSupported(DataFlavor.stringFlavor);
+        return support.isDrop() || !text
+                ? around(support.getComponent()).filter(drop -> drop.canImport(support))
+                : Optional.empty();
+    }
+
     /** Of the nearest component around that one that has any. */
-    public static Optional<FileDrop> around(Component inner) {
+    private static Optional<FileDrop> around(Component inner) {
         for (Container each = inner.getParent(); each != null; each = each.getParent())
             if (each instanceof JComponent part
                     && part.getTransferHandler() instanceof FileDrop drop) return Optional.of(drop);

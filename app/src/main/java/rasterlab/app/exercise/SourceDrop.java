@@ -10,18 +10,12 @@ final class SourceDrop extends RTATextTransferHandler {
 
     @Override
     public boolean canImport(TransferSupport support) {
-        return filesDrop(support).isPresent() || super.canImport(support);
+        return FileDrop.around(support).isPresent() || super.canImport(support);
     }
 
     @Override
     public boolean importData(TransferSupport support) {
-        Optional<FileDrop> files = filesDrop(support);
+        Optional<FileDrop> files = FileDrop.around(support);
         return files.isPresent() ? files.get().importData(support) : super.importData(support);
-    }
-
-    /** Empty where it is text: also where a file is pasted by its name. */
-    private Optional<FileDrop> filesDrop(TransferSupport support) {
-        if (!support.isDrop() && super.canImport(support)) return Optional.empty();
-        return FileDrop.around(support.getComponent()).filter(drop -> drop.canImport(support));
     }
 }

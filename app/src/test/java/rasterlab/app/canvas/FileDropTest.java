@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
+import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.StringSelection;
 import java.awt.datatransfer.Transferable;
 import java.io.File;
@@ -72,6 +73,33 @@ class FileDropTest {
         assertFalse(drop.canImport(onto(new StringSelection("/tmp/a.obj"))));
         assertFalse(drop.importData(onto(new StringSelection("/tmp/a.obj"))));
         assertEquals(List.of(), told);
+    }
+
+    @Test
+    @DisplayName("files that are pasted with their names are opened where names are typed")
+    void takesAPasteWithoutTextAlone() {
+        var around = new JPanel();
+        around.setTransferHandler(drop);
+        var inner = new JPanel();
+        around.add(inner);
+        var files = DroppedFiles.of(new File("a.obj"));
+        assertEquals(Optional.of(drop), FileDrop.around(new TransferSupport(inner, files)));
+        assertEquals(Optional.empty(), FileDrop.around(new TransferSupport(inner, named(files))));
+    }
+
+    /** The same files, as file managers copy them: with their names as text. */
+    private static Transferable named(Transferable files) {
+        return new StringSelection("a.obj") {
+            @Override
+            public boolean isDataFlavorSupported(DataFlavor flavor) {
+                return super.isDataFlavorSupported(flavor) || files.isDataFlavorSupported(flavor);
+            }
+
+            @Override
+            public DataFlavor[] getTransferDataFlavors() {
+                return new DataFlavor[] {DataFlavor.javaFileListFlavor, DataFlavor.stringFlavor};
+            }
+        };
     }
 
     private boolean dropped(File... files) {
