@@ -132,9 +132,12 @@ class PlaneFrameTest {
     void labelOfAHandleMovedAsideIsLeftOutWhereThereIsNoRoom() {
         var points = new ArrayList<PlanePoint>();
         for (int i = 0; i < 40; i++) points.add(point("A" + i + " 0000", 1000, 5));
-        List<Rectangle> places = told(points.toArray(PlanePoint[]::new));
-        List<Rectangle> labels = places.subList(0, places.size() - points.size());
+        PlanePoint[] all = points.toArray(PlanePoint[]::new);
+        Rectangle buttons = told(all).get(0);
+        List<Rectangle> places = told(buttons, List.of(), all);
+        List<Rectangle> labels = places.subList(0, places.size() - points.size() - 1);
         assertFalse(labels.isEmpty());
+        for (Rectangle label : labels) assertFalse(label.intersects(buttons), label.toString());
         for (Rectangle one : labels)
             for (Rectangle other : labels)
                 assertTrue(one == other || !one.intersects(other), one + " on " + other);
