@@ -5,31 +5,26 @@ import picocli.CommandLine.MissingParameterException
 import picocli.CommandLine.OverwrittenOptionException
 import picocli.CommandLine.ParameterException
 import picocli.CommandLine.UnmatchedArgumentException
-import java.text.MessageFormat
+import rasterlab.grader.wording.Wording
 import java.util.Locale
-import java.util.ResourceBundle
 
 /** What the server says to who starts it, in one language. */
 internal class CommandWords private constructor(
     val language: Locale,
 ) {
-    private val bundle: ResourceBundle =
-        ResourceBundle.getBundle(
-            "rasterlab.grader.command",
-            language,
-            ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES),
-        )
+    private val wording = Wording("rasterlab.grader.command", language)
 
     /** @param values for the places {0}, {1}, … of the text */
     fun say(
         key: String,
-        vararg values: Any,
-    ): String = MessageFormat(bundle.getString(key), Locale.ROOT).format(values)
+        vararg values: String,
+    ): String = wording.say(key, *values)
 
     /** Help in this language; English stands with the commands. */
     fun wear(command: CommandLine): CommandLine =
-        if (language == Locale.ENGLISH) command else command.setResourceBundle(bundle)
+        if (language == Locale.ENGLISH) command else command.setResourceBundle(wording.bundle)
 
+    /** In English as picocli has it. */
     fun of(failure: ParameterException): String =
         when {
             language == Locale.ENGLISH -> {
@@ -50,6 +45,10 @@ internal class CommandWords private constructor(
 
             failure.argSpec != null -> {
                 say("invalid", name(failure.argSpec), failure.value.orEmpty())
+            }
+
+            failure.value != null -> {
+                say("unknown.command", failure.value)
             }
 
             else -> {

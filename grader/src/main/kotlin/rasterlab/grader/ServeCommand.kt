@@ -14,6 +14,7 @@ import rasterlab.exercises.runner.Judge
 import rasterlab.exercises.runner.JudgeSettings
 import rasterlab.grader.exercise.Exercises
 import rasterlab.grader.storage.CannotStart
+import rasterlab.grader.storage.CannotStart.Reason
 import rasterlab.grader.storage.DataFolder
 import rasterlab.grader.storage.Database
 import java.io.IOException
@@ -94,8 +95,8 @@ internal class ServeCommand(
     var workers = 1
 
     override fun call(): Int {
-        if (port !in 0..LAST_PORT) throw CannotStart("port", port, LAST_PORT)
-        if (workers !in 1..MOST_WORKERS) throw CannotStart("workers", workers, MOST_WORKERS)
+        if (port !in 0..LAST_PORT) throw CannotStart(Reason.PORT, port, LAST_PORT)
+        if (workers !in 1..MOST_WORKERS) throw CannotStart(Reason.WORKERS, workers, MOST_WORKERS)
         val address = address()
         val catalogue = catalogue()
         StopSignal().use { stop -> run(catalogue, address, stop) }
@@ -112,7 +113,7 @@ internal class ServeCommand(
             openDatabase(folder.databaseFile).use { database ->
                 Judge.start(JudgeSettings.defaults()).use { judge ->
                     if (exam && !judge.isolation().exam()) {
-                        throw CannotStart("exam", judge.isolation().describe(words.language.language))
+                        throw CannotStart(Reason.EXAM, judge.isolation().said())
                     }
                     LoggerFactory.getLogger(javaClass).info("isolation: {}", judge.isolation().describe())
                     Server(
@@ -132,7 +133,7 @@ internal class ServeCommand(
             try {
                 InetSocketAddress(InetAddress.getByName(host), port)
             } catch (failure: UnknownHostException) {
-                throw CannotStart("host", host)
+                throw CannotStart(Reason.HOST, host)
             }
         // The engine reports a port that is taken from another thread, and late; asking first gives a clear line.
         try {
@@ -141,7 +142,10 @@ internal class ServeCommand(
                 socket.bind(address)
             }
         } catch (failure: IOException) {
-            throw CannotStart("listen", host, port, failure.message.orEmpty())
+            if (failure.message.orEmpty().startsWith("Address already in use")) {
+                throw CannotStart(Reason.TAKEN, host, port)
+            }
+            throw CannotStart(Reason.LISTEN, host, port, failure.message.orEmpty())
         }
         return address
     }
@@ -151,7 +155,7 @@ internal class ServeCommand(
             val more = exercises ?: return Exercises(Catalogue.builtIn().all())
             return Exercises(Catalogue.builtIn().withFolder(more).all())
         } catch (failure: CatalogueException) {
-            throw CannotStart("exercises", failure.message.orEmpty())
+            throw CannotStart(Reason.EXERCISES, failure)
         }
     }
 
@@ -203,5 +207,5 @@ internal fun openDatabase(file: Path): Database =
     try {
         Database.open(file)
     } catch (failure: RuntimeException) {
-        throw CannotStart("database", file, failure.reason(), cause = failure)
+        throw CannotStart(Reason.DATABASE, file, failure.reason(), cause = failure)
     }

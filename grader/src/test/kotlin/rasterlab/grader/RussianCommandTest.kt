@@ -1,15 +1,26 @@
 package rasterlab.grader
 
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.ValueSource
+import rasterlab.exercises.score.Message
+import rasterlab.grader.storage.CannotStart
+import rasterlab.grader.storage.CannotStart.Reason
+import rasterlab.grader.storage.DataFolder
 import java.io.PrintWriter
 import java.io.StringWriter
+import java.net.InetAddress
+import java.net.ServerSocket
 import java.nio.file.Path
+import java.util.Locale
 import java.util.Properties
+import kotlin.io.path.createDirectories
 import kotlin.io.path.createFile
+import kotlin.io.path.writeText
 
 /** What the server prints with `--lang ru`. */
 class RussianCommandTest {
@@ -26,7 +37,8 @@ class RussianCommandTest {
 
     private fun assertRussian(said: String = printed.toString()) {
         assertTrue(Regex("[а-яё]{3}").containsMatchIn(said), said)
-        val told = said.replace(folder.toString(), "").replace(Regex("\\./lab grader[a-z ]*|--[a-z]+ \\S+"), "")
+        val named = Regex("\\./lab grader[a-z ]*|--[a-z]+ \\S+|\\([A-Za-z]+Exception: .*\\)")
+        val told = said.replace(folder.toString(), "").replace(named, "")
         assertEquals(null, Regex("\\b[A-Z]?[a-z]{2,} [a-z]{2,}\\b").find(told)?.value, said)
     }
 
@@ -55,29 +67,70 @@ class RussianCommandTest {
             "serve --port 0 --db sqlite:FOLDER --lang ru",
             "serve --port 0 --db sqlite:FOLDER/none/a --lang ru",
             "serve --port 0 --data FILE --lang ru",
+            "serve --port 0 --data FILE/below --lang ru",
+            "serve --port 0 --data USED --lang ru",
+            "serve --port 0 --data UNWRITTEN --lang ru",
+            "serve --port TAKEN --lang ru",
+            "serve --port 0 --exercises FOLDER/none --lang ru",
+            "serve --port 0 --exercises FILE --lang ru",
+            "serve --port 0 --exercises FOLDER --lang ru",
+            "help nope --lang ru",
         ],
     )
     fun `complaints are Russian`(call: String) {
         val file = folder.resolve("a").createFile()
-        val words = call.replace("FOLDER", "$folder").replace("FILE", "$file").split(" ")
-        assertEquals(2, run(*words.toTypedArray()), printed.toString())
+        val used = folder.resolve("used")
+        val unwritten = folder.resolve("unwritten/server.lock").createDirectories().parent
+        DataFolder.take(used, url = null).use {
+            ServerSocket(0, 1, InetAddress.getByName("127.0.0.1")).use { taken ->
+                val words =
+                    call
+                        .replace("FOLDER", "$folder")
+                        .replace("FILE", "$file")
+                        .replace("UNWRITTEN", "$unwritten")
+                        .replace("USED", "$used")
+                        .replace("TAKEN", "${taken.localPort}")
+                assertEquals(2, run(*words.split(" ").toTypedArray()), printed.toString())
+            }
+        }
         assertRussian()
-        assertEquals(
-            1,
-            printed
-                .toString()
-                .trim()
-                .lines()
-                .size,
-        )
+        assertEquals(1, printed.lines().size, printed.toString())
     }
+
+    @Test
+    fun `a database of another program is refused in English`() {
+        val notes = folder.resolve("notes.db").apply { writeText("not a database ".repeat(100)) }
+        val refused = assertThrows(CannotStart::class.java) { openDatabase(notes) }
+        assertRussian(refused.said(RUSSIAN))
+    }
+
+    @Test
+    fun `a word in the language of who starts is written to the log`() {
+        val isolation = Message.of("isolation.plain")
+        val refused = CannotStart(Reason.EXAM, isolation)
+        assertEquals("--exam: ${isolation.`in`("en")}", refused.message)
+        assertEquals("--exam: ${isolation.`in`("ru")}", refused.said(RUSSIAN))
+        assertRussian(refused.said(RUSSIAN))
+    }
+
+    @Test
+    fun `a reason has no words, or words are read by nobody`() {
+        assertEquals(Reason.entries.map { it.key }.toSet(), keys("storage/reasons.properties"))
+    }
+
+    private fun StringWriter.lines() = toString().trim().lines()
 
     @ParameterizedTest(name = "a text of {0} is missing in one language")
     @ValueSource(strings = ["command", "storage/reasons"])
     fun `each text is there in both languages`(name: String) {
         val english = keys("$name.properties")
-        val help = Regex("(\\./lab grader|usage)\\..*|help|version|lang.*|data|host|port|db|exam|exercises|workers.*")
-        val russian = keys("${name}_ru.properties").filterNot { name == "command" && help.matches(it) }
+        // In English picocli has them itself, or they stand with the commands.
+        val others =
+            Regex(
+                "(\\./lab grader|usage|unknown)\\..*|missing|twice|invalid|" +
+                    "help|version|lang.*|data|host|port|db|exam|exercises|workers.*",
+            )
+        val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
         assertEquals(english, russian.toSet())
     }
 
@@ -88,5 +141,9 @@ class RussianCommandTest {
             .reader()
             .use(texts::load)
         return texts.stringPropertyNames()
+    }
+
+    private companion object {
+        val RUSSIAN: Locale = Locale.forLanguageTag("ru")
     }
 }

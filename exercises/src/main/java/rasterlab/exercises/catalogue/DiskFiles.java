@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.score.Message;
 
 /**
  * What lies in an instructor's folder. Only regular files are opened, since a pipe would be waited
@@ -39,13 +40,13 @@ final class DiskFiles {
         try (Stream<Path> entries = Files.list(folder)) {
             return entries.sorted().toList();
         } catch (NoSuchFileException e) {
-            throw new CatalogueException(folder + ": no such folder", e);
+            throw new CatalogueException(folder, Message.of("disk.folder-none"), e);
         } catch (NotDirectoryException e) {
-            throw new CatalogueException(folder + ": is not a folder", e);
+            throw new CatalogueException(folder, Message.of("disk.folder-not"), e);
         } catch (AccessDeniedException e) {
-            throw new CatalogueException(folder + ": no right to list it", e);
+            throw new CatalogueException(folder, Message.of("disk.folder-right"), e);
         } catch (IOException e) {
-            throw new CatalogueException(folder + ": cannot be listed: " + reason(e), e);
+            throw new CatalogueException(folder, Message.of("disk.unlisted", reason(e)), e);
         }
     }
 
@@ -53,11 +54,11 @@ final class DiskFiles {
         try {
             return Files.readAttributes(entry, BasicFileAttributes.class);
         } catch (AccessDeniedException e) {
-            throw new CatalogueException(entry + ": no right to read it", e);
+            throw new CatalogueException(entry, Message.of("disk.right"), e);
         } catch (NoSuchFileException e) {
-            throw new CatalogueException(entry + ": is a link to what is not there", e);
+            throw new CatalogueException(entry, Message.of("disk.link"), e);
         } catch (IOException e) {
-            throw new CatalogueException(entry + ": cannot be read: " + reason(e), e);
+            throw new CatalogueException(entry, Message.of("disk.unread", reason(e)), e);
         }
     }
 
@@ -68,17 +69,16 @@ final class DiskFiles {
         try {
             BasicFileAttributes found = Files.readAttributes(file, BasicFileAttributes.class);
             if (found.isDirectory())
-                throw new CatalogueException(file + ": is a folder, not a file of an exercise");
+                throw new CatalogueException(file, Message.of("disk.folder"), null);
             if (!found.isRegularFile())
-                throw new CatalogueException(
-                        file + ": is a device, pipe or socket, not a file of an exercise");
+                throw new CatalogueException(file, Message.of("disk.special"), null);
             return Files.newInputStream(file);
         } catch (NoSuchFileException e) {
-            throw new CatalogueException(file + ": no such file to read", e);
+            throw new CatalogueException(file, Message.of("disk.none"), e);
         } catch (AccessDeniedException e) {
-            throw new CatalogueException(file + ": no right to read it", e);
+            throw new CatalogueException(file, Message.of("disk.right"), e);
         } catch (IOException e) {
-            throw new CatalogueException(file + ": cannot be read: " + reason(e), e);
+            throw new CatalogueException(file, Message.of("disk.unread", reason(e)), e);
         }
     }
 

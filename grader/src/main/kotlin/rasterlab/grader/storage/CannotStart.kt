@@ -1,27 +1,55 @@
 package rasterlab.grader.storage
 
-import java.text.MessageFormat
+import rasterlab.exercises.CatalogueException
+import rasterlab.exercises.score.Message
+import rasterlab.grader.wording.Wording
 import java.util.Locale
-import java.util.ResourceBundle
 
 /**
  * The server cannot start; the message is one line for the person who started it.
  *
- * @param key of the reason among the words beside this class
- * @param values for the places {0}, {1}, … of the words
+ * @param values for the places {0}, {1}, … of the reason's words; what has words in their language takes these
  */
 class CannotStart(
-    private val key: String,
+    private val reason: Reason,
     vararg values: Any,
     cause: Throwable? = null,
 ) : Exception(cause) {
-    private val values = values.map(Any::toString).toTypedArray()
+    /** @param key of the words in reasons.properties */
+    enum class Reason(
+        val key: String,
+    ) {
+        PORT("port"),
+        WORKERS("workers"),
+        EXAM("exam"),
+        HOST("host"),
+        LISTEN("listen"),
+        TAKEN("taken"),
+        EXERCISES("exercises"),
+        DATABASE("database"),
+        DB_KIND("db.kind"),
+        DB_NAME("db.name"),
+        DB_FOLDER("db.folder"),
+        DB_NONE("db.none"),
+        DATA_FILE("data.file"),
+        DATA_MADE("data.made"),
+        USED("used"),
+        WRITTEN("written"),
+    }
+
+    private val values = values.toList()
 
     override val message: String = said(Locale.ENGLISH)
 
     fun said(language: Locale): String {
-        val onlyAsked = ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_PROPERTIES)
-        val words = ResourceBundle.getBundle("rasterlab.grader.storage.reasons", language, onlyAsked)
-        return MessageFormat(words.getString(key), Locale.ROOT).format(values)
+        val said = values.map { it.saidIn(language.language) }
+        return Wording("rasterlab.grader.storage.reasons", language).say(reason.key, *said.toTypedArray())
     }
+
+    private fun Any.saidIn(language: String): String =
+        when (this) {
+            is Message -> `in`(language)
+            is CatalogueException -> `in`(language)
+            else -> toString()
+        }
 }

@@ -1,5 +1,6 @@
 package rasterlab.grader.storage
 
+import rasterlab.grader.storage.CannotStart.Reason
 import java.io.IOException
 import java.nio.channels.FileChannel
 import java.nio.channels.OverlappingFileLockException
@@ -40,24 +41,24 @@ class DataFolder private constructor(
 
         private fun fileOf(url: String): Path {
             val name = url.removePrefix("jdbc:").takeIf { it.startsWith("sqlite:") }?.removePrefix("sqlite:")
-            if (name == null) throw CannotStart("db.kind", url)
+            if (name == null) throw CannotStart(Reason.DB_KIND, url)
             val plain = name.isNotEmpty() && name.none { it in "?:" }
-            if (!plain) throw CannotStart("db.name", url)
+            if (!plain) throw CannotStart(Reason.DB_NAME, url)
             val file = Path.of(name).absolute().normalize()
-            if (file.isDirectory()) throw CannotStart("db.folder", url)
-            if (!file.parent.isDirectory()) throw CannotStart("db.none", url, file.parent)
+            if (file.isDirectory()) throw CannotStart(Reason.DB_FOLDER, url)
+            if (!file.parent.isDirectory()) throw CannotStart(Reason.DB_NONE, url, file.parent)
             return file
         }
 
         private fun make(folder: Path) {
             if (folder.isDirectory()) return
-            if (Files.exists(folder)) throw CannotStart("data.file", folder)
+            if (Files.exists(folder)) throw CannotStart(Reason.DATA_FILE, folder)
             val views = folder.fileSystem.supportedFileAttributeViews()
             try {
                 Files.createDirectories(folder)
                 if ("posix" in views) folder.setPosixFilePermissions(OWNER_ONLY)
             } catch (failure: IOException) {
-                throw CannotStart("data.made", folder, failure.javaClass.simpleName, failure.message.orEmpty())
+                throw CannotStart(Reason.DATA_MADE, folder, failure.javaClass.simpleName, failure.message.orEmpty())
             }
         }
 
@@ -69,11 +70,11 @@ class DataFolder private constructor(
                 if (channel.tryLock() != null) return channel
                 channel.close()
             } catch (failure: OverlappingFileLockException) {
-                throw CannotStart("used", file.parent)
+                throw CannotStart(Reason.USED, file.parent)
             } catch (failure: IOException) {
-                throw CannotStart("written", file.parent, failure.javaClass.simpleName, failure.message.orEmpty())
+                throw CannotStart(Reason.WRITTEN, file.parent, failure.javaClass.simpleName, failure.message.orEmpty())
             }
-            throw CannotStart("used", file.parent)
+            throw CannotStart(Reason.USED, file.parent)
         }
     }
 }

@@ -4,9 +4,8 @@ import io.ktor.http.CookieEncoding
 import io.ktor.server.application.ApplicationCall
 import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.exercise.acceptedLanguage
-import java.text.MessageFormat
+import rasterlab.grader.wording.Wording
 import java.util.Locale
-import java.util.ResourceBundle
 
 const val LANGUAGE_COOKIE = "lang"
 
@@ -14,25 +13,18 @@ const val LANGUAGE_COOKIE = "lang"
 class Texts private constructor(
     val language: String,
 ) {
-    private val locale = Locale.forLanguageTag(language)
-    private val bundle =
-        ResourceBundle.getBundle(
-            "rasterlab.grader.web.texts",
-            locale,
-            ResourceBundle.Control.getNoFallbackControl(ResourceBundle.Control.FORMAT_DEFAULT),
-        )
+    private val wording = Wording("rasterlab.grader.web.texts", Locale.forLanguageTag(language))
 
     /** @param values for the places {0}, {1}, … of the text */
     fun say(
         key: String,
         vararg values: Any,
-    ): String = MessageFormat(bundle.getString(key), locale).format(values)
+    ): String = wording.say(key, *values)
 
     fun verdict(code: String): String = say("verdict.$code")
 
     /** What happened and what to do about it. */
-    fun problem(code: String): String =
-        say(if (bundle.containsKey("problem.$code")) "problem.$code" else "problem.other")
+    fun problem(code: String): String = say(if (wording.has("problem.$code")) "problem.$code" else "problem.other")
 
     companion object {
         fun of(language: String) = Texts(language.takeIf { it in LANGUAGES } ?: LANGUAGES.first())
