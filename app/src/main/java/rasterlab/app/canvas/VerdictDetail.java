@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import java.util.List;
+import java.util.function.BinaryOperator;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import rasterlab.app.language.Complaints;
@@ -31,17 +32,28 @@ public final class VerdictDetail {
      * own words, stays as it is.
      */
     public static String said(Language language, String detail) {
-        return Complaints.said(language, difference(Texts.of("canvas", language), detail));
+        Texts texts = Texts.of("canvas", language);
+        BinaryOperator<String> point =
+                (x, y) -> Shown.point(Integer.parseInt(x), Integer.parseInt(y), texts.locale());
+        return Complaints.said(language, difference(texts, detail, point));
+    }
+
+    /** The same on a terminal: numbers stay as Java writes them, and English as it is. */
+    public static String saidToTypist(Language language, String detail) {
+        if (language == Language.ENGLISH) return detail;
+        Texts texts = Texts.of("canvas", language);
+        String said = difference(texts, detail, "(%s, %s)"::formatted);
+        return Complaints.saidToTypist(language, said);
     }
 
     /** The sentence with what is about pixels translated; the rest stays as it is. */
-    private static String difference(Texts texts, String detail) {
+    private static String difference(Texts texts, String detail, BinaryOperator<String> point) {
         String said = detail;
         for (Sentence each : SENTENCES)
             said =
                     Pattern.compile(each.english().replace("{}", "(" + PLACE + ")"))
                             .matcher(said)
-                            .replaceAll(found -> inWords(texts, each, found));
+                            .replaceAll(found -> inWords(texts.text(each.key()), found, point));
         return ENDLESS.matcher(said)
                 .replaceAll(
                         found ->
@@ -52,16 +64,13 @@ public final class VerdictDetail {
     }
 
     /** Of each place three groups are found: itself and its two numbers. */
-    private static String inWords(Texts texts, Sentence sentence, MatchResult found) {
-        String words = texts.text(sentence.key());
+    private static String inWords(String text, MatchResult found, BinaryOperator<String> point) {
+        String words = text;
         for (int i = 0; 3 * i < found.groupCount(); i++)
             words =
                     words.replace(
                             "$" + (i + 1),
-                            Shown.point(
-                                    Integer.parseInt(found.group(3 * i + 2)),
-                                    Integer.parseInt(found.group(3 * i + 3)),
-                                    texts.locale()));
+                            point.apply(found.group(3 * i + 2), found.group(3 * i + 3)));
         return words;
     }
 }

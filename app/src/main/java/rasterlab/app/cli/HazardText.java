@@ -47,6 +47,8 @@ final class HazardText {
                         words.verdict(cell.verdict().kind()),
                         words.verdict(cell.recorded()));
         return differs
-                + (detail.isEmpty() ? "" : "; " + VerdictDetail.said(texts.language(), detail));
+                + (detail.isEmpty()
+                        ? ""
+                        : "; " + VerdictDetail.saidToTypist(texts.language(), detail));
     }
 }

@@ -11,6 +11,9 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.app.study.HazardMatrix;
 import rasterlab.engine.study.Deviation;
 import rasterlab.engine.study.HazardTrial.Cell;
@@ -37,9 +40,7 @@ class HazardsCommandTest {
 
     @Test
     void anotherVerdictIsMarkedAndNamed() {
-        var verdict = new Verdict(Verdict.Kind.WRONG, Deviation.NONE, "pixel (1, 2) is missing");
-        var cell = new Cell("steep", "dda", verdict, Verdict.Kind.EXACT);
-        var matrix = new HazardMatrix("line", List.of("dda"), List.of("steep"), List.of(cell));
+        HazardMatrix matrix = withDetail("pixel (1, 2) is missing");
         assertFalse(matrix.asRecorded());
         List<String> lines = printed(matrix, ReportLanguage.EN);
         assertEquals("steep  wrong !", lines.get(1));
@@ -48,7 +49,37 @@ class HazardsCommandTest {
         List<String> russian = printed(matrix, ReportLanguage.RU);
         assertEquals("steep  неверно !", russian.get(1));
         assertEquals(
-                "! dda на steep: неверно, записано точно; пиксель (1; 2) пропущен", russian.get(2));
+                "! dda на steep: неверно, записано точно; пиксель (1, 2) пропущен", russian.get(2));
+    }
+
+    @ParameterizedTest(name = "a script reads another English than Java's: {0}")
+    @ValueSource(
+            strings = {
+                "pixel (-1, 2) is missing",
+                "at 1.0E-7: -0.5 instead of 2.0",
+                "no visibility 'x'; there are z16, bsp",
+            })
+    void englishStaysAsTheEngineWritesIt(String detail) {
+        List<String> lines = printed(withDetail(detail), ReportLanguage.EN);
+        assertEquals("! dda on steep: wrong, recorded is exact; " + detail, lines.get(2));
+    }
+
+    @ParameterizedTest(name = "a number is written otherwise than in the other Russian tables: {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "pixel (-1, 2) is missing | пиксель (-1, 2) пропущен",
+                "at 1.0E-7: -0.5 instead of 2.0 | при x = 1.0E-7: -0.5 вместо 2.0",
+            })
+    void russianHasTheNumbersOfTheOtherTables(String detail, String said) {
+        List<String> lines = printed(withDetail(detail), ReportLanguage.RU);
+        assertEquals("! dda на steep: неверно, записано точно; " + said, lines.get(2));
+    }
+
+    private static HazardMatrix withDetail(String detail) {
+        var verdict = new Verdict(Verdict.Kind.WRONG, Deviation.NONE, detail);
+        var cell = new Cell("steep", "dda", verdict, Verdict.Kind.EXACT);
+        return new HazardMatrix("line", List.of("dda"), List.of("steep"), List.of(cell));
     }
 
     private static List<String> printed(HazardMatrix matrix, ReportLanguage language) {
