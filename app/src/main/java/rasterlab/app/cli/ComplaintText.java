@@ -1,8 +1,6 @@
 package rasterlab.app.cli;
 
 import java.util.Collection;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
@@ -14,10 +12,6 @@ import rasterlab.app.outcome.Complaint;
  * typed: scripts and people may take them from here.
  */
 public record ComplaintText(ReportLanguage language) {
-    /** Names that picocli quotes, of which a sentence may have any number. */
-    private static final Pattern QUOTED =
-            Pattern.compile("«[^»]*»|(?<![\\p{L}\\d])'([^']*)'(?![\\p{L}\\d])");
-
     public String of(ParameterException e) {
         return of(explanation(e));
     }
@@ -50,19 +44,6 @@ public record ComplaintText(ReportLanguage language) {
 
     /** A sentence of the engine. */
     String of(String english) {
-        return language == ReportLanguage.EN
-                ? english
-                : quoted(Complaints.saidToTypist(language.inWindow(), english));
-    }
-
-    /** What stands in quotation marks of this language was typed so and stays. */
-    private static String quoted(String said) {
-        return QUOTED.matcher(said)
-                .replaceAll(
-                        found ->
-                                Matcher.quoteReplacement(
-                                        found.group(1) == null
-                                                ? found.group()
-                                                : "«" + found.group(1) + "»"));
+        return Complaints.saidToTypist(language.inWindow(), english);
     }
 }

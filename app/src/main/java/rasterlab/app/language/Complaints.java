@@ -26,10 +26,6 @@ public final class Complaints {
     /** A place in JSON, or a file, in front of what is wrong there. */
     private static final Pattern POINTED = Pattern.compile("(/[^ :]*: )(.+)", Pattern.DOTALL);
 
-    /** In straight quotes, of which an apostrophe in or behind a word is none. */
-    private static final Pattern QUOTED =
-            Pattern.compile("(?<![\\p{L}\\p{N}])'([^'\\n]*)'(?![\\p{L}\\p{N}])");
-
     /** Compiled once: they are also asked for while a picture is painted. */
     private static final List<Sentence> SENTENCES = sentences();
 
@@ -106,13 +102,21 @@ public final class Complaints {
     /** The sentence in that language. */
     public static String said(Language language, String english) {
         UnaryOperator<String> numbers = number -> NumberForm.of(number, language);
-        String said = new Complaints(language, numbers).said(english).orElse(english);
-        return language == Language.ENGLISH ? QUOTED.matcher(said).replaceAll("“$1”") : said;
+        return new Complaints(language, numbers).inQuotes(english);
     }
 
-    /** The same with numbers as Java writes and reads them, for who has to type them. */
+    /**
+     * The same on a terminal: numbers stay as Java writes and reads them, for who has to type them,
+     * and English stays as it is, for scripts that read it.
+     */
     public static String saidToTypist(Language language, String english) {
-        return new Complaints(language, UnaryOperator.identity()).said(english).orElse(english);
+        return language == Language.ENGLISH
+                ? english
+                : new Complaints(language, UnaryOperator.identity()).inQuotes(english);
+    }
+
+    private String inQuotes(String english) {
+        return Quotes.of(translations.language(), said(english).orElse(english));
     }
 
     private Optional<String> said(String english) {

@@ -4,9 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
@@ -63,6 +65,7 @@ class RussianComplaintsTest {
             run line bresenham --lang ru
             render --lang ru
             render vaes --out a.png --lang ru
+            render vase --outline --visibility z16 --out FOLDER/a.png --lang ru
             render vase --lang ru
             render vase --out a.gif --lang ru
             render vase --out FOLDER/a.png --size 0x4 --lang ru
@@ -118,6 +121,34 @@ class RussianComplaintsTest {
         assertEquals("", ran.out());
         assertEquals(1, ran.err().lines().count(), ran.err());
         assertRussian(ran.err().replace(folder.toString(), ""));
+    }
+
+    @Test
+    @DisplayName("a face that is turned round is told in English")
+    void aTurnedFaceIsToldInRussian() throws IOException {
+        String model = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+        String file = Files.writeString(folder.resolve("turned.obj"), model).toString();
+        String out = folder.resolve("a.png").toString();
+        Ran ran = Ran.lab("render", file, "--visibility=convex", "--out", out, "--lang", "ru");
+        assertEquals(3, ran.exitCode(), ran.err());
+        assertRussian(ran.err());
+    }
+
+    @ParameterizedTest(
+            name = "what a refusal asks for cannot be typed: ./lab run {0}, {1} with X = {2}")
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "curve forward-differences | {\"kind\":\"bezier\",\"points\":[[0,0],[0,8],[8,8],[8,0]],\"at\":[0,X,0.6666666666666666,1]} | 0.3",
+                "curve adaptive | {\"kind\":\"bezier\",\"points\":[[0,0],[0,1234567.1],[8,8],[8,0]],\"flatness\":X} | 1e-9",
+            })
+    void whatIsAskedForIsTaken(String names, String input, String wrong) {
+        String[] call = ("run " + names + " --lang ru").split(" ");
+        String told = Ran.labReading(input.replace("X", wrong), call).err();
+        Matcher asked = Pattern.compile("должно быть (?:не меньше )?(\\S+),").matcher(told);
+        assertTrue(asked.find(), told);
+        Ran.labReading(input.replace("X", asked.group(1)), call).assertDone();
     }
 
     private static void assertRussian(String said) {

@@ -46,6 +46,12 @@ class ComplaintsTest {
                 "ENGLISH | no course with the code 'X'; ask for it"
                         + " | no course with the code “X”; ask for it",
                 "ENGLISH | the teachers' z'/dz' of '' | the teachers' z'/dz' of “”",
+                "RUSSIAN | face 'x' flies away | face «x» flies away",
+                "RUSSIAN | unknown option '{'from':1}' | неизвестный параметр «{'from':1}»",
+                "RUSSIAN | flatness must be at least 5.820766091346741E-11 where coordinates reach"
+                        + " 4.123456789, got 1.0E-12 | flatness должно быть не меньше"
+                        + " 5,820766091346741·10⁻¹¹, если координаты доходят до 4,12346,"
+                        + " получено 10⁻¹²",
                 "RUSSIAN | no folder -1.5.0 | нет папки -1.5.0",
                 "RUSSIAN | /x/half.png: the picture is cut off: the file ends too early; allowed are"
                         + " whole pictures as PNG, JPEG, GIF or BMP; an image of the lab is shown"
@@ -55,6 +61,25 @@ class ComplaintsTest {
             })
     void numbersHaveTheFormOfTheLanguage(Language language, String english, String said) {
         assertEquals(said, Complaints.said(language, english));
+    }
+
+    @ParameterizedTest(name = "an older sentence about one case is taken for the general one: {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "hvs lies outside the colour cube: its red would be 1.1666666666666667,"
+                        + " allowed is 0 to 1 | красный был бы 1,16667, а допустимо",
+                "red of point 2 is 0.5, right is 0.25 | красный в точке 2: 0,5, верно 0,25",
+                "the scene must be one convex closed body for method 'convex': face 3 has no neighbour"
+                        + " at its edge from vertex 1 to 2 | методу «convex» нужно одно выпуклое"
+                        + " замкнутое тело: у грани 3 нет соседа на ребре от вершины 1 до 2",
+                "the scene must be one convex closed body for method 'convex': a corner of face 3 lies"
+                        + " outside face 4, by 0.25 units | замкнутое тело: вершина грани 3 лежит"
+                        + " снаружи грани 4, на расстоянии 0,25",
+            })
+    void oneSentenceIsTakenForAllItsCases(String english, String part) {
+        String said = Complaints.said(Language.RUSSIAN, english);
+        assertTrue(said.contains(part), said);
     }
 
     @Test

@@ -1,0 +1,28 @@
+package rasterlab.app.language;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** The quotation marks of each language, in which names and what was typed stand. */
+final class Quotes {
+    /**
+     * In marks of a language, and within them whatever was typed; or in straight quotes, of which
+     * an apostrophe in or behind a word is none.
+     */
+    private static final Pattern QUOTED =
+            Pattern.compile("«[^»]*»|“[^”]*”|(?<![\\p{L}\\p{N}])'([^'\\n]*)'(?![\\p{L}\\p{N}])");
+
+    private Quotes() {}
+
+    /** The sentence with marks of the language for straight ones. */
+    static String of(Language language, String sentence) {
+        String marked = language == Language.ENGLISH ? "“%s”" : "«%s»";
+        return QUOTED.matcher(sentence)
+                .replaceAll(
+                        found ->
+                                Matcher.quoteReplacement(
+                                        found.group(1) == null
+                                                ? found.group()
+                                                : marked.formatted(found.group(1))));
+    }
+}
