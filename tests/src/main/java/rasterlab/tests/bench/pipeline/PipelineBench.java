@@ -54,7 +54,9 @@ public final class PipelineBench {
                 print(wanted(openGlJobs(quick, ways, cores)));
             } catch (NoOpenGl e) {
                 missing =
-                        words.text("no-opengl", Complaints.said(words.language(), e.getMessage()));
+                        words.text(
+                                "no-opengl",
+                                Complaints.saidToTypist(words.language(), e.getMessage()));
                 out.println(words.machine() + "; " + missing);
                 out.println(words.head("head.pipeline"));
                 for (Job job : wanted(openGlJobs(quick, ways, cores)))
