@@ -14,6 +14,8 @@ import javax.swing.JFormattedTextField;
 import javax.swing.JSpinner;
 import javax.swing.JTextField;
 import javax.swing.text.NumberFormatter;
+import rasterlab.app.language.Language;
+import rasterlab.app.language.Texts;
 
 /**
  * The text field of a spinner: shows a minus as wide as plus and also takes a hyphen for it. A
@@ -28,6 +30,7 @@ public final class NumberEntry extends JSpinner.NumberEditor {
     private static final int SPARE = 3;
 
     private final transient Format format;
+    private final transient Texts texts;
     private Font usual;
 
     /** The smaller type that a long number has; null as long as the usual one fits. */
@@ -43,10 +46,27 @@ public final class NumberEntry extends JSpinner.NumberEditor {
         var symbols = DecimalFormatSymbols.getInstance(locale);
         symbols.setMinusSign('−');
         format = new Format(pattern, symbols);
+        texts = Texts.of("canvas", Language.of(locale));
         ((NumberFormatter) getTextField().getFormatter()).setFormat(format);
         getTextField().setValue(spinner.getValue());
         FieldDrop.on(getTextField());
+        getTextField().addPropertyChangeListener("editValid", e -> tellValidity(spinner));
         getTextField().addPropertyChangeListener("value", e -> fit());
+    }
+
+    /** A number that is refused is framed, and the range is told beside it. */
+    private void tellValidity(JSpinner spinner) {
+        boolean valid = getTextField().isEditValid();
+        spinner.putClientProperty(
+                FlatClientProperties.OUTLINE, valid ? null : FlatClientProperties.OUTLINE_ERROR);
+        getTextField().setToolTipText(valid ? spinner.getToolTipText() : allowed());
+    }
+
+    private String allowed() {
+        return texts.text(
+                "number.allowed",
+                format.format(getModel().getMinimum()),
+                format.format(getModel().getMaximum()));
     }
 
     @Override

@@ -30,8 +30,8 @@ final class EndFields extends JPanel {
     void refresh() {
         refreshing = true;
         Segment segment = model.state().choice().segment();
-        x.setValue(end.x(segment));
-        y.setValue(end.y(segment));
+        x.setValue((double) end.x(segment));
+        y.setValue((double) end.y(segment));
         refreshing = false;
     }
 
@@ -39,7 +39,7 @@ final class EndFields extends JPanel {
         var spinner =
                 new JSpinner(
                         new SpinnerNumberModel(
-                                (Number) 0, Integer.MIN_VALUE, Integer.MAX_VALUE, 1));
+                                0.0, (double) Integer.MIN_VALUE, (double) Integer.MAX_VALUE, 1.0));
         var editor = new NumberEntry(spinner, "0", texts.locale());
         editor.getTextField().setColumns(3);
         editor.getTextField().setName("end." + end + "." + axis + ".text");
@@ -55,8 +55,10 @@ final class EndFields extends JPanel {
     }
 
     private void moved() {
-        if (!refreshing)
-            model.moveEnd(
-                    end, ((Number) x.getValue()).intValue(), ((Number) y.getValue()).intValue());
+        if (!refreshing) model.moveEnd(end, pixel(x), pixel(y));
+    }
+
+    private static int pixel(JSpinner spinner) {
+        return (int) Math.rint((Double) spinner.getValue());
     }
 }

@@ -35,15 +35,16 @@ final class EndHandle extends SelfDrawn {
 
     /**
      * @param dragged told where the pointer is while it drags, in this component's coordinates
+     * @param released told the end of a drag
      */
-    EndHandle(End end, LineLabModel model, Consumer<Point> dragged) {
+    EndHandle(End end, LineLabModel model, Consumer<Point> dragged, Runnable released) {
         super(AccessibleRole.SLIDER);
         this.end = end;
         this.model = model;
         setName("end." + end);
         setFocusable(true);
         setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
-        var mouse = new Drag(dragged);
+        var mouse = new Drag(dragged, released);
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
         repaintOnFocus();
@@ -85,9 +86,11 @@ final class EndHandle extends SelfDrawn {
     /** One drag of the handle, which is one change for undo. */
     private final class Drag extends MouseAdapter {
         private final Consumer<Point> dragged;
+        private final Runnable released;
 
-        Drag(Consumer<Point> dragged) {
+        Drag(Consumer<Point> dragged, Runnable released) {
             this.dragged = dragged;
+            this.released = released;
         }
 
         @Override
@@ -104,6 +107,7 @@ final class EndHandle extends SelfDrawn {
         @Override
         public void mouseReleased(MouseEvent e) {
             model.endDrag();
+            released.run();
         }
     }
 }

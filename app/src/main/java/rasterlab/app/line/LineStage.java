@@ -53,6 +53,10 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     private transient Optional<LineFrame> asked = Optional.empty();
     private transient Optional<BufferedImage> shown = Optional.empty();
     private transient Optional<PixelGrid> chosen = Optional.empty();
+
+    /** The grid under the pointer while an end is dragged. */
+    private transient Optional<PixelGrid> held = Optional.empty();
+
     private End keyed = End.A;
     private int arrangement;
 
@@ -103,9 +107,11 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                         model,
                         point -> {
                             Point view = SwingUtilities.convertPoint(handle[0], point, this);
+                            held = held.or(() -> Optional.of(grid()));
                             Point pixel = grid().pixelAt(view.x, view.y);
                             model.moveEnd(end, pixel.x, pixel.y);
-                        });
+                        },
+                        this::release);
         handle[0].addFocusListener(
                 new FocusAdapter() {
                     @Override
@@ -115,6 +121,11 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
                 });
         add(handle[0]);
         return handle[0];
+    }
+
+    private void release() {
+        held = Optional.empty();
+        revalidate();
     }
 
     /** Gives the keyboard to the end that had it last, at first to A. */
@@ -138,6 +149,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
 
     private void zoom(double factor, Point2D view) {
         chosen = Optional.of(grid().zoomed(factor, view));
+        held = held.flatMap(grid -> chosen);
         revalidate();
     }
 
@@ -146,7 +158,7 @@ final class LineStage extends SelfDrawn implements Settling, AutoCloseable {
     }
 
     private PixelGrid grid(Rectangle sight) {
-        return chosen.orElseGet(() -> LineFraming.of(model.state(), sight));
+        return held.or(() -> chosen).orElseGet(() -> LineFraming.of(model.state(), sight));
     }
 
     /** What rulers and the note leave. */

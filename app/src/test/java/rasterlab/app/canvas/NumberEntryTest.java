@@ -2,6 +2,7 @@ package rasterlab.app.canvas;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
@@ -21,13 +22,20 @@ import javax.swing.JTextField;
 import javax.swing.SpinnerNumberModel;
 import javax.swing.TransferHandler;
 import javax.swing.TransferHandler.TransferSupport;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
+import rasterlab.app.shell.LabTheme;
 
 class NumberEntryTest {
+    @BeforeEach
+    void usualTheme() throws Exception {
+        EventQueue.invokeAndWait(LabTheme.LIGHT::install);
+    }
+
     @ParameterizedTest(name = "{0}")
     @CsvSource({
         "a hyphen is not taken for a minus, -2.5, en, -2.5, −2.5",
@@ -66,6 +74,28 @@ class NumberEntryTest {
         field.commitEdit();
         assertEquals(number, field.getValue(), mistake);
         assertEquals(List.of(), told, mistake);
+    }
+
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({
+        "a number above the range is not marked, 11, en, 'Allowed: from −10 to 10'",
+        "a number below the range is not marked, -10.5, ru, 'Допустимо от −10 до 10'",
+        "a word is not marked, abc, en, 'Allowed: from −10 to 10'",
+        "a number in the range is marked, 9.5, en, number",
+    })
+    void refusedNumberIsFramedBesideItsRange(
+            String mistake, String typed, String language, String told) {
+        Locale locale = Locale.forLanguageTag(language);
+        var field = new NumberField("n", "number", -10, 10, 1, locale, value -> {});
+        var text = ((JSpinner.DefaultEditor) field.getEditor()).getTextField();
+        text.setText(typed.replace('.', language.equals("ru") ? ',' : '.'));
+        boolean refused = !told.equals("number");
+        assertEquals(
+                refused ? "error" : null, field.getClientProperty("JComponent.outline"), mistake);
+        if (refused) assertEquals(told, text.getToolTipText(), mistake);
+        text.setText("1");
+        assertNull(field.getClientProperty("JComponent.outline"), mistake);
+        assertEquals("number", text.getToolTipText(), mistake);
     }
 
     @ParameterizedTest(name = "a number is cut where no type is small enough, or changes: {0} wide")

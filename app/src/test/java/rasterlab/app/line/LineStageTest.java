@@ -9,9 +9,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
 import java.awt.Color;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.Font;
+import java.awt.Point;
 import java.awt.Rectangle;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
@@ -22,6 +26,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -244,6 +249,52 @@ class LineStageTest {
                                                 "of end B beyond the upper edge, " + language,
                                                 new Segment(0, 0, 3_000, -9_000),
                                                 language)));
+    }
+
+    @Test
+    @DisplayName("the picture moves under the pointer while an end is dragged")
+    void theGridStaysWhileAnEndIsDragged() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    var stage =
+                            new LineStage(model, Texts.of("line", Language.ENGLISH), failures::add);
+                    model.show(new Segment(0, 0, 11, 4));
+                    stage.refresh();
+                    stage.setSize(600, 400);
+                    stage.doLayout();
+                    Component end = named(stage, "end.B");
+                    Point from = new Point(end.getWidth() / 2, end.getHeight() / 2);
+                    Component other = named(stage, "end.A");
+                    Rectangle before = other.getBounds();
+                    press(end, MouseEvent.MOUSE_PRESSED, from);
+                    Point pointer = new Point(end.getX() + from.x, end.getY() + from.y);
+                    for (int down = 30; down <= 150; down += 30) {
+                        press(
+                                end,
+                                MouseEvent.MOUSE_DRAGGED,
+                                new Point(pointer.x - end.getX(), pointer.y + down - end.getY()));
+                        stage.refresh();
+                        stage.doLayout();
+                        assertEquals(11, model.state().choice().segment().x1());
+                        assertEquals(before, other.getBounds());
+                    }
+                    press(end, MouseEvent.MOUSE_RELEASED, from);
+                    stage.doLayout();
+                    assertNotEquals(before, other.getBounds(), "fitted again");
+                    stage.close();
+                });
+    }
+
+    private static Component named(Container in, String name) {
+        return Stream.of(in.getComponents())
+                .filter(one -> name.equals(one.getName()))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private static void press(Component target, int kind, Point at) {
+        target.dispatchEvent(
+                new MouseEvent(target, kind, 0, 0, at.x, at.y, 1, false, MouseEvent.BUTTON1));
     }
 
     @ParameterizedTest(name = "a pinned handle lies on the zoom buttons: of an end at {0}, {1}")

@@ -376,42 +376,12 @@ class HostileSourcesTest {
                         "java.lang.IllegalStateException: \\u001B[2J\\u202E\\nok",
                         method("throw new IllegalStateException(\"\\33[2J\\u202E\\nok\");\n")),
                 argumentSet(
-                        "initialiser of a class that is used late throws",
-                        "runtime_error",
-                        "java.lang.ArithmeticException: / by zero; in line 8",
-                        method("out.plot(Late.x(), 0);\n")
-                                + "class Late { static final int X = 1 / (1 - 1);\n"
-                                + "static int x() { return X; } }\n"),
-                argumentSet(
-                        "later cases say nothing of what the initialiser threw",
-                        "runtime_error",
-                        ("java.lang.IllegalStateException: one: [two]; in line 9\n").repeat(2),
-                        method("out.plot(Late.x(), 0);\n")
-                                + "class Late { static int x = Integer.signum(0);\n"
-                                + "static { if (x == 0)"
-                                + " throw new IllegalStateException(\"one: [two]\"); }\n"
-                                + "static int x() { return x; } }\n"),
-                argumentSet(
-                        "later cases say nothing of what the initialiser threw without a message",
-                        "runtime_error",
-                        ("java.lang.IllegalStateException; in line 9\n").repeat(2),
-                        method("out.plot(Late.x(), 0);\n")
-                                + "class Late { static int x = Integer.signum(0);\n"
-                                + "static { if (x == 0) throw new IllegalStateException(); }\n"
-                                + "static int x() { return x; } }\n"),
-                argumentSet(
                         "cause of an exception loops",
                         "runtime_error",
                         "Mine$1: late",
                         method(
                                 "throw new RuntimeException(\"late\")"
                                         + " { public Throwable getCause() { while (true); } };\n")),
-                argumentSet(
-                        "static initialiser throws",
-                        "runtime_error",
-                        "creating the object: java.lang.ArithmeticException: / by zero; in line 4",
-                        Sources.RIGHT.replace(
-                                "public void", "static int z = 1 / (1 - 1);\npublic void")),
                 argumentSet(
                         "refuses everything",
                         "runtime_error",
