@@ -328,9 +328,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     public void cancel() {
         if (!state().work().running()) return;
         background.cancel();
-        boolean handedIn = state.work().phase() == WAITING || state.work().phase() == GRADING;
-        Notice said = Notice.of(handedIn ? "cancelled.handedIn" : "cancelled");
-        publish(changed().work(Work.NONE).notice(said));
+        publish(changed().work(Work.NONE).notice(Notice.of(state.work().givenUp())));
     }
 
     private void accept(Exercise exercise, Outcome outcome) {

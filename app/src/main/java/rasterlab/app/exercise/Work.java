@@ -30,6 +30,15 @@ record Work(Phase phase, int done, int of, List<TriedCase> cases) {
         return new Work(phase, 0, 0, List.of());
     }
 
+    /** Key of the notice that says what has become of work that is given up. */
+    String givenUp() {
+        return switch (phase) {
+            case SENDING -> "cancelled.sending";
+            case WAITING, GRADING -> "cancelled.handedIn";
+            case NONE, CHECKING, JOINING -> "cancelled";
+        };
+    }
+
     boolean running() {
         return phase != Phase.NONE;
     }

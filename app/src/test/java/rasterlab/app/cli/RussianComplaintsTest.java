@@ -124,6 +124,24 @@ class RussianComplaintsTest {
     }
 
     @Test
+    @DisplayName("a refusal to mix glass is told in English")
+    void glassThatIsNotMixedIsToldInRussian() {
+        String out = folder.resolve("a.png").toString();
+        Ran ran =
+                Ran.lab(
+                        "render",
+                        "transparency",
+                        "--visibility=pipeline",
+                        "--shading=tone",
+                        "--out",
+                        out,
+                        "--lang",
+                        "ru");
+        assertEquals(3, ran.exitCode(), ran.err());
+        assertRussian(ran.err());
+    }
+
+    @Test
     @DisplayName("a face that is turned round is told in English")
     void aTurnedFaceIsToldInRussian() throws IOException {
         String model = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";

@@ -127,6 +127,7 @@ class FoldedRoomsTest {
                     ((JButton) giveUp).doClick();
                     assertFalse(model.state().work().running());
                     assertFalse(giveUp.isVisible(), "nothing runs");
+                    assertEquals("cancelled.sending", model.state().notice().key());
                 });
     }
 

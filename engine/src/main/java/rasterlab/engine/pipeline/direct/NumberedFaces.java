@@ -56,7 +56,8 @@ public final class NumberedFaces implements Visibility {
         for (int face = 0; face < faces; face++)
             if (!paint.opaque(face))
                 throw new IllegalArgumentException(
-                        "pipeline: face %d is transparent, and numbers cannot be mixed; zfloat can"
+                        ("pipeline: face %d is transparent; with shading tone or a depth cue only"
+                                        + " other methods, such as zfloat, mix it")
                                 .formatted(face));
     }
 

@@ -95,7 +95,8 @@ class DirectPictureTest {
                         IllegalArgumentException.class,
                         () -> renderer.render(request, () -> false));
         assertEquals(
-                "pipeline: face 0 is transparent, and numbers cannot be mixed; zfloat can",
+                "pipeline: face 0 is transparent; with shading tone or a depth cue only other methods,"
+                        + " such as zfloat, mix it",
                 refusal.getMessage());
     }
 
