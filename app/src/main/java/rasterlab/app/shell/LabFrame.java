@@ -4,7 +4,6 @@ import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Component;
-import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Frame;
 import java.awt.GraphicsDevice;
@@ -29,9 +28,6 @@ import rasterlab.app.language.Texts;
 /** The window: the labs' tabs, with theme and language switched while it is open. */
 public final class LabFrame extends JFrame {
     private static final long serialVersionUID = 1L;
-
-    private static final Dimension LEAST = new Dimension(900, 600);
-    private static final Dimension FIRST = new Dimension(1280, 800);
 
     private final JPanel place = new JPanel(new BorderLayout());
     private final transient LabModels models;
@@ -95,7 +91,7 @@ public final class LabFrame extends JFrame {
         LabLayout.showInspectors(settings.controls());
         setName("lab");
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
-        setMinimumSize(UIScale.scale(LEAST));
+        setMinimumSize(windowPlace().least());
         setIconImages(WindowIcon.images());
         addWindowListener(
                 new WindowAdapter() {
@@ -237,14 +233,20 @@ public final class LabFrame extends JFrame {
     }
 
     private void placeOnScreen() {
-        Rectangle screen =
-                GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        Dimension first = UIScale.scale(FIRST);
-        setSize(Math.min(first.width, screen.width), Math.min(first.height, screen.height));
+        WindowPlace place = windowPlace();
+        setSize(place.first());
         setLocationRelativeTo(null);
-        settings.bounds().filter(LabFrame::onSomeScreen).ifPresent(this::setBounds);
+        settings.bounds()
+                .filter(LabFrame::onSomeScreen)
+                .ifPresent(earlier -> setBounds(place.again(earlier)));
         unmaximised = getBounds();
         if (settings.maximised()) setExtendedState(Frame.MAXIMIZED_BOTH);
+    }
+
+    private static WindowPlace windowPlace() {
+        Rectangle screen =
+                GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        return new WindowPlace(screen, UIScale.getUserScaleFactor());
     }
 
     /** Whether enough of the place lies on a screen to take hold of the window. */
