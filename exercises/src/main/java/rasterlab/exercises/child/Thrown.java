@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
  * the error around that, nor those at later uses of the class, tell what it was or where.
  *
  * @param error whose trace leads to the place
- * @param type name of the class that was thrown
+ * @param type name of the class that was thrown; in an initialiser behind that of the error around
  * @param kept the message where it is known without asking the error
  */
 record Thrown(Throwable error, String type, Optional<String> kept) {
@@ -23,11 +23,12 @@ record Thrown(Throwable error, String type, Optional<String> kept) {
     static Thrown of(Throwable error) {
         Class<?> type = error.getClass();
         if (type == ExceptionInInitializerError.class && error.getCause() != null)
-            return asItIs(error.getCause());
+            return inInitialiser(
+                    error.getCause(), error.getCause().getClass().getName(), Optional.empty());
         if (type == NoClassDefFoundError.class
                 && error.getCause() != null
                 && error.getCause().getClass() == ExceptionInInitializerError.class)
-            return inInitialiser(error.getCause()).orElse(asItIs(error));
+            return kept(error.getCause()).orElse(asItIs(error));
         return asItIs(error);
     }
 
@@ -35,16 +36,22 @@ record Thrown(Throwable error, String type, Optional<String> kept) {
         return new Thrown(error, error.getClass().getName(), Optional.empty());
     }
 
+    /** Under the error's name too, or a refusal there would pass for one of the method's own. */
+    private static Thrown inInitialiser(Throwable error, String type, Optional<String> kept) {
+        String around = ExceptionInInitializerError.class.getName();
+        return new Thrown(error, around + ": " + type, kept);
+    }
+
     /**
      * @param kept what the virtual machine made of the first error, with the trace of that
      */
-    private static Optional<Thrown> inInitialiser(Throwable kept) {
+    private static Optional<Thrown> kept(Throwable kept) {
         return Optional.ofNullable(kept.getMessage())
                 .map(IN_INITIALISER::matcher)
                 .filter(Matcher::matches)
                 .map(
                         first ->
-                                new Thrown(
+                                inInitialiser(
                                         kept,
                                         first.group(1),
                                         Optional.of(Objects.toString(first.group(2), ""))));

@@ -4,30 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static rasterlab.exercises.Sources.method;
 
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Grading.CaseSelection;
-import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.Report;
 
 /** What a student reads of a class that may not be used. */
 class ForbiddenClassesTest {
-    private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
-    private static Judge judge;
-
-    @BeforeAll
-    static void start() {
-        judge = Judge.start(JudgeSettings.defaults());
-    }
-
-    @AfterAll
-    static void end() {
-        judge.close();
-    }
+    @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 
     @ParameterizedTest(name = "one mistake has several messages, or words of the compiler: {0}")
     @CsvSource(
@@ -55,8 +40,7 @@ class ForbiddenClassesTest {
                         + "| конструктор класса java.io.PrintStream в этом задании не разрешён",
             })
     void aMistakeIsToldOnceAtItsLine(String body, String english, String russian) throws Exception {
-        Report report =
-                judge.grade(EXERCISE, method("\n" + body + "\n"), CaseSelection.open(), one -> {});
+        Report report = JUDGE.grade(method("\n" + body + "\n"));
         assertEquals(1, report.diagnostics().size(), report.diagnostics()::toString);
         Diagnostic told = report.diagnostics().get(0);
         assertEquals(6, told.line());

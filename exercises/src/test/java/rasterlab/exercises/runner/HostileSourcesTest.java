@@ -8,15 +8,11 @@ import static rasterlab.exercises.Sources.method;
 
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Sources;
-import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
 import rasterlab.exercises.score.GradingVerdict;
@@ -24,23 +20,12 @@ import rasterlab.exercises.score.Report;
 
 /** Each source ends in the verdict and the text that a student can act on. */
 class HostileSourcesTest {
-    private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
-    private static Judge judge;
-
-    @BeforeAll
-    static void start() {
-        judge = Judge.start(JudgeSettings.defaults());
-    }
-
-    @AfterAll
-    static void end() {
-        judge.close();
-    }
+    @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource({"texts", "forbidden", "welcome", "classes", "greedy", "throwing"})
     void isAnsweredWith(String verdict, String said, String source) throws Exception {
-        Report report = judge.grade(EXERCISE, source, CaseSelection.open(), one -> {});
+        Report report = JUDGE.grade(source);
         assertEquals(verdict, report.verdict().code(), () -> words(report));
         assertTrue(words(report).contains(said), () -> said + " is not in " + words(report));
         if (report.verdict() != GradingVerdict.OK)

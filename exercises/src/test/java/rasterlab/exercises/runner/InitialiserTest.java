@@ -7,41 +7,39 @@ import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 import static rasterlab.exercises.Sources.method;
 
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Grading.CaseSelection;
 import rasterlab.exercises.Sources;
-import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
 /** What a student reads where a static initialiser throws. */
 class InitialiserTest {
-    private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
-    private static Judge judge;
-
-    @BeforeAll
-    static void start() {
-        judge = Judge.start(JudgeSettings.defaults());
-    }
-
-    @AfterAll
-    static void end() {
-        judge.close();
-    }
+    @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("throwing")
     void whatItThrewIsTold(String said, String source) throws Exception {
-        Report report = judge.grade(EXERCISE, source, CaseSelection.open(), one -> {});
+        Report report = JUDGE.grade(source);
         assertEquals(GradingVerdict.RUNTIME_ERROR, report.verdict());
         String told = report.cases().stream().map(CaseReport::message).collect(joining("\n"));
         assertTrue(told.contains(said), () -> said + " is not in " + told);
+    }
+
+    @Test
+    @DisplayName("a class that cannot be loaded gets the points of a refusal")
+    void itIsNoRefusal() throws Exception {
+        String late =
+                "class Late { static int x = Integer.signum(0);\n"
+                        + "static { if (x == 0) throw new IllegalArgumentException(\"no\"); }\n"
+                        + "static int x() { return x; } }\n";
+        Report report = JUDGE.grade(method("out.plot(Late.x(), 0);\n") + late);
+        assertEquals(0, report.points().total(), () -> report.cases().toString());
     }
 
     static Stream<Arguments> throwing() {
@@ -54,7 +52,8 @@ class InitialiserTest {
                                 + "static int x() { return X; } }\n"),
                 argumentSet(
                         "later cases say nothing of what the initialiser threw",
-                        ("java.lang.IllegalStateException: one: [two]; in line 9\n").repeat(2),
+                        ("java.lang.ExceptionInInitializerError: java.lang.IllegalStateException: one: [two]; in line 9\n")
+                                .repeat(2),
                         method("out.plot(Late.x(), 0);\n")
                                 + "class Late { static int x = Integer.signum(0);\n"
                                 + "static { if (x == 0)"
@@ -62,14 +61,15 @@ class InitialiserTest {
                                 + "static int x() { return x; } }\n"),
                 argumentSet(
                         "later cases say nothing of what the initialiser threw without a message",
-                        ("java.lang.IllegalStateException; in line 9\n").repeat(2),
+                        ("java.lang.ExceptionInInitializerError: java.lang.IllegalStateException; in line 9\n")
+                                .repeat(2),
                         method("out.plot(Late.x(), 0);\n")
                                 + "class Late { static int x = Integer.signum(0);\n"
                                 + "static { if (x == 0) throw new IllegalStateException(); }\n"
                                 + "static int x() { return x; } }\n"),
                 argumentSet(
                         "static initialiser throws",
-                        "creating the object: java.lang.ArithmeticException: / by zero; in line 4",
+                        "creating the object: java.lang.ExceptionInInitializerError: java.lang.ArithmeticException: / by zero; in line 4",
                         Sources.RIGHT.replace(
                                 "public void", "static int z = 1 / (1 - 1);\npublic void")));
     }

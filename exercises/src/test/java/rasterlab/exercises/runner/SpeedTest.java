@@ -3,31 +3,16 @@ package rasterlab.exercises.runner;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import rasterlab.exercises.Exercise;
-import rasterlab.exercises.Grading.CaseSelection;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import rasterlab.exercises.Sources;
-import rasterlab.exercises.catalogue.Catalogue;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Report;
 
 /** The report's line on speed says what was measured, or why nothing was. */
 class SpeedTest {
-    private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
-    private static Judge judge;
-
-    @BeforeAll
-    static void start() {
-        judge = Judge.start(JudgeSettings.defaults());
-    }
-
-    @AfterAll
-    static void end() {
-        judge.close();
-    }
+    @RegisterExtension static final StartedJudge JUDGE = new StartedJudge();
 
     @Test
     void aPrintForEachLineDoesNotEndTheMeasurement() throws Exception {
@@ -72,7 +57,7 @@ class SpeedTest {
     }
 
     private static Report report(String source) throws InterruptedException {
-        return judge.grade(EXERCISE, source, CaseSelection.open(), one -> {});
+        return JUDGE.grade(source);
     }
 
     private static CaseReport speed(Report report) {

@@ -1,0 +1,31 @@
+package rasterlab.exercises.runner;
+
+import org.junit.jupiter.api.extension.AfterAllCallback;
+import org.junit.jupiter.api.extension.BeforeAllCallback;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import rasterlab.exercises.Exercise;
+import rasterlab.exercises.Grading.CaseSelection;
+import rasterlab.exercises.catalogue.Catalogue;
+import rasterlab.exercises.score.Report;
+
+/** A judge for all tests of a class. */
+final class StartedJudge implements BeforeAllCallback, AfterAllCallback {
+    private static final Exercise EXERCISE = Catalogue.builtIn().named("line-bresenham");
+
+    private Judge judge;
+
+    @Override
+    public void beforeAll(ExtensionContext context) {
+        judge = Judge.start(JudgeSettings.defaults());
+    }
+
+    @Override
+    public void afterAll(ExtensionContext context) {
+        judge.close();
+    }
+
+    /** What the open cases of a line exercise say of a source. */
+    Report grade(String source) throws InterruptedException {
+        return judge.grade(EXERCISE, source, CaseSelection.open(), one -> {});
+    }
+}
