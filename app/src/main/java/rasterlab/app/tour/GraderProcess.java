@@ -6,6 +6,7 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -140,15 +141,32 @@ final class GraderProcess implements AutoCloseable {
         }
     }
 
+    /**
+     * The server is asked before its children, so that it ends them itself; where the script is not
+     * replaced by the server, as on Windows, the server is one of the children that are left.
+     */
     private void stop(Duration longest) {
-        process.descendants().forEach(ProcessHandle::destroy);
+        List<ProcessHandle> children = process.descendants().toList();
         process.destroy();
         try {
             if (!process.waitFor(longest.toSeconds(), TimeUnit.SECONDS)) kill();
             process.waitFor();
+            stop(children, longest);
         } catch (InterruptedException e) {
             kill();
+            children.forEach(ProcessHandle::destroyForcibly);
             Thread.currentThread().interrupt();
+        }
+    }
+
+    private static void stop(List<ProcessHandle> children, Duration longest)
+            throws InterruptedException {
+        children.forEach(ProcessHandle::destroy);
+        var ends = children.stream().map(ProcessHandle::onExit).toArray(CompletableFuture[]::new);
+        try {
+            CompletableFuture.allOf(ends).get(longest.toSeconds(), TimeUnit.SECONDS);
+        } catch (ExecutionException | TimeoutException e) {
+            children.forEach(ProcessHandle::destroyForcibly);
         }
     }
 

@@ -21,9 +21,8 @@ class GraderProcessTest {
     /** Says what a server says, has data, and tidies up when it is asked to stop. */
     @BeforeEach
     void standIn() throws Exception {
-        Path script = home.resolve("lab");
-        Files.writeString(
-                script,
+        script(
+                "lab",
                 """
                 #!/bin/sh
                 cd "$(dirname "$0")"
@@ -35,6 +34,11 @@ class GraderProcessTest {
                 echo 'listening on http://127.0.0.1:1'
                 while :; do sleep 0.05; done
                 """);
+    }
+
+    private void script(String name, String text) throws Exception {
+        Path script = home.resolve(name);
+        Files.writeString(script, text);
         Files.setPosixFilePermissions(script, PosixFilePermissions.fromString("rwxr-xr-x"));
     }
 
@@ -54,6 +58,13 @@ class GraderProcessTest {
         server.address();
         server.close();
         assertNothingIsLeft();
+    }
+
+    @Test
+    void closingAwaitsTheServerThatTheScriptStartedAsItsChild() throws Exception {
+        Files.move(home.resolve("lab"), home.resolve("server"));
+        script("lab", "#!/bin/sh\n\"$(dirname \"$0\")/server\" \"$@\"\n");
+        closingLeavesNothingOfTheServer();
     }
 
     private Path data() throws Exception {
