@@ -13,6 +13,11 @@ public interface Steps {
     /** Goes to a step; one outside [first, last] goes to the nearer end. */
     void goTo(int step);
 
+    /** The step nearest to that one, in [first, last]. */
+    default int within(int step) {
+        return Math.max(first(), Math.min(last(), step));
+    }
+
     /** Told when no other step follows at once: one was made alone, or playing has stopped. */
     default void rest() {}
 

@@ -1,6 +1,5 @@
 package rasterlab.app.clip;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
@@ -8,6 +7,7 @@ import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.Steps;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
@@ -23,7 +23,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
     private final ClipTopics topics;
     private final LatestOnly<ClipScene, ClipResults> clippings;
     private final History<ClipChoice> history = new History<>(() -> state().choice(), this::bring);
-    private final List<Consumer<ClipLabState>> listeners = new ArrayList<>();
+    private final Listeners<ClipLabState> listeners = new Listeners<>();
     private ClipLabState state;
 
     /**
@@ -62,8 +62,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
 
     /** Tells the listener each new state from now on; the answer ends that. */
     public Runnable listen(Consumer<ClipLabState> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /** Shows another mode, with the scene it had. */
@@ -225,7 +224,7 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
 
     @Override
     public void goTo(int step) {
-        int next = Math.max(first(), Math.min(last(), step));
+        int next = within(step);
         if (next != state.step()) publish(at(next));
     }
 
@@ -280,6 +279,6 @@ public final class ClipLabModel implements Kept<ClipChoice>, Steps, AutoCloseabl
 
     private void publish(ClipLabState next) {
         state = next;
-        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+        listeners.tell(next);
     }
 }

@@ -1,10 +1,9 @@
 package rasterlab.app.coordinates;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.app.coordinates.figure.CoordinatesMode;
 import rasterlab.app.coordinates.list.ListLabModel;
 import rasterlab.app.coordinates.meeting.MeetingLabModel;
@@ -19,7 +18,7 @@ public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoClo
     private final StackLabModel stack = new StackLabModel();
     private final TurnLabModel rotation;
     private final MeetingLabModel meeting = new MeetingLabModel();
-    private final List<Consumer<CoordinatesMode>> listeners = new ArrayList<>();
+    private final Listeners<CoordinatesMode> listeners = new Listeners<>();
     private CoordinatesMode mode = CoordinatesMode.VIEWS;
 
     /**
@@ -57,13 +56,12 @@ public final class CoordinatesLabModel implements Kept<CoordinatesMode>, AutoClo
 
     public void show(CoordinatesMode next) {
         mode = next;
-        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+        listeners.tell(next);
     }
 
     /** Tells the listener each mode from now on; the answer ends that. */
     public Runnable listen(Consumer<CoordinatesMode> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     @Override

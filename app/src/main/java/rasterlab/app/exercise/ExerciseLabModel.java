@@ -9,7 +9,6 @@ import static rasterlab.app.exercise.Work.Phase.WAITING;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +19,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import rasterlab.app.canvas.Background;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.ShellPath;
 import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.naming.Named;
@@ -39,7 +39,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
     private final Executor events;
     private final Background background;
     private final Checking checking = new Checking();
-    private final List<Consumer<ExerciseState>> listeners = new ArrayList<>();
+    private final Listeners<ExerciseState> listeners = new Listeners<>();
     private final Map<String, String> sources = new HashMap<>();
     private final Outcomes outcomes;
 
@@ -118,8 +118,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     /** Tells the listener each new state from now on; the answer ends that. */
     Runnable listen(Consumer<ExerciseState> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /**
@@ -392,6 +391,6 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     private void publish(ExerciseStateChange change) {
         state = change.made();
-        List.copyOf(listeners).forEach(listener -> listener.accept(state));
+        listeners.tell(state);
     }
 }

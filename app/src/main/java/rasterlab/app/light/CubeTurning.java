@@ -1,41 +1,23 @@
 package rasterlab.app.light;
 
-import rasterlab.app.canvas.Steps;
+import rasterlab.app.canvas.TurnSteps;
 
-/** Turns the colour cube about the vertical, 120 steps a turn. */
-final class CubeTurning implements Steps {
-    private static final int STEPS = 120;
-    private static final double STEP = 2 * Math.PI / STEPS;
-
+/** Turns the colour cube about the vertical. */
+final class CubeTurning extends TurnSteps {
     private final LightLabModel model;
 
     CubeTurning(LightLabModel model) {
+        super(120);
         this.model = model;
     }
 
     @Override
-    public int first() {
-        return 0;
+    protected double turns() {
+        return model.state().colour().yaw() / (2 * Math.PI);
     }
 
     @Override
-    public int last() {
-        return STEPS - 1;
-    }
-
-    @Override
-    public int step() {
-        return Math.floorMod(Math.round(model.state().colour().yaw() / STEP), STEPS);
-    }
-
-    @Override
-    public void goTo(int step) {
-        int next = Math.max(first(), Math.min(last(), step));
-        model.colour(colour -> colour.turned(next * STEP - colour.yaw(), 0));
-    }
-
-    @Override
-    public boolean turnsRound() {
-        return true;
+    protected void turnTo(double turns) {
+        model.colour(colour -> colour.turned(2 * Math.PI * turns - colour.yaw(), 0));
     }
 }

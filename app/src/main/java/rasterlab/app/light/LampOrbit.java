@@ -1,38 +1,25 @@
 package rasterlab.app.light;
 
-import rasterlab.app.canvas.Steps;
+import rasterlab.app.canvas.TurnSteps;
 
-/** Leads the selected lamp round the scene's vertical axis, 120 steps a turn. */
-final class LampOrbit implements Steps {
-    private static final int STEPS = 120;
-
+/** Leads the selected lamp round the scene's vertical axis. */
+final class LampOrbit extends TurnSteps {
     private final LightLabModel model;
 
     LampOrbit(LightLabModel model) {
+        super(120);
         this.model = model;
     }
 
     @Override
-    public int first() {
-        return 0;
-    }
-
-    @Override
-    public int last() {
-        return STEPS - 1;
-    }
-
-    @Override
-    public int step() {
+    protected double turns() {
         Lamp lamp = model.state().choice().lamp();
-        double turn = Math.atan2(lamp.y(), lamp.x()) / (2 * Math.PI);
-        return Math.floorMod(Math.round(turn * STEPS), STEPS);
+        return Math.atan2(lamp.y(), lamp.x()) / (2 * Math.PI);
     }
 
     @Override
-    public void goTo(int step) {
-        int next = Math.max(first(), Math.min(last(), step));
-        double angle = 2 * Math.PI * next / STEPS;
+    protected void turnTo(double turns) {
+        double angle = 2 * Math.PI * turns;
         model.choose(
                 choice -> {
                     Lamp lamp = choice.lamp();
@@ -41,10 +28,5 @@ final class LampOrbit implements Steps {
                             lamp.moved(
                                     radius * Math.cos(angle), radius * Math.sin(angle), lamp.z()));
                 });
-    }
-
-    @Override
-    public boolean turnsRound() {
-        return true;
     }
 }

@@ -1,7 +1,6 @@
 package rasterlab.app.light;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
@@ -14,6 +13,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.KeptFile;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.LatestReading;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.canvas.Unlike;
 import rasterlab.app.row.RowLabModel;
@@ -44,7 +44,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     private final LatestReading reader;
     private final PictureMaker maker;
     private final History<Chosen> history = new History<>(this::chosen, this::show);
-    private final List<Consumer<LightLabState>> listeners = new ArrayList<>();
+    private final Listeners<LightLabState> listeners = new Listeners<>();
     private final KeptFile<LitFile, Body, LitSceneOpening.Answer> keptFile;
     private final RowLabModel rows;
     private Optional<Made> made = Optional.empty();
@@ -134,8 +134,7 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
 
     /** Tells the listener each new state from now on; the answer ends that. */
     Runnable listen(Consumer<LightLabState> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /**
@@ -336,6 +335,6 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     }
 
     private void tellAll() {
-        List.copyOf(listeners).forEach(listener -> listener.accept(state));
+        listeners.tell(state);
     }
 }

@@ -1,6 +1,5 @@
 package rasterlab.app.line;
 
-import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -11,6 +10,7 @@ import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.Steps;
 import rasterlab.engine.circle.Circle;
 import rasterlab.engine.circle.Ellipse;
@@ -29,7 +29,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
     private final LatestOnly<FigureScene, FigureDrawings> drawings;
     private final History<Scenes> history = new History<>(this::kept, this::bring);
     private final Map<LineMode, FigureScene> scenes = new EnumMap<>(LineMode.class);
-    private final List<Consumer<FigureState>> listeners = new ArrayList<>();
+    private final Listeners<FigureState> listeners = new Listeners<>();
     private FigureState state;
 
     /**
@@ -81,8 +81,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
 
     /** Tells the listener each new state from now on; the answer ends that. */
     Runnable listen(Consumer<FigureState> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /**
@@ -252,7 +251,7 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
 
     @Override
     public void goTo(int step) {
-        int next = Math.max(first(), Math.min(last(), step));
+        int next = within(step);
         if (next != state.step()) publish(at(next));
     }
 
@@ -289,6 +288,6 @@ public final class FigureLabModel implements Kept<FigureLabModel.Scenes>, Steps,
 
     private void publish(FigureState next) {
         state = next;
-        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+        listeners.tell(next);
     }
 }

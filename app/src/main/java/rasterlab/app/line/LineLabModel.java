@@ -1,6 +1,5 @@
 package rasterlab.app.line;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
@@ -8,6 +7,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.Steps;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.Segment;
@@ -31,9 +31,9 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     private final LineChoice first;
     private final LatestOnly<Question, LineDrawings> drawings;
     private final History<Remembered> history = new History<>(this::present, this::bring);
-    private final List<Consumer<LineLabState>> listeners = new ArrayList<>();
+    private final Listeners<LineLabState> listeners = new Listeners<>();
     private final FigureLabModel figures;
-    private final List<Consumer<LineMode>> modeListeners = new ArrayList<>();
+    private final Listeners<LineMode> modeListeners = new Listeners<>();
 
     /** As it was chosen; among the figures undo may have gone on to another. */
     private LineMode mode = LineMode.SEGMENT;
@@ -89,7 +89,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
     public void chooseMode(LineMode next) {
         if (next != LineMode.SEGMENT) figures.chooseMode(next);
         mode = next;
-        List.copyOf(modeListeners).forEach(listener -> listener.accept(next));
+        modeListeners.tell(next);
     }
 
     /** The mode as it is kept between runs, beside the segment and the {@link #figures}. */
@@ -136,8 +136,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
 
     /** Tells the listener each mode from now on; the answer ends that. */
     Runnable listenToMode(Consumer<LineMode> listener) {
-        modeListeners.add(listener);
-        return () -> modeListeners.remove(listener);
+        return modeListeners.add(listener);
     }
 
     public List<Method<LineRasterizer>> methods() {
@@ -150,8 +149,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
 
     /** Tells the listener each new state from now on; the answer ends that. */
     public Runnable listen(Consumer<LineLabState> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /**
@@ -268,7 +266,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
 
     @Override
     public void goTo(int step) {
-        int next = Math.max(first(), Math.min(last(), step));
+        int next = within(step);
         if (next != state.step()) publish(at(next));
     }
 
@@ -317,7 +315,7 @@ public final class LineLabModel implements Kept<LineChoice>, Steps, AutoCloseabl
 
     private void publish(LineLabState next) {
         state = next;
-        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+        listeners.tell(next);
     }
 
     /** The one to recommend. */

@@ -1,7 +1,6 @@
 package rasterlab.app.opengl;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
@@ -14,6 +13,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.KeptFile;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.LatestReading;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.app.opengl.OpenGlLabState.Pictures;
 import rasterlab.app.opengl.call.FrameCalls;
 import rasterlab.app.opengl.call.GlCall;
@@ -42,7 +42,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     private final KeptFile<KeptImage, GlChoice, ImageLoading> keptImage;
     private final History<GlChoice> history =
             new History<>(() -> state().choice(), choice -> draw(choice, state().touched()));
-    private final List<Consumer<OpenGlLabState>> listeners = new ArrayList<>();
+    private final Listeners<OpenGlLabState> listeners = new Listeners<>();
     private final Images images = new Images();
     private final OffscreenGl offscreen = new OffscreenGl();
     private Optional<SoftwarePainter> painter = Optional.empty();
@@ -135,8 +135,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
 
     /** Tells the listener each new state from now on; the answer ends that. */
     public Runnable listen(Consumer<OpenGlLabState> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /**
@@ -334,6 +333,6 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
     }
 
     private void tell() {
-        List.copyOf(listeners).forEach(listener -> listener.accept(state));
+        listeners.tell(state);
     }
 }

@@ -1,6 +1,5 @@
 package rasterlab.app.polygon;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Executor;
@@ -9,6 +8,7 @@ import java.util.function.UnaryOperator;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.Steps;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.Method;
@@ -25,7 +25,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
     private final LatestOnly<PolygonScene, PolygonResults> works;
     private final History<PolygonChoice> history =
             new History<>(() -> state().choice(), this::bring);
-    private final List<Consumer<PolygonLabState>> listeners = new ArrayList<>();
+    private final Listeners<PolygonLabState> listeners = new Listeners<>();
     private PolygonLabState state;
 
     /**
@@ -68,8 +68,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
 
     /** Tells the listener each new state from now on; the answer ends that. */
     public Runnable listen(Consumer<PolygonLabState> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /** Shows another mode, with the scene it had. */
@@ -253,7 +252,7 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
 
     @Override
     public void goTo(int step) {
-        int next = Math.max(first(), Math.min(last(), step));
+        int next = within(step);
         if (next != state.step()) publish(at(next));
     }
 
@@ -309,6 +308,6 @@ public final class PolygonLabModel implements Kept<PolygonChoice>, Steps, AutoCl
 
     private void publish(PolygonLabState next) {
         state = next;
-        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+        listeners.tell(next);
     }
 }

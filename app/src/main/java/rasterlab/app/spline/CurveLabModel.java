@@ -1,12 +1,12 @@
 package rasterlab.app.spline;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.Steps;
 import rasterlab.contract.CurveTracer;
 import rasterlab.engine.spline.CurveTask;
@@ -42,7 +42,7 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
     private final History<CurveChoice> history =
             new History<>(
                     () -> state().choice(), choice -> draw(choice, state().arrangement() + 1));
-    private final List<Consumer<CurveLabState>> listeners = new ArrayList<>();
+    private final Listeners<CurveLabState> listeners = new Listeners<>();
     private CurveLabState state;
 
     /**
@@ -73,8 +73,7 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
 
     /** Tells the listener each new state from now on; the answer ends that. */
     public Runnable listen(Consumer<CurveLabState> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /** Moves a handle; between {@link #beginDrag} and {@link #endDrag} all moves are one change. */
@@ -252,6 +251,6 @@ public final class CurveLabModel implements Kept<CurveChoice>, Steps, AutoClosea
 
     private void publish(CurveLabState next) {
         state = next;
-        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+        listeners.tell(next);
     }
 }

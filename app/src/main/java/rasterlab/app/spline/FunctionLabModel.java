@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.LatestOnly;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.Steps;
 import rasterlab.contract.SplineEnds;
 import rasterlab.contract.SplineFunction;
@@ -46,7 +47,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
     private final History<FunctionChoice> history =
             new History<>(
                     () -> state().choice(), choice -> find(choice, state().arrangement() + 1));
-    private final List<Consumer<FunctionLabState>> listeners = new ArrayList<>();
+    private final Listeners<FunctionLabState> listeners = new Listeners<>();
     private FunctionLabState state;
     private boolean arranging;
 
@@ -79,8 +80,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
 
     /** Tells the listener each new state from now on; the answer ends that. */
     public Runnable listen(Consumer<FunctionLabState> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /** Moves a knot; between {@link #beginDrag} and {@link #endDrag} all moves are one change. */
@@ -231,7 +231,7 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
 
     @Override
     public void goTo(int step) {
-        int next = Math.max(first(), Math.min(last(), step));
+        int next = within(step);
         if (next != state.step()) publish(at(next, state.share()));
     }
 
@@ -280,6 +280,6 @@ public final class FunctionLabModel implements Kept<FunctionChoice>, Steps, Auto
 
     private void publish(FunctionLabState next) {
         state = next;
-        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+        listeners.tell(next);
     }
 }

@@ -1,16 +1,15 @@
 package rasterlab.app.spline;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.Listeners;
 
 /** Both labs of splines, and which of them is shown. */
 public final class SplineLabModel implements Kept<SplineMode>, AutoCloseable {
     private final CurveLabModel curve;
     private final FunctionLabModel function;
-    private final List<Consumer<SplineMode>> listeners = new ArrayList<>();
+    private final Listeners<SplineMode> listeners = new Listeners<>();
     private SplineMode mode = SplineMode.CURVE;
 
     /**
@@ -36,13 +35,12 @@ public final class SplineLabModel implements Kept<SplineMode>, AutoCloseable {
 
     public void show(SplineMode next) {
         mode = next;
-        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+        listeners.tell(next);
     }
 
     /** Tells the listener each mode from now on; the answer ends that. */
     public Runnable listen(Consumer<SplineMode> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     @Override

@@ -10,6 +10,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.Background;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.engine.naming.Named;
 import rasterlab.engine.study.Hazard;
 import rasterlab.engine.study.HazardTrial;
@@ -36,7 +37,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
     private final Background background;
     private final Map<String, Study> studies = new HashMap<>();
     private final Map<String, List<Cell>> verdicts = new HashMap<>();
-    private final List<Consumer<StudyLabState>> listeners = new ArrayList<>();
+    private final Listeners<StudyLabState> listeners = new Listeners<>();
     private StudyLabState state;
 
     /**
@@ -94,8 +95,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
 
     /** Tells the listener each new state from now on; the answer ends that. */
     public Runnable listen(Consumer<StudyLabState> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /**
@@ -254,7 +254,7 @@ public final class StudyLabModel implements Kept<StudyLabModel.Chosen>, AutoClos
 
     private void publish(StudyLabState next) {
         state = next;
-        List.copyOf(listeners).forEach(listener -> listener.accept(next));
+        listeners.tell(next);
     }
 
     /** Passes news on, but not more often than the eye follows. */

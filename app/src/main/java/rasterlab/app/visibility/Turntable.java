@@ -1,49 +1,30 @@
 package rasterlab.app.visibility;
 
-import rasterlab.app.canvas.Steps;
+import rasterlab.app.canvas.TurnSteps;
 import rasterlab.engine.transform.SphericalView;
 
-/** Turns the scene about its axis, θ by θ, as the step player plays it: 200 steps a turn. */
-final class Turntable implements Steps {
-    private static final int STEPS = 200;
-    private static final double STEP = 2 * Math.PI / STEPS;
-
+/** Turns the scene about its axis, θ by θ, as the step player plays it. */
+final class Turntable extends TurnSteps {
     private final VisibilityLabModel model;
 
     Turntable(VisibilityLabModel model) {
+        super(200);
         this.model = model;
     }
 
     @Override
-    public int first() {
-        return 0;
+    protected double turns() {
+        return model.state().choice().camera().thetaRadians() / (2 * Math.PI);
     }
 
     @Override
-    public int last() {
-        return STEPS - 1;
-    }
-
-    @Override
-    public int step() {
-        double theta = model.state().choice().camera().thetaRadians();
-        return Math.floorMod(Math.round(theta / STEP), STEPS);
-    }
-
-    @Override
-    public void goTo(int step) {
+    protected void turnTo(double turns) {
         SphericalView camera = model.state().choice().camera();
-        int next = Math.max(first(), Math.min(last(), step));
-        model.look(new SphericalView(next * STEP, camera.phiRadians(), camera.rho()));
+        model.look(new SphericalView(2 * Math.PI * turns, camera.phiRadians(), camera.rho()));
     }
 
     @Override
     public void rest() {
         model.count();
-    }
-
-    @Override
-    public boolean turnsRound() {
-        return true;
     }
 }

@@ -1,7 +1,6 @@
 package rasterlab.app.visibility;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
@@ -14,6 +13,7 @@ import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.KeptFile;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.LatestReading;
+import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.PictureMaker;
 import rasterlab.app.row.RowLabModel;
 import rasterlab.engine.pipeline.RenderRequest;
@@ -38,7 +38,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
     private final History<VisibilityChoice> history =
             new History<>(() -> state().choice(), choice -> draw(choice, true));
     private final FrameTimes times = new FrameTimes();
-    private final List<Consumer<VisibilityLabState>> listeners = new ArrayList<>();
+    private final Listeners<VisibilityLabState> listeners = new Listeners<>();
     private final LatestReading reader;
     private final KeptFile<OpenedFiles, VisibilityChoice, SceneFiles.Answer> files;
     private final ChartStudies charts;
@@ -120,8 +120,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     /** Tells the listener each new state from now on; the answer ends that. */
     public Runnable listen(Consumer<VisibilityLabState> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /**
@@ -394,6 +393,6 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     private void publish(VisibilityLabState next) {
         state = next.measured(times.median());
-        List.copyOf(listeners).forEach(listener -> listener.accept(state));
+        listeners.tell(state);
     }
 }

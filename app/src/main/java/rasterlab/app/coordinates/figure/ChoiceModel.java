@@ -1,10 +1,9 @@
 package rasterlab.app.coordinates.figure;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.function.Consumer;
 import rasterlab.app.canvas.History;
 import rasterlab.app.canvas.Kept;
+import rasterlab.app.canvas.Listeners;
 
 /**
  * A choice that can be changed, undone and taken back to how it was first; listeners are told each
@@ -15,7 +14,7 @@ import rasterlab.app.canvas.Kept;
 public abstract class ChoiceModel<C> implements Kept<C> {
     private final C first;
     private final History<C> history = new History<>(this::choice, this::bring);
-    private final List<Consumer<C>> listeners = new ArrayList<>();
+    private final Listeners<C> listeners = new Listeners<>();
     private C choice;
     private int arrangement;
 
@@ -35,8 +34,7 @@ public abstract class ChoiceModel<C> implements Kept<C> {
 
     /** Tells the listener each new choice from now on; the answer ends that. */
     public final Runnable listen(Consumer<C> listener) {
-        listeners.add(listener);
-        return () -> listeners.remove(listener);
+        return listeners.add(listener);
     }
 
     /** Between {@link #beginDrag} and {@link #endDrag} all changes are one for undo. */
@@ -114,6 +112,6 @@ public abstract class ChoiceModel<C> implements Kept<C> {
 
     /** Tells the listeners the present choice once more. */
     protected final void tell() {
-        List.copyOf(listeners).forEach(listener -> listener.accept(choice));
+        listeners.tell(choice);
     }
 }

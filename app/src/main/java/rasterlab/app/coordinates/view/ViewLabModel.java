@@ -133,7 +133,7 @@ public final class ViewLabModel extends ChoiceModel<ViewChoice> implements Steps
 
     @Override
     public void goTo(int step) {
-        int next = Math.max(first(), Math.min(last(), step));
+        int next = within(step);
         if (next == stage) return;
         stage = next;
         tell();
