@@ -88,7 +88,6 @@ final class CheckCommand implements Callable<Integer> {
 
     private void showProgress(Exercise chosen, CaseReport done) {
         String title = chosen.caseTitle(done.name(), console.language().code());
-        console.err()
-                .println(title + ": " + console.language().texts().text(done.verdict().code()));
+        console.err().println(title + ": " + done.verdict().word(console.language().code()));
     }
 }

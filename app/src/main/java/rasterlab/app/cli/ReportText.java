@@ -7,6 +7,7 @@ import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
+import rasterlab.exercises.score.PicturePart;
 import rasterlab.exercises.score.Points;
 import rasterlab.exercises.score.Report;
 
@@ -28,7 +29,7 @@ final class ReportText {
     void print(Exercise exercise, Report report) {
         Points points = report.points();
         say("exercise", exercise.title(language()));
-        say("verdict", texts.text(report.verdict().code()));
+        say("verdict", report.verdict().word(language()));
         say(
                 "points",
                 String.format(
@@ -79,7 +80,7 @@ final class ReportText {
     private List<String> row(Exercise exercise, CaseReport judged) {
         return List.of(
                 exercise.caseTitle(judged.name(), language()),
-                texts.text(judged.verdict().code()),
+                judged.verdict().word(language()),
                 judged.points() + "/" + judged.of(),
                 judged.message(language()));
     }
@@ -94,7 +95,11 @@ final class ReportText {
                             String title = exercise.caseTitle(name, language());
                             out.println(title.equals(name) ? name : title + ", " + name);
                             out.println("(" + texts.text("legend") + ")");
-                            pictures.text().lines().forEach(row -> out.println("  " + row));
+                            String text = pictures.text();
+                            PicturePart.of(text)
+                                    .ifPresent(
+                                            part -> out.println("  " + part.said().in(language())));
+                            PicturePart.rows(text).forEach(row -> out.println("  " + row));
                         });
     }
 }

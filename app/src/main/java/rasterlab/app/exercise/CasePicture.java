@@ -46,8 +46,9 @@ final class CasePicture extends SelfDrawn {
 
     /**
      * @param part of the raster that is seen
+     * @param words below, which part of what it is; empty where it is all
      */
-    private record Placed(Rectangle part, NamedPictures pictures) {}
+    private record Placed(Rectangle part, NamedPictures pictures, Optional<String> words) {}
 
     /**
      * @param pixels that the pictures show, across and down
@@ -198,7 +199,22 @@ final class CasePicture extends SelfDrawn {
                                         seen.get(i).key(),
                                         placed.part(),
                                         placed.pictures().places().get(i));
+                            placed.words().ifPresent(said -> write(g, said, placed.pictures()));
                         });
+    }
+
+    /** Below the pictures and their names, smaller where it would be cut. */
+    private void write(Graphics2D g, String said, NamedPictures above) {
+        int lowest =
+                above.places().stream()
+                        .mapToInt(place -> place.y + place.height)
+                        .max()
+                        .orElseThrow();
+        int top = lowest + NamedPictures.ABOVE_NAME + g.getFontMetrics().getHeight();
+        g.setFont(type());
+        int wide = g.getFontMetrics().stringWidth(said);
+        if (wide > getWidth()) g.setFont(type().deriveFont(type().getSize2D() * getWidth() / wide));
+        g.drawString(said, 0, top + NamedPictures.ABOVE_NAME + g.getFontMetrics().getAscent());
     }
 
     /** Whether all pictures have room for their names. */
@@ -212,14 +228,50 @@ final class CasePicture extends SelfDrawn {
     }
 
     private Optional<Placed> parted(List<String> keys) {
-        Font type = getFont() == null ? UIManager.getFont("Label.font") : getFont();
+        int words = getFontMetrics(type()).getHeight() + NamedPictures.ABOVE_NAME;
+        return parted(keys, getHeight() - 1)
+                .filter(placed -> part(placed.part().getSize()).isEmpty())
+                .or(() -> parted(keys, getHeight() - 1 - words));
+    }
+
+    /** What is said of the part that is seen; "" where it is all. */
+    String words() {
+        return parted(TOGETHER).flatMap(Placed::words).orElse("");
+    }
+
+    /** Which part of the picture that is of what size; empty where it is all of it. */
+    private Optional<String> part(Dimension shown) {
+        Dimension kept = grid.pixels();
+        List<Long> whole =
+                pictures.filter(one -> one.pixels().equals(kept))
+                        .map(TriedCase.Pictures::whole)
+                        .orElse(List.of((long) kept.width, (long) kept.height));
+        return shown.width == whole.get(0) && shown.height == whole.get(1)
+                ? Optional.empty()
+                : Optional.of(
+                        texts.text(
+                                "case.part",
+                                shown.width,
+                                shown.height,
+                                whole.get(0),
+                                whole.get(1)));
+    }
+
+    private Font type() {
+        return getFont() == null ? UIManager.getFont("Label.font") : getFont();
+    }
+
+    private Optional<Placed> parted(List<String> keys, int height) {
+        Font type = type();
         List<String> names = keys.stream().map(key -> texts.text("view." + key)).toList();
         int gap = UIScale.scale(GAP);
         // The frame's last line lies outside of its picture.
-        var room = new Dimension(getWidth() - 1, getHeight() - 1);
+        var room = new Dimension(getWidth() - 1, height);
         var whole = new NamedPictures.Wanted(names, grid.pixels(), type, this::getFontMetrics, gap);
         Rectangle part = around(whole.part(CLEAR, room));
-        return whole.of(part.getSize()).in(room).map(pictures -> new Placed(part, pictures));
+        return whole.of(part.getSize())
+                .in(room)
+                .map(placed -> new Placed(part, placed, part(part.getSize())));
     }
 
     /** A part of the raster of that size, with the first mark in its middle where it can. */

@@ -116,7 +116,7 @@ final class CaseTable extends JTable {
     }
 
     private String inFull(String verdict) {
-        return texts.textOr("verdict." + verdict, verdict);
+        return verdict.isEmpty() ? "–" : GradingVerdict.word(verdict, texts.locale().getLanguage());
     }
 
     /** Of a column with its head. */
@@ -222,7 +222,8 @@ final class CaseTable extends JTable {
         public Component getTableCellRendererComponent(
                 JTable table, Object value, boolean on, boolean focused, int row, int column) {
             super.getTableCellRendererComponent(table, value, on, focused, row, column);
-            boolean coloured = !on && !shown.verdict().isEmpty() && column != 1 && column != 2;
+            boolean coloured =
+                    !on && VerdictLook.tried(shown.verdict()) && column != 1 && column != 2;
             if (coloured) setForeground(VerdictLook.colour(shown.verdict()));
             else if (!on) setForeground(table.getForeground());
             String said = shown.said().in(texts.language());

@@ -23,6 +23,7 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
+import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.Points;
 
 /** What was said to the source: verdict, points, every case with its reason and pictures. */
@@ -247,7 +248,7 @@ final class ResultPane extends JPanel {
         verdict.setText(
                 VerdictLook.sign(said.verdict())
                         + " "
-                        + texts.textOr("verdict." + said.verdict(), said.verdict()));
+                        + GradingVerdict.word(said.verdict(), texts.locale().getLanguage()));
         verdict.setForeground(VerdictLook.colour(said.verdict()));
         points.setText(points(said));
         where.setText(where(state, said));

@@ -121,7 +121,9 @@ final class Submitting {
         JsonNode scene = one.path("scene");
         return new TriedCase(
                 one.path("name").asText(),
-                one.path("verdict").asText(GradingVerdict.NO_RESULT.code()),
+                GradingVerdict.told(
+                        one.path("verdict").asText(GradingVerdict.NO_RESULT.code()),
+                        one.path("run").asBoolean(true)),
                 one.path("points").asInt(),
                 one.path("of").asInt(),
                 said,

@@ -10,6 +10,7 @@ import rasterlab.exercises.score.CasePictures;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.PicturePart;
 
 /**
  * One case of a result.
@@ -37,18 +38,22 @@ record TriedCase(
                     drawn.expectedPng(), drawn.actualPng(), drawn.differencePng(), drawn.text());
         }
 
+        /** Columns and rows of all that was drawn or expected, of which a part may be kept. */
+        List<Long> whole() {
+            Dimension kept = pixels();
+            return PicturePart.of(text)
+                    .map(part -> List.of(part.width(), part.height()))
+                    .orElse(List.of((long) kept.width, (long) kept.height));
+        }
+
         /** Number of pixels of the box that holds both pictures. */
         int size() {
             return pixels().width * pixels().height;
         }
 
-        private List<String> rows() {
-            return text.lines().filter(row -> !row.startsWith("columns")).toList();
-        }
-
         /** Of that box, across and down. */
         Dimension pixels() {
-            List<String> rows = rows();
+            List<String> rows = PicturePart.rows(text);
             int across = rows.stream().mapToInt(String::length).max().orElse(0);
             return new Dimension(across, rows.size());
         }

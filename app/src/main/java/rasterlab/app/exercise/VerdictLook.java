@@ -1,18 +1,26 @@
 package rasterlab.app.exercise;
 
 import java.awt.Color;
+import java.util.Set;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** How a verdict looks: by a sign and by a colour. */
 final class VerdictLook {
+    private static final Set<String> UNTRIED =
+            Set.of("", GradingVerdict.NOT_MEASURED.code(), GradingVerdict.NOT_RUN.code());
+
     private VerdictLook() {}
 
     /** ✓ right, ✗ not, · not tried. */
     static String sign(String verdict) {
-        if (verdict.isEmpty() || verdict.equals(GradingVerdict.NOT_MEASURED.code())) return "·";
+        if (!tried(verdict)) return "·";
         return right(verdict) ? "✓" : "✗";
+    }
+
+    static boolean tried(String verdict) {
+        return !UNTRIED.contains(verdict);
     }
 
     /** Stands out from the ground of the present theme. */

@@ -12,6 +12,7 @@ import java.util.Optional;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.PicturePart;
 
 /** A real server, a course, a student and four submissions. */
 final class GradingSection implements TourPart {
@@ -94,15 +95,8 @@ final class GradingSection implements TourPart {
                                     called(solution.verdict, page.texts())));
     }
 
-    /**
-     * A verdict as in the lab, but for the fault of a server, which is not ours.
-     *
-     * @param verdict its code
-     */
-    static String called(String verdict, Texts texts) {
-        return verdict.equals(GradingVerdict.INTERNAL.code())
-                ? texts.text("grading.internal")
-                : Texts.of("exercise", texts.language()).text("verdict." + verdict);
+    private static String called(String verdict, Texts texts) {
+        return GradingVerdict.word(verdict, texts.locale().getLanguage());
     }
 
     /** What the server answered to one solution. */
@@ -136,7 +130,7 @@ final class GradingSection implements TourPart {
             rows.add(
                     List.of(
                             title(judged),
-                            called(judged.path("verdict").asText(), page.texts()),
+                            called(verdict(judged), page.texts()),
                             judged.path("points").asText() + "/" + judged.path("of").asText(),
                             Shown.pixels(judged.path("message").asText())));
         if (!rows.isEmpty()) page.table(page.texts().text("grading.cases"), rows);
@@ -151,7 +145,13 @@ final class GradingSection implements TourPart {
             if (!pictures.hasNonNull("difference")) continue;
             String name = judged.path("name").asText();
             page.paragraph(page.texts().text("grading.picture", title(judged)));
-            page.preformatted(pictures.path("text").asText());
+            String text = pictures.path("text").asText();
+            PicturePart.of(text)
+                    .ifPresent(
+                            part ->
+                                    page.paragraph(
+                                            part.said().in(page.texts().locale().getLanguage())));
+            page.preformatted(String.join("\n", PicturePart.rows(text)));
             List<TourPage.Figure> figures = new ArrayList<>();
             for (String kind : PICTURES)
                 figures.add(
@@ -167,6 +167,11 @@ final class GradingSection implements TourPart {
     /** What the server has at an address. */
     interface PngSource {
         byte[] get(String path) throws IOException, InterruptedException;
+    }
+
+    private static String verdict(JsonNode judged) {
+        return GradingVerdict.told(
+                judged.path("verdict").asText(), judged.path("run").asBoolean(true));
     }
 
     private static String title(JsonNode judged) {

@@ -18,7 +18,7 @@ class CheckCommandTest {
     @Test
     void rightSolutionIsOk() throws Exception {
         Ran ran = check("right");
-        assertTrue(ran.out().contains("Verdict: ok"), ran.out());
+        assertTrue(ran.out().contains("Verdict: right"), ran.out());
         assertFalse(Files.exists(folder.resolve("pictures")), "nothing to draw");
         ran.assertDone();
     }
@@ -49,13 +49,13 @@ class CheckCommandTest {
                 """
                 public class MyLine implements rasterlab.contract.LineRasterizer {
                     public void draw(int a, int b, int c, int d, rasterlab.contract.Pixels out) {
-                        System.out.println("\\33[2Jx\\nVerdict: ok");
+                        System.out.println("\\33[2Jx\\nVerdict: right");
                         throw new IllegalStateException("\\33[2J\\u202E");
                     }
                 }
                 """);
         Ran ran = Ran.lab("check", "line-bresenham", file.toString());
-        assertFalse(ran.out().contains("\nVerdict: ok"), ran.out());
+        assertFalse(ran.out().contains("\nVerdict: right"), ran.out());
         assertFalse(ran.out().matches("(?s).*[\\x1B\\x{202E}].*"), ran.out());
     }
 

@@ -105,6 +105,21 @@ class SubmittingTest {
         }
     }
 
+    @Test
+    @DisplayName("a case that was not run has no result")
+    void casesThatWereNotRunAreCalledSo() throws Exception {
+        try (var server = server();
+                var trial = joined(server, Duration.ofSeconds(20))) {
+            String notRun =
+                    CASE.replace(
+                            "\"verdict\":\"wrong\"", "\"verdict\":\"no_result\",\"run\":false");
+            server.on(RESULT, 200, DONE.replace(CASE, notRun));
+            trial.model.submit();
+            TriedCase one = trial.awaitEnd().outcome().orElseThrow().cases().get(0);
+            assertEquals("not_run", one.verdict());
+        }
+    }
+
     private static String hidden(String message) {
         return CASE.replace("ties", "hidden").replace("pixel (1, 2) is missing", message);
     }

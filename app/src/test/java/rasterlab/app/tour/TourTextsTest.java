@@ -6,11 +6,9 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Properties;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import rasterlab.app.language.Language;
-import rasterlab.app.language.Texts;
 import rasterlab.exercises.score.GradingVerdict;
 
 class TourTextsTest {
@@ -20,26 +18,23 @@ class TourTextsTest {
         assertEquals(ownKeys(bundle, "en"), ownKeys(bundle, "ru"));
     }
 
-    @ParameterizedTest(name = "a server''s verdict is called otherwise than in the lab: {0}")
-    @EnumSource(Language.class)
-    void verdictsAreCalledAsInTheLabOfExercises(Language language) {
-        Texts tour = Texts.of("tour", language);
-        Texts lab = Texts.of("exercise", language);
-        for (GradingVerdict verdict : GradingVerdict.values())
-            assertEquals(
-                    verdict == GradingVerdict.INTERNAL
-                            ? tour.text("grading.internal")
-                            : lab.text("verdict." + verdict.code()),
-                    GradingSection.called(verdict.code(), tour));
-    }
-
-    @ParameterizedTest(name = "the tour has a list of verdicts of its own: {0}")
-    @ValueSource(strings = {"en", "ru"})
-    void verdictsAreKeptOnce(String language) {
+    @ParameterizedTest(name = "{0} has a list of verdicts of its own")
+    @ValueSource(
+            strings = {
+                "rasterlab.app.tour.messages",
+                "rasterlab.app.cli.report",
+                "rasterlab.app.exercise.messages"
+            })
+    void verdictsAreKeptOnce(String bundle) {
+        List<String> verdicts =
+                Stream.of(GradingVerdict.values()).map(GradingVerdict::code).toList();
         assertEquals(
                 List.of(),
-                ownKeys("rasterlab.app.tour.messages", language).stream()
-                        .filter(key -> key.matches("(verdict|graded)\\..*"))
+                ownKeys(bundle, "en").stream()
+                        .filter(
+                                key ->
+                                        verdicts.contains(
+                                                key.replaceFirst("^(verdict|graded)\\.", "")))
                         .toList());
     }
 

@@ -69,7 +69,7 @@ final class CaseRun {
      */
     CaseReport judge(Case one) throws ChildLost, InterruptedException {
         if (stopped.isPresent())
-            return report(one, Finding.of(stopped.get().verdict(), Message.of("not-run")), "");
+            return report(one, Finding.of(GradingVerdict.NOT_RUN, Message.of("not-run")), "");
         List<Call> calls = topic.calls(one, exercise.tolerance(), seed);
         for (Call call : calls) {
             Finding finding = tried(one, call);

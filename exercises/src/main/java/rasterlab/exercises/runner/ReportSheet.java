@@ -44,6 +44,7 @@ final class ReportSheet {
                 cases.stream()
                         .map(CaseReport::verdict)
                         .filter(one -> one != GradingVerdict.OK)
+                        .map(GradingVerdict::published)
                         .findFirst()
                         .orElse(GradingVerdict.OK);
         Points points =

@@ -1,6 +1,7 @@
 package rasterlab.exercises.score;
 
 import java.util.Locale;
+import java.util.stream.Stream;
 
 /** The answer to a submission, or to one case of it. */
 public enum GradingVerdict {
@@ -17,6 +18,8 @@ public enum GradingVerdict {
     NO_RESULT,
     /** Only for the report's line on speed: nothing was timed, so that nothing can be said. */
     NOT_MEASURED,
+    /** Only for a case: its turn did not come, for the method was stopped before. */
+    NOT_RUN,
     /** Our own fault: tried again, never a mark. */
     INTERNAL;
 
@@ -28,5 +31,34 @@ public enum GradingVerdict {
     /** Lower-case name, as in the HTTP API. */
     public String code() {
         return name().toLowerCase(Locale.ROOT);
+    }
+
+    /** What scripts are told, to which no result is all there is of a case that was not run. */
+    public GradingVerdict published() {
+        return this == NOT_RUN ? NO_RESULT : this;
+    }
+
+    /**
+     * The code of a case's verdict from what scripts are told.
+     *
+     * @param code of the published verdict
+     * @param run whether the case was run
+     */
+    public static String told(String code, boolean run) {
+        return run ? code : NOT_RUN.code();
+    }
+
+    /** In words, wherever they are read. */
+    public String word(String language) {
+        return Message.of("verdict." + code()).in(language);
+    }
+
+    /** A verdict's code in words; as it is where it is none that is known here. */
+    public static String word(String code, String language) {
+        return Stream.of(values())
+                .filter(one -> one.code().equals(code))
+                .map(one -> one.word(language))
+                .findFirst()
+                .orElse(code);
     }
 }

@@ -111,7 +111,7 @@ class MessageTest {
     void noTextShowsAPlaceUnfilled() throws IOException {
         for (String name : new String[] {"en", "ru"})
             for (String key : texts("messages.properties").stringPropertyNames()) {
-                String said = Message.of(key, "A", "B", "C").in(name);
+                String said = Message.of(key, "A", "B", "C", "D", "E", "F", "G", "H").in(name);
                 assertFalse(said.contains("{") || said.contains("''"), said);
             }
     }

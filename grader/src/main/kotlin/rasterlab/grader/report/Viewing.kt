@@ -8,6 +8,7 @@ import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
 import rasterlab.exercises.score.CaseReport
+import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Report
 import rasterlab.grader.course.Identity
 import rasterlab.grader.storage.text
@@ -41,11 +42,13 @@ data class PointsView(
     val of: Int,
 )
 
+/** @param run false where the method was stopped before the case's turn came: `verdict` is `no_result` then */
 @Serializable
 data class CaseView(
     val name: String,
     val title: String,
     val visibility: String,
+    val run: Boolean,
     val verdict: String,
     val points: Int,
     val of: Int,
@@ -122,7 +125,8 @@ fun CaseReport.view(
         name(),
         title,
         visibility().code(),
-        verdict().code(),
+        verdict() != GradingVerdict.NOT_RUN,
+        verdict().published().code(),
         points(),
         of(),
         message(language),

@@ -103,5 +103,6 @@ private fun sign(kind: String) =
         "wrong" -> "✕"
         "queued", "running" -> "…"
         "internal" -> "?"
+        "not_run" -> "·"
         else -> "!"
     }

