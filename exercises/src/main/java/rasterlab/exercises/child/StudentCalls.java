@@ -81,6 +81,7 @@ final class StudentCalls {
         for (int i = 0; i < ends.length; i++) ends[i] = in.readInt();
         SummingPixels pixels = new SummingPixels();
         printed.drop();
+        long start = System.nanoTime();
         try {
             for (int i = 0; i < ends.length; i += 4)
                 method.draw(ends[i], ends[i + 1], ends[i + 2], ends[i + 3], pixels);
@@ -89,9 +90,11 @@ final class StudentCalls {
             threw(nonce, e);
             return;
         }
+        long nanos = System.nanoTime() - start;
         ByteArrayOutputStream body = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(body);
         out.writeByte(Wire.DONE);
+        out.writeLong(nanos);
         out.writeLong(pixels.count());
         out.writeLong(pixels.sum());
         out.writeLong(printed.keep());

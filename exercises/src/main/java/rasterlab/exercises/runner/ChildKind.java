@@ -9,8 +9,12 @@ import rasterlab.exercises.child.RunMain;
 /** The two kinds of children and the limits their Java machines get. */
 enum ChildKind {
     COMPILE(List.of("-Xmx256m", "-Xss4m", "-XX:TieredStopAtLevel=1", "-XX:ActiveProcessorCount=2")),
+    /**
+     * Compiles before it goes on: what is timed does not depend on when a compiler had its turn.
+     */
     RUN(
             List.of(
+                    "-XX:-BackgroundCompilation",
                     "-Xmx64m",
                     "-Xss512k",
                     "-XX:MaxMetaspaceSize=48m",

@@ -104,7 +104,8 @@ final class GradingRun {
         int most = exercise.points().speed();
         CaseReport speedReport =
                 speed.obstacle().isEmpty()
-                        ? SpeedPoints.measured(speed.ratio(), speed.printed(), most)
+                        ? SpeedPoints.measured(
+                                speed.nanosPerPixel(), speed.reference(), speed.printed(), most)
                         : SpeedPoints.none(most, speed.obstacle());
         progress.accept(speedReport);
         return sheet.graded(reports, speedReport, cases.printed(), speed.nanosPerPixel());

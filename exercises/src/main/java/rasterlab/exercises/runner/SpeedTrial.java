@@ -8,13 +8,10 @@ import rasterlab.exercises.score.Message;
 
 /**
  * The student's cost per pixel against that of the reference method, each in a child of its own, in
- * turns on the same inputs; the clock is this process's.
+ * turns on the same inputs.
  */
 final class SpeedTrial {
-    private static final int LEAST_ROUNDS = 8;
-
-    /** As long as the method looks slower than this, the machine may be to blame: try on. */
-    private static final double GOOD_RATIO = 1.4;
+    private static final int LEAST_ROUNDS = 12;
 
     /** For all rounds together, so that a slow method is not waited for. */
     private static final long BUDGET_NANOS = 1_500_000_000L;
@@ -38,11 +35,11 @@ final class SpeedTrial {
      * The outcome.
      *
      * @param nanosPerPixel of the student's method; 0 where it was not measured
-     * @param ratio to the reference; 0 where it was not measured
+     * @param reference the same of the reference
      * @param printed whether the method printed, which takes time
      * @param obstacle why it was not measured; nothing where it was
      */
-    record Outcome(double nanosPerPixel, double ratio, boolean printed, Message obstacle) {
+    record Outcome(double nanosPerPixel, double reference, boolean printed, Message obstacle) {
         static Outcome none(Message obstacle) {
             return new Outcome(0, 0, false, obstacle);
         }
@@ -50,11 +47,11 @@ final class SpeedTrial {
 
     Outcome measure() throws ChildLost, InterruptedException {
         loadReference();
-        double theirs = Double.MAX_VALUE;
-        double ours = Double.MAX_VALUE;
+        Pace theirs = new Pace();
+        Pace ours = new Pace();
         boolean printed = false;
         long start = System.nanoTime();
-        for (int round = 1; round <= LEAST_ROUNDS || theirs > GOOD_RATIO * ours; round++) {
+        for (int round = 1; round <= LEAST_ROUNDS || !theirs.isSettledBeside(ours); round++) {
             TopicGrading.Timing timing = topic.timing(random);
             StudentRun.Timed reply = student.time(timing);
             if (!reply.thrown().isEmpty())
@@ -62,13 +59,13 @@ final class SpeedTrial {
             if (reply.count() != timing.count() || reply.sum() != timing.sum())
                 return Outcome.none(Message.of("speed.wrong"));
             printed |= reply.printed() > 0;
-            // the quickest round counts: what else the machine does only ever adds time
-            theirs = Math.min(theirs, (double) reply.nanos() / timing.count());
-            long reference = this.reference.time(timing).nanos();
-            ours = Math.min(ours, (double) reference / timing.count());
+            theirs.add(reply, timing.count());
+            ours.add(reference.time(timing), timing.count());
             if (System.nanoTime() - start > BUDGET_NANOS) break;
         }
-        return new Outcome(theirs, theirs / ours, printed, Message.NONE);
+        return theirs.isCredibleBeside(ours)
+                ? new Outcome(theirs.own(), ours.own(), printed, Message.NONE)
+                : new Outcome(theirs.wall(), ours.wall(), printed, Message.NONE);
     }
 
     /** Draws once first: the student's method, too, has met another sink before it is timed. */

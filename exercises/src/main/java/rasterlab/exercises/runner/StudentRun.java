@@ -65,10 +65,11 @@ final class StudentRun {
      * What came of drawing into a sink that sums up.
      *
      * @param nanos measured by this process
+     * @param own what the child tells: without the way there and back
      * @param printed number of bytes
      * @param thrown class of an exception; empty where there was none
      */
-    record Timed(long nanos, long count, long sum, long printed, String thrown) {}
+    record Timed(long nanos, long own, long count, long sum, long printed, String thrown) {}
 
     Timed time(TopicGrading.Timing timing) throws ChildLost, InterruptedException {
         Request request = new Request(timing.operation(), timing::writeTo);
@@ -79,8 +80,14 @@ final class StudentRun {
                 (status, in) -> {
                     long nanos = System.nanoTime() - start;
                     return status == Wire.DONE
-                            ? new Timed(nanos, in.readLong(), in.readLong(), in.readLong(), "")
-                            : new Timed(nanos, 0, 0, 0, Wire.cut(in.readUTF()));
+                            ? new Timed(
+                                    nanos,
+                                    in.readLong(),
+                                    in.readLong(),
+                                    in.readLong(),
+                                    in.readLong(),
+                                    "")
+                            : new Timed(nanos, 0, 0, 0, 0, Wire.cut(in.readUTF()));
                 });
     }
 

@@ -9,7 +9,7 @@ import java.util.regex.Pattern;
  *
  * @param name lower-case with hyphens; what mistake it catches
  * @param points earned, 0 to {@code of}
- * @param said why points were lost; nothing when none were
+ * @param said why points were lost, and of speed what was measured; else nothing
  * @param pictures for a wrong case whose answer can be drawn
  * @param scene the case as a scene file (JSON) that the lab opens; empty where the case is hidden
  */

@@ -25,30 +25,35 @@ public final class SpeedPoints {
     /**
      * The line of the report on speed.
      *
-     * @param ratio the student's time per item divided by the reference's, above 0
+     * @param nanos the student's time per pixel, above 0
+     * @param reference that of the reference
      * @param printed whether the method printed while it was measured
      */
-    public static CaseReport measured(double ratio, boolean printed, int of) {
+    public static CaseReport measured(double nanos, double reference, boolean printed, int of) {
+        double ratio = nanos / reference;
         int points =
                 BANDS.stream()
                         .filter(band -> ratio <= band.upTo())
                         .findFirst()
                         .map(band -> (int) Math.round(band.share() * of))
                         .orElse(0);
+        Message said =
+                Message.of(
+                        "speed.measured",
+                        twoPlaces(nanos),
+                        twoPlaces(reference),
+                        twoPlaces(ratio),
+                        BANDS.get(0).upTo());
+        boolean printingCost = printed && points < of;
         return report(
                 GradingVerdict.OK,
                 points,
                 of,
-                points == of ? Message.NONE : slower(ratio, printed));
+                printingCost ? said.and(Message.of("speed.printing")) : said);
     }
 
-    private static Message slower(double ratio, boolean printed) {
-        Message slow =
-                Message.of(
-                        "speed.slow",
-                        String.format(Locale.ROOT, "%.1f", ratio),
-                        BANDS.get(0).upTo());
-        return printed ? slow.and(Message.of("speed.printing")) : slow;
+    private static String twoPlaces(double number) {
+        return String.format(Locale.ROOT, "%.2f", number);
     }
 
     /** Where speed was not measured, or is worth nothing yet. */

@@ -2,6 +2,7 @@ package rasterlab.exercises.score;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -63,17 +64,24 @@ class ReportTest {
 
     @ParameterizedTest
     @CsvSource({"1.0, 10", "1.5, 10", "1.51, 7", "3.0, 7", "7.9, 4", "8.1, 0"})
-    void speedIsPaidInBandsAndALossHasItsReason(double ratio, int points) {
-        CaseReport speed = SpeedPoints.measured(ratio, false, 10);
-        assertEquals(points, speed.points());
-        assertEquals(points == 10, speed.message().isEmpty(), speed::message);
+    void speedIsPaidInBands(double ratio, int points) {
+        assertEquals(points, SpeedPoints.measured(2 * ratio, 2, false, 10).points());
+    }
+
+    @ParameterizedTest(name = "times, ratio or what full points need are not told: {1}")
+    @CsvSource({
+        "en, 2.26, '2.26 ns per pixel, the reference 2.00 ns, ratio 1.13; full points up to 1.5'",
+        "ru, 9.00, '9,00 нс на пиксель, у эталона 2,00 нс, отношение 4,50; все баллы — до 1,5'",
+    })
+    void speedTellsWhatWasMeasured(String language, double nanos, String said) {
+        assertEquals(said, SpeedPoints.measured(nanos, 2, false, 10).message(language));
     }
 
     @Test
     void printingIsNamedWhereItCostPoints() {
-        String said = SpeedPoints.measured(9, true, 10).message();
-        assertTrue(said.contains("printing is part of that time"), said);
-        assertEquals("", SpeedPoints.measured(1.2, true, 10).message());
+        String printing = "printing is part of that time";
+        assertTrue(SpeedPoints.measured(9, 1, true, 10).message().contains(printing));
+        assertFalse(SpeedPoints.measured(1.2, 1, true, 10).message().contains(printing));
     }
 
     @Test
