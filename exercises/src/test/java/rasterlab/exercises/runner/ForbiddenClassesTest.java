@@ -47,4 +47,23 @@ class ForbiddenClassesTest {
         assertTrue(told.message("en").startsWith(english), told.message("en"));
         assertTrue(told.message("ru").startsWith(russian), told.message("ru"));
     }
+
+    @ParameterizedTest(name = "two mistakes in one line are told one after the other: {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "System.exit(0); double r = Math.random();"
+                        + "| java.lang.System.exit | java.lang.Math.random",
+                "new Thread(() -> System.exit(0)).start();"
+                        + "| the class java.lang.Thread | java.lang.System.exit",
+                "Object f = new java.io.File(\"x\"), p = java.nio.file.Path.of(\"x\");"
+                        + "| the class java.io.File | the class java.nio.file.Path",
+            })
+    void eachMistakeOfALineIsTold(String body, String one, String other) throws Exception {
+        Report report = JUDGE.grade(method("\n" + body + "\n"));
+        assertEquals(2, report.diagnostics().size(), report.diagnostics()::toString);
+        String told = report.diagnostics().toString();
+        assertTrue(told.contains(one) && told.contains(other), told);
+        for (Diagnostic each : report.diagnostics()) assertEquals(6, each.line());
+    }
 }

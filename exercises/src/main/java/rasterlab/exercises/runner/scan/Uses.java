@@ -64,8 +64,17 @@ final class Uses {
                 judged.computeIfAbsent(
                         owner + "." + name + descriptor, one -> mayUse(owner, name, descriptor));
         if (may) type(line, Type.getType(descriptor));
-        else if (mayName(owner)) refusals.addMember(line, owner, name, allowed.some(owner));
-        else type(line, owner);
+        else refuse(line, owner, name, descriptor);
+    }
+
+    private void refuse(int line, String owner, String name, String descriptor) {
+        if (!refusals.isAnswer(line, owner)) {
+            if (mayName(owner)) refusals.addMember(line, owner, name, allowed.some(owner));
+            else type(line, owner);
+        }
+        Type type = Type.getType(descriptor);
+        Type answer = type.getSort() == Type.METHOD ? type.getReturnType() : type;
+        if (answer.getSort() == Type.OBJECT) refusals.addAnswer(line, answer.getInternalName());
     }
 
     private boolean mayName(String owner) {
