@@ -1,12 +1,14 @@
 package rasterlab.app.exercise;
 
 import java.awt.Component;
-import java.awt.Font;
+import java.awt.Point;
 import java.util.List;
 import java.util.function.Consumer;
-import javax.swing.DefaultListCellRenderer;
+import javax.swing.BorderFactory;
 import javax.swing.DefaultListModel;
 import javax.swing.JList;
+import javax.swing.JTextArea;
+import javax.swing.ListCellRenderer;
 import javax.swing.ListSelectionModel;
 import rasterlab.app.language.Texts;
 
@@ -40,30 +42,56 @@ final class RemarkList extends JList<Outcome.Remark> {
         remarks.forEach(items::addElement);
     }
 
-    /** A remark of several lines keeps them: the compiler points at columns with spaces. */
-    private static final class Lines extends DefaultListCellRenderer {
-        private static final long serialVersionUID = 1L;
+    /** As wide as what scrolls it: remarks are wrapped. */
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+        return true;
+    }
 
-        private final transient Texts texts;
+    /** Rows keep their heights, which go with the width. */
+    @Override
+    public void setBounds(int x, int y, int width, int height) {
+        boolean wrapsAnew = width != getWidth();
+        super.setBounds(x, y, width, height);
+        if (!wrapsAnew) return;
+        setFixedCellHeight(0);
+        setFixedCellHeight(-1);
+    }
+
+    /** Below the last remark there is none, though its list would choose the last. */
+    @Override
+    public int locationToIndex(Point place) {
+        int index = super.locationToIndex(place);
+        return index >= 0 && getCellBounds(index, index).contains(place) ? index : -1;
+    }
+
+    /** A remark of several lines keeps them: the compiler points at columns with spaces. */
+    private static final class Lines implements ListCellRenderer<Outcome.Remark> {
+        private final Texts texts;
+        private final JTextArea words = Controls.words("remark");
 
         Lines(Texts texts) {
             this.texts = texts;
+            words.setOpaque(true);
+            words.setBorder(BorderFactory.createEmptyBorder(2, 4, 2, 4));
         }
 
         @Override
         public Component getListCellRendererComponent(
-                JList<?> list, Object item, int index, boolean on, boolean focused) {
-            var remark = (Outcome.Remark) item;
+                JList<? extends Outcome.Remark> list,
+                Outcome.Remark remark,
+                int index,
+                boolean on,
+                boolean focused) {
             String said = remark.said().in(texts.language());
             String text = remark.line() == 0 ? said : texts.text("remark", remark.line(), said);
-            super.getListCellRendererComponent(list, html(text), index, on, focused);
-            setFont(list.getFont().deriveFont(Font.PLAIN));
-            return this;
-        }
-
-        private static String html(String text) {
-            String escaped = text.replace("&", "&amp;").replace("<", "&lt;").replace("\n", "<br>");
-            return "<html>" + escaped.replace("  ", "&nbsp; ") + "</html>";
+            words.setText(text);
+            words.getAccessibleContext().setAccessibleName(text);
+            words.setFont(list.getFont());
+            words.setForeground(on ? list.getSelectionForeground() : list.getForeground());
+            words.setBackground(on ? list.getSelectionBackground() : list.getBackground());
+            words.setSize(Math.max(1, list.getWidth()), Short.MAX_VALUE);
+            return words;
         }
     }
 }

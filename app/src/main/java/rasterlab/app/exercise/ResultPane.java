@@ -164,6 +164,7 @@ final class ResultPane extends JPanel {
         boolean sourceRefused =
                 outcome.filter(one -> one.cases().isEmpty() && !one.remarks().isEmpty())
                         .isPresent();
+                        .filter(one -> state.upToDate() || !state.work().running())
         boolean another = !state.exercise().id().equals(exercise);
         boolean other = another || !outcome.equals(shown);
         boolean begins = !another && outcome.isEmpty();
