@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Dimension;
 import java.awt.event.KeyEvent;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JOptionPaneFixture;
@@ -20,8 +21,12 @@ class WindowCourseTest extends ExercisesHarness {
     @Test
     void serverThatIsDownIsToldAndNothingIsLost() {
         type("class A {}");
-        join("http://127.0.0.1:1", "CODE");
-        await("it is told", () -> noticed("no answer"));
+        JOptionPaneFixture form = join("http://127.0.0.1:1", "CODE");
+        await("it is told beside the address", () -> tells(form, "no answer"));
+        var address = form.textBox("join.address").target();
+        await("the address has the keyboard", address::isFocusOwner);
+        assertEquals("CODE", form.textBox("join.code").text());
+        form.textBox("join.address").pressAndReleaseKeys(KeyEvent.VK_ESCAPE);
         await("the keyboard is back where it was asked for", () -> hasKeyboard("server"));
         assertEquals("class A {}", window.textBox("source").text());
         GuiActionRunner.execute(() -> frame.wear(frame.look().with(LabTheme.DARK)));
@@ -32,6 +37,42 @@ class WindowCourseTest extends ExercisesHarness {
         assertEquals("CODE", again.textBox("join.code").text());
         assertEquals("Ada", again.textBox("join.name").text());
         again.textBox("join.name").pressAndReleaseKeys(KeyEvent.VK_ESCAPE);
+    }
+
+    @Test
+    void formStaysForAWrongAddress() {
+        JOptionPaneFixture form = join("not a server", "CODE");
+        await("it is told beside the address", () -> tells(form, "is not a server’s address"));
+        assertEquals("Ada", form.textBox("join.name").text());
+        form.checkBox("join.known").pressAndReleaseKeys(KeyEvent.VK_SPACE);
+        form.textBox("join.token").setText("secret");
+        form.textBox("join.token").pressAndReleaseKeys(KeyEvent.VK_ENTER);
+        await("it is told again", () -> tells(form, "is not a server’s address"));
+        form.textBox("join.address").setText("http://127.0.0.1:1");
+        form.textBox("join.address").pressAndReleaseKeys(KeyEvent.VK_ENTER);
+        await("the token is taken", () -> noticed("Submissions now go to"));
+    }
+
+    @Test
+    void submissionToADeadServerLeavesTheKeyboardToTheButton() {
+        window.resizeTo(new Dimension(900, 600));
+        showProgram();
+        window.button("server").click();
+        JOptionPaneFixture form = window.optionPane();
+        form.checkBox("join.known").pressAndReleaseKeys(KeyEvent.VK_SPACE);
+        form.textBox("join.address").setText("http://127.0.0.1:1");
+        form.textBox("join.token").setText("secret");
+        form.textBox("join.token").pressAndReleaseKeys(KeyEvent.VK_ENTER);
+        await("the token is taken", () -> noticed("Submissions now go to"));
+        window.button("submit").click();
+        await("it is told", () -> noticed("no answer"));
+        await("the keyboard is at the button", () -> hasKeyboard("submit"));
+    }
+
+    private void showProgram() {
+        var rooms = window.tabbedPane("rooms");
+        rooms.selectTab(1);
+        await("the program is in sight", () -> window.button("server").target().isShowing());
     }
 
     @Test
@@ -75,13 +116,19 @@ class WindowCourseTest extends ExercisesHarness {
      * Answers by the keyboard: where no window manager places dialogs, AWT now and then takes one
      * to be in the screen's corner, and a mouse that goes by that misses its buttons.
      */
-    private void join(String address, String code) {
+    private JOptionPaneFixture join(String address, String code) {
         window.button("server").click();
         JOptionPaneFixture form = window.optionPane();
         form.textBox("join.address").setText(address);
         form.textBox("join.code").setText(code);
         form.textBox("join.name").setText("Ada");
         form.textBox("join.name").pressAndReleaseKeys(KeyEvent.VK_ENTER);
+        return form;
+    }
+
+    private static boolean tells(JOptionPaneFixture form, String words) {
+        return form.textBox("join.problem").target().isShowing()
+                && form.textBox("join.problem").text().contains(words);
     }
 
     private boolean noticed(String words) {

@@ -8,18 +8,30 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.util.List;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 
 /** Rows from left to right that wrap at the container's width and ask for the height they need. */
 public final class FlowRows implements LayoutManager {
     private final int gap;
+    private final boolean middle;
 
     /**
      * @param gap view units between components and between rows
      */
     public FlowRows(int gap) {
+        this(gap, false);
+    }
+
+    private FlowRows(int gap, boolean middle) {
         this.gap = gap;
+        this.middle = middle;
+    }
+
+    /** Rows whose components, such as words beside buttons, stand in their middle. */
+    public static FlowRows inTheMiddle(int gap) {
+        return new FlowRows(gap, true);
     }
 
     /** Lays the container's surroundings out again whenever its width changes. */
@@ -46,6 +58,18 @@ public final class FlowRows implements LayoutManager {
     @Override
     public void layoutContainer(Container parent) {
         flow(parent, parent.getWidth(), true);
+        if (!middle) return;
+        Stream.of(parent.getComponents())
+                .filter(Component::isVisible)
+                .collect(Collectors.groupingBy(Component::getY))
+                .values()
+                .forEach(FlowRows::center);
+    }
+
+    private static void center(List<Component> row) {
+        int high = row.stream().mapToInt(Component::getHeight).max().orElseThrow();
+        for (Component each : row)
+            each.setLocation(each.getX(), each.getY() + (high - each.getHeight()) / 2);
     }
 
     private Dimension flow(Container parent, int width, boolean place) {

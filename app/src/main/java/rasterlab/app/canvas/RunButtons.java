@@ -18,6 +18,9 @@ public final class RunButtons {
     private final Runnable elsewhere;
     private Optional<JButton> pressed = Optional.empty();
 
+    /** The one that began the last work, which may have ended since. */
+    private Optional<JButton> last = Optional.empty();
+
     /**
      * @param elsewhere gives the keyboard to the picture or the text, when the button to give work
      *     up had it and no other button began the work
@@ -47,10 +50,16 @@ public final class RunButtons {
                 begin.stream()
                         .filter(button -> owner.filter(button::equals).isPresent())
                         .findFirst();
+        last = pressed;
         cancel.setEnabled(true);
         begin.forEach(button -> button.setEnabled(false));
         // After they are disabled, each of which asks for the keyboard's next place.
         if (pressed.isPresent()) cancel.requestFocusInWindow();
+    }
+
+    /** For one who comes back to these buttons, to try the same again. */
+    public void focus() {
+        last.ifPresentOrElse(JButton::requestFocusInWindow, elsewhere);
     }
 
     private void end(Optional<Component> owner) {

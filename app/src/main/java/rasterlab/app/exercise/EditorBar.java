@@ -106,6 +106,11 @@ final class EditorBar extends JPanel {
         if (!others.isEmpty()) draft.setToolTipText(texts.text("draft.hint", when(others.get(0))));
     }
 
+    /** Gives the keyboard to what began the last work. */
+    void focus() {
+        running.focus();
+    }
+
     private String when(DraftFile.Other draft) {
         return DateTimeFormatter.ofLocalizedDateTime(FormatStyle.SHORT)
                 .withLocale(texts.locale())

@@ -228,8 +228,9 @@ public final class ExercisePanel extends LabPanel implements Settling {
             rooms.show(Rooms.Room.RESULT);
             result.focusGiveUp();
         }
-        if (!state.notice().isEmpty() && !state.notice().equals(said))
-            rooms.show(Rooms.Room.PROGRAM);
+        boolean told = !state.notice().isEmpty() && !state.notice().equals(said);
+        // After what hides the other room has asked for the keyboard's next place.
+        if (told && rooms.show(Rooms.Room.PROGRAM)) EventQueue.invokeLater(bar::focus);
         running = state.work().running();
         said = state.notice();
     }

@@ -1,17 +1,23 @@
 package rasterlab.app.exercise;
 
+import java.awt.Color;
 import java.awt.Component;
+import java.awt.EventQueue;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
 import javax.swing.JDialog;
+import javax.swing.JLabel;
 import javax.swing.JOptionPane;
 import javax.swing.JPanel;
 import javax.swing.JPasswordField;
 import javax.swing.JTextArea;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import net.miginfocom.swing.MigLayout;
@@ -29,6 +35,11 @@ final class JoinForm extends JPanel {
     private final JPasswordField token = new JPasswordField(24);
     private final JButton join;
     private final JButton cancel;
+    private final JTextArea problem = Controls.words("join.problem");
+    private final Map<JTextField, JLabel> labels = new HashMap<>();
+
+    /** Whether the model is asked to join, and has not said what came of it. */
+    private boolean joining;
 
     /** What a later form begins with, for the server may refuse it. A token is typed anew. */
     record Typed(String address, String code, String student) {
@@ -81,10 +92,12 @@ final class JoinForm extends JPanel {
      * @param joined where the student is already
      */
     JoinForm(Texts texts, Optional<Account> joined, Typed before) {
-        super(new MigLayout("insets 0, gap 8 8, wrap 2", "[][grow,fill]"));
+        super(new MigLayout("insets 0, gap 8 8, wrap 2, hidemode 3", "[][grow,fill]"));
         this.texts = texts;
-        join = button("join.ok");
-        cancel = button("join.cancel");
+        join = new JButton(texts.text("join.ok"));
+        join.setName("join.ok");
+        cancel = new JButton(texts.text("join.cancel"));
+        cancel.setName("join.cancel");
         known = new JCheckBox(texts.label("join.known"));
         known.setName("join.known");
         known.setMnemonic(texts.mnemonic("join.known"));
@@ -93,6 +106,8 @@ final class JoinForm extends JPanel {
         code.setText(before.code());
         student.setText(before.student());
         row("join.address", address);
+        problem.setVisible(false);
+        add(problem, "skip, growx, wmin 0");
         row("join.code", code);
         row("join.name", student);
         add(known, "span 2");
@@ -115,28 +130,27 @@ final class JoinForm extends JPanel {
         return words;
     }
 
-    private JButton button(String key) {
-        var button = new JButton(texts.text(key));
-        button.setName(key);
-        button.addActionListener(
-                e ->
-                        ((JOptionPane) SwingUtilities.getAncestorOfClass(JOptionPane.class, button))
-                                .setValue(button));
-        return button;
-    }
-
     private void row(String key, JTextField field) {
         field.setName(key);
         field.getDocument().addDocumentListener(new Change(this::enableFields));
-        add(Controls.label(key, texts, field));
+        JLabel label = Controls.label(key, texts, field);
+        labels.put(field, label);
+        add(label);
         add(field);
     }
 
     private void enableFields() {
-        code.setEnabled(!known.isSelected());
-        student.setEnabled(!known.isSelected());
-        token.setEnabled(known.isSelected());
-        join.setEnabled(needed().noneMatch(JoinForm::isEmpty));
+        known.setEnabled(!joining);
+        enable(address, true);
+        enable(code, !known.isSelected());
+        enable(student, !known.isSelected());
+        enable(token, known.isSelected());
+        join.setEnabled(!joining && needed().noneMatch(JoinForm::isEmpty));
+    }
+
+    private void enable(JTextField field, boolean needed) {
+        field.setEnabled(needed && !joining);
+        labels.get(field).setEnabled(needed);
     }
 
     /** In their order in the form. */
@@ -152,16 +166,46 @@ final class JoinForm extends JPanel {
         return new Typed(address.getText(), code.getText(), student.getText());
     }
 
-    /** Shows the form until it is answered; the model is told a whole answer. */
+    /** Shows the form until a course is joined or the form is given up. */
     void ask(Component parent, ExerciseLabModel model) {
         var question = new Question();
+        join.addActionListener(e -> join(model));
+        cancel.addActionListener(e -> question.setValue(cancel));
+        Runnable end = model.listen(state -> follow(state, question));
         JDialog dialog =
                 question.createDialog(SwingUtilities.getRoot(parent), texts.text("join.title"));
         dialog.setVisible(true);
+        end.run();
         dialog.dispose();
-        if (question.getValue() != join) return;
+        if (joining) model.cancel();
+    }
+
+    private void join(ExerciseLabModel model) {
+        joining = true;
         if (known.isSelected())
             model.signIn(address.getText(), String.valueOf(token.getPassword()));
         else model.join(address.getText(), code.getText().strip(), student.getText().strip());
+    }
+
+    private void follow(ExerciseState state, Question question) {
+        if (!joining) return;
+        if (state.work().running()) {
+            tell(texts.text("notice.joining"), UIManager.getColor("Label.foreground"));
+        } else if (!state.notice().isEmpty()) {
+            joining = false;
+            if (state.notice().joined()) question.setValue(join);
+            else tell(state.notice().in(texts), VerdictLook.colour("wrong"));
+        }
+        enableFields();
+    }
+
+    /** Beside the address, from which most problems come. */
+    private void tell(String said, Color colour) {
+        problem.setText(said);
+        problem.setForeground(colour);
+        problem.setSize(address.getWidth(), Short.MAX_VALUE);
+        problem.setVisible(true);
+        SwingUtilities.getWindowAncestor(this).pack();
+        if (!joining) EventQueue.invokeLater(address::requestFocusInWindow);
     }
 }

@@ -93,7 +93,7 @@ final class ResultPane extends JPanel {
         verdict.setFont(verdict.getFont().deriveFont(Font.BOLD));
         points.setName("result.points");
         where.setForeground(UIManager.getColor("Label.disabledForeground"));
-        var head = new JPanel(new FlowRows(10));
+        var head = new JPanel(FlowRows.inTheMiddle(10));
         head.add(verdict);
         head.add(points);
         progress.setName("progress");
@@ -161,10 +161,11 @@ final class ResultPane extends JPanel {
         Optional<Outcome> outcome = running ? Optional.empty() : state.outcome();
         List<TriedCase> judged = outcome.map(Outcome::cases).orElse(state.work().cases());
         String language = texts.locale().getLanguage();
+        // While another text is tried, its lines are not those that remarks speak of.
         boolean sourceRefused =
                 outcome.filter(one -> one.cases().isEmpty() && !one.remarks().isEmpty())
-                        .isPresent();
                         .filter(one -> state.upToDate() || !state.work().running())
+                        .isPresent();
         boolean another = !state.exercise().id().equals(exercise);
         boolean other = another || !outcome.equals(shown);
         boolean begins = !another && outcome.isEmpty();

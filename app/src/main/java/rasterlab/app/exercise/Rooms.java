@@ -66,10 +66,16 @@ final class Rooms extends JPanel {
             kept.choose(Room.values()[selected]);
     }
 
-    /** Brings that part in sight. */
-    void show(Room room) {
+    /**
+     * Brings that part in sight.
+     *
+     * @return whether another one was there instead
+     */
+    boolean show(Room room) {
         kept.choose(room);
-        if (!together()) tabs.setSelectedIndex(room.ordinal());
+        if (together() || tabs.getSelectedIndex() == room.ordinal()) return false;
+        tabs.setSelectedIndex(room.ordinal());
+        return true;
     }
 
     /** Whether all parts are in sight. */

@@ -1,7 +1,9 @@
 package rasterlab.app.exercise;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 import static rasterlab.app.exercise.ShownResult.named;
 
 import java.awt.Component;
@@ -9,6 +11,9 @@ import java.awt.EventQueue;
 import java.net.URI;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Stream;
+import javax.swing.JCheckBox;
+import javax.swing.JLabel;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -40,6 +45,34 @@ class JoinFormTest {
     @DisplayName("one who has joined nothing is told of a server")
     void tellsNothingBefore() throws Exception {
         assertNull(joined(Language.ENGLISH, Optional.empty()));
+    }
+
+    @Test
+    @DisplayName("a field that is not needed is called like one that is")
+    void fieldsThatAreNotNeededLookSo() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    Optional<Account> none = Optional.empty();
+                    var form =
+                            new JoinForm(
+                                    Texts.of("exercise", Language.ENGLISH),
+                                    none,
+                                    JoinForm.Typed.first(none));
+                    assertFalse(isNameEnabled(form, "join.token"));
+                    assertTrue(isNameEnabled(form, "join.code"));
+                    ((JCheckBox) named(form, "join.known")).doClick();
+                    assertTrue(isNameEnabled(form, "join.token"));
+                    assertFalse(isNameEnabled(form, "join.code"));
+                });
+    }
+
+    private static boolean isNameEnabled(JoinForm form, String field) {
+        return Stream.of(form.getComponents())
+                .filter(JLabel.class::isInstance)
+                .filter(label -> ((JLabel) label).getLabelFor() == named(form, field))
+                .findFirst()
+                .orElseThrow()
+                .isEnabled();
     }
 
     private static Component joined(Language language, Optional<Account> account) throws Exception {
