@@ -1,6 +1,7 @@
 package rasterlab.app.exercise;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import javax.swing.text.BadLocationException;
 import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
@@ -16,8 +17,21 @@ final class RemarkNotices extends AbstractParser {
     private List<Outcome.Remark> remarks = List.of();
 
     void show(List<Outcome.Remark> next, Language in) {
-        remarks = next;
+        remarks = byPlace(next);
         language = in;
+    }
+
+    /** What is said of one place together, one below the other: only one notice is read there. */
+    static List<Outcome.Remark> byPlace(List<Outcome.Remark> remarks) {
+        var places = new LinkedHashMap<List<Integer>, Outcome.Remark>();
+        for (Outcome.Remark one : remarks)
+            places.merge(
+                    List.of(one.line(), one.column()),
+                    one,
+                    (first, next) ->
+                            new Outcome.Remark(
+                                    first.line(), first.column(), first.said().above(next.said())));
+        return List.copyOf(places.values());
     }
 
     @Override

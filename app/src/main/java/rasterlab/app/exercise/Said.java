@@ -14,6 +14,10 @@ record Said(String english, String russian) {
         return new Said(inLanguage.apply("en"), inLanguage.apply("ru"));
     }
 
+    Said above(Said next) {
+        return new Said(english + "\n" + next.english, russian + "\n" + next.russian);
+    }
+
     String in(Language language) {
         return language == Language.ENGLISH ? english : russian;
     }

@@ -12,6 +12,7 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import javax.swing.Icon;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
@@ -184,8 +185,7 @@ final class SourceEditor extends JPanel {
                 remarks.stream()
                         .filter(one -> one.line() == line)
                         .map(one -> one.said().in(texts.language()))
-                        .findFirst()
-                        .orElse("");
+                        .collect(Collectors.joining("\n"));
         Icon mark = new SmallIcon(UIManager.getIcon("OptionPane.errorIcon"));
         try {
             scroll.getGutter().addLineTrackingIcon(line - 1, mark, said);

@@ -67,6 +67,19 @@ class RemarkListTest {
     }
 
     @Test
+    @DisplayName("of two messages about one line only the first is read beside it")
+    void messagesOfOnePlaceAreReadTogether() {
+        var one = new Outcome.Remark(5, 0, new Said("exit", "выход"));
+        var other = new Outcome.Remark(5, 0, new Said("random", "случай"));
+        var elsewhere = new Outcome.Remark(5, 9, new Said("type", "тип"));
+        assertEquals(
+                List.of(
+                        new Outcome.Remark(5, 0, new Said("exit\nrandom", "выход\nслучай")),
+                        elsewhere),
+                RemarkNotices.byPlace(List.of(one, elsewhere, other)));
+    }
+
+    @Test
     @DisplayName("messages of the text before stand below the run of another")
     void messagesGoWithTheirText() throws Exception {
         EventQueue.invokeAndWait(
