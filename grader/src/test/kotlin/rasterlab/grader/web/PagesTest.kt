@@ -19,6 +19,7 @@ import org.junit.jupiter.api.io.TempDir
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Points
+import rasterlab.exercises.score.Report
 import rasterlab.grader.Classroom
 import rasterlab.grader.Visit
 import rasterlab.grader.bearer
@@ -66,13 +67,18 @@ class PagesTest {
 
     @Test
     fun callsACaseThatWasNotRunSo() =
-        Classroom(folder, { _, _, _, _ -> Classroom.report(GradingVerdict.NOT_RUN, Points(0, 0, 0, 10)) }).open {
+        Classroom(folder, { _, _, _, _ -> stopped() }).open {
             val joined = form("/join", "course" to newCourse(), "name" to "Ada")
             val cookie = session(joined)
             val id = checkNotNull(handIn(cookie, "class Dot {}").headers[HttpHeaders.Location])
             eventsToTheEnd(token(joined), idOf(id))
             assertTrue("</span>не запускался" in page("$id?lang=ru", cookie), page("$id?lang=ru", cookie))
         }
+
+    private fun stopped(): Report {
+        val cases = Classroom.report(GradingVerdict.NOT_RUN, Points(0, 0, 0, 10)).cases()
+        return Report(GradingVerdict.TIME_LIMIT, Points(0, 0, 0, 10), cases, emptyList(), "", 0.0)
+    }
 
     @Test
     fun showsThePicturesOfAStatement() =
