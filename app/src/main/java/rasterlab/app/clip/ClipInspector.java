@@ -11,6 +11,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.AboutText;
+import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.MethodChooser;
@@ -46,7 +47,7 @@ final class ClipInspector {
     private JLabel extra;
     private JLabel worst;
     private JLabel other;
-    private VolumeTable table;
+    private FormulaView matrices;
     private AboutText about;
 
     ClipInspector(ClipLabModel model, Texts texts) {
@@ -111,8 +112,8 @@ final class ClipInspector {
         column.row("place.space", space);
         column.wide(buttons());
 
-        table = new VolumeTable(texts);
-        column.wide(table);
+        matrices = new FormulaView("matrices");
+        column.wide(matrices);
 
         column.heading("heading.about");
         about = new AboutText("about", texts.language());
@@ -174,8 +175,9 @@ final class ClipInspector {
         column.showRow(plane, !inSpace);
         column.showRow(space, inSpace);
         (inSpace ? space : plane).refresh();
-        table.setVisible(inSpace);
-        if (inSpace) table.show(VolumeNumbers.of(choice.volume()));
+        matrices.setVisible(inSpace);
+        if (inSpace)
+            matrices.show(new VolumeFormulas(VolumeNumbers.of(choice.volume()), texts).lines());
         explain(state);
     }
 
