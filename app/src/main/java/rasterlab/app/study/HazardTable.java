@@ -42,6 +42,9 @@ final class HazardTable extends JTable {
     /** Width of a method's column in view units; more where large signs need it. */
     private static final int COLUMN = 46;
 
+    /** How many times as wide columns get where there is room. */
+    private static final int WIDEST = 3;
+
     private final transient StudyLabModel model;
     private final transient Texts texts;
     private final transient TopicNames called;
@@ -51,6 +54,7 @@ final class HazardTable extends JTable {
     private transient List<? extends Hazard<?>> hazards = List.of();
     private transient List<? extends Method<?>> methods = List.of();
     private boolean refreshing;
+    private int room;
 
     /**
      * @param open brings the chosen cell's scene to its tab
@@ -87,6 +91,7 @@ final class HazardTable extends JTable {
         scroll.setName("hazards.scroll");
         scroll.setRowHeaderView(names);
         scroll.setCorner(ScrollPaneConstants.UPPER_LEFT_CORNER, names.getTableHeader());
+        scroll.getViewport().addChangeListener(e -> spread(scroll.getViewport().getWidth()));
         return scroll;
     }
 
@@ -156,11 +161,24 @@ final class HazardTable extends JTable {
     }
 
     private void shape() {
-        for (int i = 0; i < getColumnCount(); i++) {
-            width(i, Math.max(COLUMN, 2 * getFont().getSize()));
+        for (int i = 0; i < getColumnCount(); i++)
             getColumnModel().getColumn(i).setHeaderRenderer(new UprightHeader(false));
-        }
+        widen();
         names.show(shown, hazards, called);
+    }
+
+    private void spread(int width) {
+        if (width == room) return;
+        room = width;
+        widen();
+    }
+
+    /** Shares the room out among the methods. */
+    private void widen() {
+        int least = Math.max(COLUMN, 2 * getFont().getSize());
+        int share = room / Math.max(1, getColumnCount());
+        int width = Math.max(least, Math.min(WIDEST * least, share));
+        for (int i = 0; i < getColumnCount(); i++) width(i, width);
     }
 
     private void width(int column, int width) {

@@ -50,6 +50,28 @@ class HazardTableTest {
     }
 
     @Test
+    @DisplayName("a third of a wide window stays empty beside the methods")
+    void columnsFillTheRoom() throws Exception {
+        EventQueue.invokeAndWait(LabTheme.LIGHT::install);
+        try (var model =
+                new StudyLabModel(
+                        List.of(new LineTopic()),
+                        Runnable::run,
+                        failure -> {
+                            throw new AssertionError(failure);
+                        })) {
+            var table = new HazardTable(model, Texts.of("study", Language.ENGLISH), () -> {});
+            var viewport = table.scroll().getViewport();
+            table.refresh();
+            int columns = table.getColumnCount();
+            viewport.setSize(70 * columns + 5, 500);
+            assertEquals(70 * columns, table.getPreferredSize().width);
+            viewport.setSize(columns, 500);
+            assertTrue(table.getPreferredSize().width > 40 * columns, "signs cut off");
+        }
+    }
+
+    @Test
     @DisplayName("the drawing of the table lacks a method, a hazard or the verdicts")
     void svgHasTheWholeTable() {
         List<Throwable> failures = new ArrayList<>();
