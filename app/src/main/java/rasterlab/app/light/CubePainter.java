@@ -27,8 +27,11 @@ final class CubePainter {
 
     private static final double SIZE = 0.52;
 
-    /** View units from a corner to the middle of its name. */
+    /** View units from a corner to the middle of its name above or below, at most. */
     private static final double LABEL = 30;
+
+    /** View units from a corner to its name. */
+    private static final double GAP = 12;
 
     /** From the cube's middle to a corner, in edges. */
     private static final double CORNER = Math.sqrt(3) / 2;
@@ -181,15 +184,32 @@ final class CubePainter {
         for (int k = 0; k < 8; k++) {
             double[] rgb = {k & 1, k >> 1 & 1, k >> 2};
             Point2D at = at(rgb[0], rgb[1], rgb[2]);
-            double dx = at.getX() - middleX;
-            double dy = at.getY() - middleY;
-            double length = Math.max(1, Math.hypot(dx, dy));
-            double x = at.getX() + LABEL * dx / length;
-            double y = at.getY() + LABEL * dy / length;
             ball(at, 5, new Color((float) rgb[0], (float) rgb[1], (float) rgb[2]));
             String name = texts.text("corner." + k);
-            label(name, x, y);
+            var metrics = g.getFontMetrics();
+            Point2D away =
+                    away(
+                            at.getX() - middleX,
+                            at.getY() - middleY,
+                            metrics.stringWidth(name),
+                            metrics.getHeight());
+            label(name, at.getX() + away.getX(), at.getY() + away.getY());
         }
+    }
+
+    /**
+     * From a corner to the middle of its name, which lies outwards and as near as leaves the corner
+     * free.
+     *
+     * @param dx from the cube's middle to the corner; so is dy
+     */
+    static Point2D away(double dx, double dy, double wide, double high) {
+        double length = Math.hypot(dx, dy);
+        double right = length < 1 ? 0 : dx / length;
+        double down = length < 1 ? 1 : dy / length;
+        double far =
+                Math.min((GAP + wide / 2) / Math.abs(right), (GAP + high / 2) / Math.abs(down));
+        return new Point2D.Double(far * right, far * down);
     }
 
     private void label(String name, double x, double y) {
