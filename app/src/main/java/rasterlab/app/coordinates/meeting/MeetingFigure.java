@@ -12,6 +12,9 @@ import rasterlab.engine.geometry.Line;
 final class MeetingFigure {
     private static final double NORMAL = 0.4;
 
+    /** From the plane down to the middle of its name. */
+    private static final double NAME = 0.07;
+
     /** So much of the line is drawn behind p₁ and beyond p₂, in units. */
     private static final double BEYOND = 0.4;
 
@@ -62,7 +65,7 @@ final class MeetingFigure {
         }
         marks.add(new Mark.Line(new Spot(least, 0), new Spot(most, 0), Ink.EDGE));
         marks.add(new Mark.Arrow(new Spot(least, 0), new Spot(least, NORMAL), Ink.axis(2), "n"));
-        marks.add(new Mark.Words(new Spot(most, 0), Ink.EDGE, "n·p = c"));
+        marks.add(new Mark.Words(new Spot(most, -NAME), Ink.EDGE, "n·p = c"));
     }
 
     /** The right place as a cross, the chosen method's as a dot of its colour. */
