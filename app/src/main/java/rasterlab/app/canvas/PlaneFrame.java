@@ -193,6 +193,10 @@ record PlaneFrame(
                         .toList();
         Rectangle inside = inside(picture, new Dimension(width, height));
         Rectangle ring = point.ring();
+        Rectangle around =
+                grown(ring, FARTHER[FARTHER.length - 1] + wanted.place.width + THICK)
+                        .union(grown(wanted.place, THICK));
+        List<Line2D> near = lines.stream().filter(around::intersectsLine).toList();
         Stream<Rectangle> places =
                 IntStream.of(FARTHER)
                         .boxed()
@@ -201,7 +205,7 @@ record PlaneFrame(
                 .filter(inside::contains)
                 .filter(place -> taken.stream().noneMatch(place::intersects))
                 .filter(place -> !onItsRing(point, place))
-                .min(Comparator.comparingLong(place -> covered(lines, place)))
+                .min(Comparator.comparingLong(place -> covered(near, place)))
                 .map(place -> new Label(wanted.text, place));
     }
 

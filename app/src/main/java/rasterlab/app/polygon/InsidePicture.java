@@ -5,9 +5,11 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PathLines;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
@@ -41,6 +43,11 @@ record InsidePicture(
     @Override
     public PlanePicture leaving(List<Rectangle> labels) {
         return new InsidePicture(topics, mode, figure, method, answer, other, step, texts, labels);
+    }
+
+    @Override
+    public List<Line2D> lines(PlaneMap map, Rectangle view) {
+        return PathLines.of(Strokes.ring(figure.corners(), map), view);
     }
 
     @Override

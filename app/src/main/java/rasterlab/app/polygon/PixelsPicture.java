@@ -11,6 +11,7 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PathLines;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.StageColours;
@@ -37,6 +38,13 @@ record PixelsPicture(Figure figure, String method, PixelAnswer answer, Wrong wro
      * @param second the other method, whose pixels the missing ones are; "" for the exact answer
      */
     record Wrong(PixelSet missing, PixelSet extra, String second) {}
+
+    @Override
+    public List<Line2D> lines(PlaneMap map, Rectangle view) {
+        return figure instanceof FillFigure fill
+                ? PathLines.of(Strokes.ring(fill.corners(), map), view)
+                : List.of();
+    }
 
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {

@@ -27,20 +27,30 @@ final class Strokes {
     }
 
     private double x(Place place) {
-        return Math.max(-FAR, Math.min(FAR, map.viewX(place.x())));
+        return near(map.viewX(place.x()));
     }
 
     private double y(Place place) {
-        return Math.max(-FAR, Math.min(FAR, map.viewY(place.y())));
+        return near(map.viewY(place.y()));
+    }
+
+    private static double near(double view) {
+        return Math.max(-FAR, Math.min(FAR, view));
+    }
+
+    Path2D closed(List<Place> places) {
+        return ring(places, map);
     }
 
     /** Through the places in turn and back to the first one; those that are nowhere left out. */
-    Path2D closed(List<Place> places) {
+    static Path2D ring(List<Place> places, PlaneMap map) {
         var path = new Path2D.Double(Path2D.WIND_EVEN_ODD);
         for (Place place : places) {
             if (!place.isFinite()) continue;
-            if (path.getCurrentPoint() == null) path.moveTo(x(place), y(place));
-            else path.lineTo(x(place), y(place));
+            double x = near(map.viewX(place.x()));
+            double y = near(map.viewY(place.y()));
+            if (path.getCurrentPoint() == null) path.moveTo(x, y);
+            else path.lineTo(x, y);
         }
         if (path.getCurrentPoint() != null) path.closePath();
         return path;

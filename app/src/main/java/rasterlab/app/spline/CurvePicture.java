@@ -5,14 +5,18 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PathLines;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
@@ -64,6 +68,13 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         paintJoints(g, map, colours);
     }
 
+    @Override
+    public List<Line2D> lines(PlaneMap map, Rectangle view) {
+        var lines = new ArrayList<>(PathLines.of(polygon(map), view));
+        for (Polyline curve : drawings.exact()) lines.addAll(PathLines.of(path(curve, map), view));
+        return lines;
+    }
+
     private static void requireUse(BooleanSupplier cancelled) {
         if (cancelled.getAsBoolean()) throw new CancellationException("a newer frame is asked for");
     }
@@ -82,12 +93,17 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         g.draw(hull);
     }
 
-    /** The lines between the control points; of Hermite's form the two derivatives. */
     private void paintPolygon(Graphics2D g, PlaneMap map, StageColours colours) {
-        List<Place> handles = drawings.choice().handles();
-        boolean hermite = drawings.choice().form() == CurveForm.HERMITE;
         g.setColor(colours.axis());
         g.setStroke(DASHED);
+        Path2D polygon = polygon(map);
+        if (polygon.getCurrentPoint() != null) g.draw(polygon);
+    }
+
+    /** The lines between the control points; of Hermite's form the two derivatives. */
+    private Path2D polygon(PlaneMap map) {
+        List<Place> handles = drawings.choice().handles();
+        boolean hermite = drawings.choice().form() == CurveForm.HERMITE;
         var polygon = new Path2D.Double();
         for (int i = 0; i < handles.size(); i++) {
             Place from = handles.get(hermite ? i & 1 : i);
@@ -95,7 +111,7 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
             if (!hermite || i >= 2)
                 to(polygon, map.viewX(handles.get(i).x()), map.viewY(handles.get(i).y()));
         }
-        if (polygon.getCurrentPoint() != null) g.draw(polygon);
+        return polygon;
     }
 
     private void paintComb(Graphics2D g, PlaneMap map, StageColours colours) {
@@ -154,11 +170,16 @@ record CurvePicture(CurveDrawings drawings, CurveAt at, int step) implements Pla
         g.setColor(colours.ink());
         g.setStroke(EXACT);
         for (Polyline curve : drawings.exact()) {
-            var path = new Path2D.Double();
-            for (int i = 0; i < curve.size(); i++)
-                to(path, map.viewX(curve.x(i)), map.viewY(curve.y(i)));
+            Path2D path = path(curve, map);
             if (path.getCurrentPoint() != null) g.draw(path);
         }
+    }
+
+    private static Path2D path(Polyline curve, PlaneMap map) {
+        var path = new Path2D.Double();
+        for (int i = 0; i < curve.size(); i++)
+            to(path, map.viewX(curve.x(i)), map.viewY(curve.y(i)));
+        return path;
     }
 
     /** De Casteljau's triangle, each row darker than the one above. */

@@ -17,6 +17,7 @@ import java.util.Optional;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PathLines;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Plates;
@@ -58,6 +59,13 @@ record FunctionPicture(
         nameOvershoots(g, map, colours, drawings.drawing());
     }
 
+    @Override
+    public List<Line2D> lines(PlaneMap map, Rectangle view) {
+        var lines = new ArrayList<>(PathLines.of(path(map, drawings.drawing()), view));
+        drawings.other().ifPresent(other -> lines.addAll(PathLines.of(path(map, other), view)));
+        return lines;
+    }
+
     private void paintKnotColumns(Graphics2D g, PlaneMap map, StageColours colours) {
         g.setColor(colours.axis());
         g.setStroke(dashed());
@@ -95,12 +103,17 @@ record FunctionPicture(
             StageColours colours,
             FunctionDrawing drawing,
             float width) {
-        var path = new Path2D.Double();
-        for (Place place : drawing.graph()) to(path, map.viewX(place.x()), map.viewY(place.y()));
+        Path2D path = path(map, drawing);
         if (path.getCurrentPoint() == null) return;
         g.setColor(MethodColours.edgeOn(colours.ground(), MethodColours.of(drawing.method())));
         g.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         g.draw(path);
+    }
+
+    private static Path2D path(PlaneMap map, FunctionDrawing drawing) {
+        var path = new Path2D.Double();
+        for (Place place : drawing.graph()) to(path, map.viewX(place.x()), map.viewY(place.y()));
+        return path;
     }
 
     /** The area between the graph and the knot's value that it passes. */

@@ -8,8 +8,11 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
+import java.awt.geom.Line2D;
 import java.awt.image.BufferedImage;
 import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -80,6 +83,29 @@ class PolygonPictureTest {
             PolygonMode mode, String hazard, String method, boolean wrong) {
         Set<Integer> colours = result(scene(mode, hazard, method, ""));
         assertEquals(wrong, colours.contains(MethodColours.VERMILLION.getRGB()));
+    }
+
+    @ParameterizedTest(name = "the name of a corner is written over a side: {0}")
+    @EnumSource(names = {"TRIANGLE", "POLYGON", "FILL"})
+    void labelsKeepOffTheSides(PolygonMode mode) {
+        PolygonScene scene = PolygonScene.first(mode);
+        Outcome outcome = PolygonResults.of(topics, scene).outcome();
+        var view = new Rectangle(0, 0, WIDTH, HEIGHT);
+        PlaneAxes axes = mode.raster() ? PlaneAxes.RASTER : PlaneAxes.GEOMETRY;
+        PlaneMap map = PlaneMap.fitting(PolygonFraming.of(scene.figure()), view, axes);
+        List<Line2D> lines = pictures.of(scene, outcome, 1).lines(map, view);
+        List<Place> corners =
+                scene.figure().grips().entrySet().stream()
+                        .filter(each -> each.getKey().kind() == Grip.Kind.CORNER)
+                        .map(Map.Entry::getValue)
+                        .toList();
+        for (int i = 0; i < corners.size(); i++) {
+            Place from = corners.get(i);
+            Place to = corners.get((i + 1) % corners.size());
+            double x = map.viewX((from.x() + to.x()) / 2);
+            double y = map.viewY((from.y() + to.y()) / 2);
+            assertTrue(lines.stream().anyMatch(line -> line.ptSegDist(x, y) < 1), "side " + i);
+        }
     }
 
     @ParameterizedTest(name = "a hazard cannot be drawn: {0}")

@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Rectangle;
+import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +17,7 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.canvas.PlaneAxes;
 import rasterlab.app.canvas.PlaneMap;
+import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
 import rasterlab.app.canvas.SvgPicture;
@@ -62,6 +65,22 @@ class FunctionPictureTest {
         assertEquals(all - 1, numbers(600, List.of(new Rectangle(x, 0, 1, 600))).size());
     }
 
+    @Test
+    @DisplayName("the name of a knot is written over the graph")
+    void labelsKeepOffBothGraphs() {
+        FunctionDrawings drawings = model.state().drawings();
+        List<Line2D> lines = picture(List.of()).lines(map(600), new Rectangle(0, 0, WIDTH, 600));
+        for (FunctionDrawing each : List.of(drawings.drawing(), drawings.other().orElseThrow()))
+            for (Place place : each.graph())
+                assertTrue(
+                        lines.stream().anyMatch(line -> line.ptSegDist(seen(place)) < 1),
+                        each.method() + " at " + place);
+    }
+
+    private Point2D seen(Place place) {
+        return new Point2D.Double(map(600).viewX(place.x()), map(600).viewY(place.y()));
+    }
+
     private PlaneMap map(int height) {
         Extent all = model.everything();
         var world = new Rectangle2D.Double(all.x(), all.y(), all.width(), all.height());
@@ -70,16 +89,7 @@ class FunctionPictureTest {
 
     /** Baseline, sign and digits of each number in the picture. */
     private List<MatchResult> numbers(int height, List<Rectangle> labels) {
-        FunctionLabState state = model.state();
-        var picture =
-                new FunctionPicture(
-                                state.drawings(),
-                                state.taken(),
-                                state.at(),
-                                List.of(),
-                                Locale.ROOT,
-                                List.of())
-                        .leaving(labels);
+        PlanePicture picture = picture(labels);
         String svg =
                 SvgPicture.of(
                                 WIDTH,
@@ -90,6 +100,18 @@ class FunctionPictureTest {
                                 })
                         .document();
         return NUMBER.matcher(svg).results().toList();
+    }
+
+    private PlanePicture picture(List<Rectangle> labels) {
+        FunctionLabState state = model.state();
+        return new FunctionPicture(
+                        state.drawings(),
+                        state.taken(),
+                        state.at(),
+                        List.of(),
+                        Locale.ROOT,
+                        List.of())
+                .leaving(labels);
     }
 
     private Overshoot named(String number) {
