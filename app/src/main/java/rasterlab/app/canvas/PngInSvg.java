@@ -42,10 +42,18 @@ final class PngInSvg extends ImageHandlerBase64Encoder {
         for (Kept each : pictures)
             try {
                 super.handleHREF(each.picture(), each.place(), each.context());
+                if (enlarged(each))
+                    each.place().setAttributeNS(null, "image-rendering", "pixelated");
             } catch (SVGGraphics2DIOException e) {
                 throw new UncheckedIOException(e);
             }
         pictures.clear();
+    }
+
+    /** Whose dots are seen one by one, which viewers would smooth away. */
+    private static boolean enlarged(Kept kept) {
+        String width = kept.place().getAttributeNS(null, "width");
+        return !width.isEmpty() && Double.parseDouble(width) > kept.picture().getWidth();
     }
 
     @Override

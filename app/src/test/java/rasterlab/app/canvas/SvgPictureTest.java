@@ -1,6 +1,7 @@
 package rasterlab.app.canvas;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
@@ -14,6 +15,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 
 class SvgPictureTest {
+    private static final Pattern SHARP = Pattern.compile("image-rendering: *pixelated");
+
     private static final Pattern PNG = Pattern.compile("data:image/png;base64,([^\"]+)");
 
     @Test
@@ -28,6 +31,17 @@ class SvgPictureTest {
         byte[] bytes = Base64.getMimeDecoder().decode(png.group(1).replace("&#10;", ""));
         BufferedImage kept = ImageIO.read(new ByteArrayInputStream(bytes));
         assertEquals(0xFFC06030, kept.getRGB(1, 1));
+    }
+
+    @Test
+    @DisplayName("viewers smooth the edges between pixels away")
+    void onlyAnEnlargedPictureKeepsItsSquares() {
+        var picture = new BufferedImage(3, 2, BufferedImage.TYPE_INT_RGB);
+        String enlarged =
+                SvgPicture.of(90, 60, g -> g.drawImage(picture, 0, 0, 90, 60, null)).document();
+        assertTrue(SHARP.matcher(enlarged).find(), enlarged);
+        String plain = SvgPicture.of(90, 60, g -> g.drawImage(picture, 0, 0, null)).document();
+        assertFalse(SHARP.matcher(plain).find(), plain);
     }
 
     @Test
