@@ -29,6 +29,13 @@ public record ShownPicture(
      */
     public static BufferedImage dotsOf(JComponent shown) {
         return DevicePixels.painted(
-                shown.getWidth(), shown.getHeight(), DevicePixels.scale(shown), shown::print);
+                shown.getWidth(),
+                shown.getHeight(),
+                DevicePixels.scale(shown),
+                g -> {
+                    g.setColor(shown.getBackground());
+                    g.fillRect(0, 0, shown.getWidth(), shown.getHeight());
+                    shown.print(g);
+                });
     }
 }

@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.Set;
 import javax.accessibility.AccessibleRole;
 import javax.swing.JPanel;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -66,6 +67,16 @@ class ShownPictureTest {
         for (int y = 0; y < image.getHeight(); y++)
             for (int x = 0; x < image.getWidth(); x++) colours.add(image.getRGB(x, y));
         return colours;
+    }
+
+    @Test
+    @DisplayName("what lies between two pictures is black")
+    void placesThatNothingPaintsHaveTheGround() {
+        var stage = new JPanel(null);
+        stage.setOpaque(false);
+        stage.setBackground(Color.WHITE);
+        stage.setSize(200, 100);
+        assertEquals(Set.of(GROUND), colours(ShownPicture.dotsOf(stage)));
     }
 
     @Test
