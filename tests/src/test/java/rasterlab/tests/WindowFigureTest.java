@@ -121,6 +121,8 @@ class WindowFigureTest extends WindowHarness {
         choose(LineMode.BRIGHTNESS);
         assertFalse(isSeen("player.play"), "a timeline without steps");
         choose(LineMode.PEN);
+        assertFalse(isSeen("player.play"), "a timeline of no steps for a pen");
+        choose(LineMode.ELLIPSE);
         assertTrue(isSeen("player.play"), "the timeline does not come back");
     }
 

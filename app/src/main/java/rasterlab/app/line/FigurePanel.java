@@ -81,13 +81,18 @@ final class FigurePanel extends LabPanel {
         stage.refresh();
         inspector.refresh();
         player.refresh();
-        player.setVisible(model.state().scene().mode() != LineMode.BRIGHTNESS);
+        player.setVisible(hasSteps(model.state().scene().mode()));
         actions.refreshUndo();
         actions.enable("copyCommand", command().isPresent());
     }
 
+    /** Whether methods draw it pixel by pixel. */
+    private static boolean hasSteps(LineMode mode) {
+        return mode == LineMode.CIRCLE || mode == LineMode.ELLIPSE;
+    }
+
     private JComponent above(LineMode mode) {
-        if (mode == LineMode.CIRCLE || mode == LineMode.ELLIPSE) return chips(mode);
+        if (hasSteps(mode)) return chips(mode);
         var sentence = new WrappedText("introduction");
         sentence.show(texts.text("figure.intro." + mode.code()));
         return sentence;
