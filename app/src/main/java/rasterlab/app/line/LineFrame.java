@@ -113,7 +113,7 @@ record LineFrame(
                     EndLabels.place(
                             metrics.stringWidth(text) + 8,
                             metrics.getHeight() + 1,
-                            around(end, segment, grid, sight, zoom),
+                            marked(end, segment, sight),
                             (end == End.A) == (segment.y0() <= segment.y1()),
                             within,
                             seen);
@@ -126,6 +126,19 @@ record LineFrame(
                     colours.ink());
             seen.add(place);
         }
+    }
+
+    /** An end's ring, and its pixel where that is larger. */
+    private Rectangle marked(End end, Segment segment, Rectangle sight) {
+        Rectangle ring = around(end, segment, grid, sight, zoom);
+        double x = grid.viewX(end.x(segment));
+        double y = grid.viewY(end.y(segment));
+        double cell = grid.cell();
+        return ring.contains(x, y)
+                ? new Rectangle2D.Double(x - cell / 2, y - cell / 2, cell, cell)
+                        .createUnion(ring)
+                        .getBounds()
+                : ring;
     }
 
     static String label(End end, Segment segment, Locale locale) {

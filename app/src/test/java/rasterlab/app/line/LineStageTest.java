@@ -93,6 +93,30 @@ class LineStageTest {
     }
 
     @Test
+    @DisplayName("where pixels are larger than the ring, an end's label covers its pixel")
+    void labelLeavesALargePixelFree() {
+        LineDrawings drawn = model.state().drawings();
+        var grid = new PixelGrid(100, 60, 86);
+        BufferedImage image =
+                new LineFrame(
+                                drawn,
+                                drawn.drawing().pixels(),
+                                grid,
+                                1700,
+                                1000,
+                                1,
+                                StageColours.LIGHT,
+                                new Font(Font.SANS_SERIF, Font.PLAIN, 13),
+                                "",
+                                NO_BUTTONS,
+                                Locale.ENGLISH)
+                        .painted(() -> false);
+        int y = (int) grid.viewY(3) - 43 + 4;
+        for (int x = (int) grid.viewX(2) - 38; x < grid.viewX(2) + 38; x++)
+            assertEquals(BLUE, image.getRGB(x, y), "at " + x);
+    }
+
+    @Test
     void labelsOfEndsSeparateNumbersAsTheLanguageDoes() {
         var segment = new Segment(2, -3, 17, 9);
         assertEquals("A (2, −3)", LineFrame.label(End.A, segment, Language.ENGLISH.locale()));
