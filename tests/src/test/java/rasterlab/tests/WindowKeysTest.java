@@ -1,6 +1,7 @@
 package rasterlab.tests;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,6 +12,8 @@ import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.util.List;
+import javax.swing.JComponent;
+import javax.swing.JTable;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -66,6 +69,33 @@ class WindowKeysTest extends WindowHarness {
         robot.waitForIdle();
         var moved = new Segment(before.x0() + 1, before.y0(), before.x1(), before.y1() + 10);
         assertEquals(moved, segment());
+    }
+
+    @Test
+    @DisplayName("the control that has the keyboard is scrolled out of sight")
+    void controlWithTheKeyboardIsSeen() {
+        show("light");
+        JComponent first = window.comboBox("body").target();
+        JComponent last = window.checkBox("twoSided").target();
+        for (JComponent control : List.of(first, last, first)) {
+            robot.focusAndWaitForFocusGain(control);
+            assertTrue(isWhole(control), control.getName());
+        }
+    }
+
+    private static boolean isWhole(JComponent control) {
+        return GuiActionRunner.execute(
+                () -> control.getVisibleRect().height == control.getHeight());
+    }
+
+    @Test
+    @DisplayName("who moves by Tab does not come out of the table of hazards")
+    void tabLeavesTheHazards() {
+        show("study");
+        JTable table = window.table("hazards").target();
+        robot.focusAndWaitForFocusGain(table);
+        press(KeyEvent.VK_TAB);
+        assertFalse(table.isFocusOwner());
     }
 
     @ParameterizedTest(name = "keys go elsewhere after the tab is chosen by {0}")

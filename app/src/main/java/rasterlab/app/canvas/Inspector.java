@@ -27,12 +27,25 @@ public final class Inspector extends JPanel implements Scrollable {
     private final transient Texts texts;
     private final boolean stacked = LargeType.now();
     private final transient Set<Component> lowered = new HashSet<>();
+    private final transient FocusInSight focus = new FocusInSight(this);
 
     public Inspector(Texts texts) {
         super(
                 new MigLayout(
                         "insets 0 2 4 0, gap 6 5, wrap 2, hidemode 3", "[pref!]8[grow,fill]", ""));
         this.texts = texts;
+    }
+
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        focus.start();
+    }
+
+    @Override
+    public void removeNotify() {
+        focus.stop();
+        super.removeNotify();
     }
 
     Language language() {
