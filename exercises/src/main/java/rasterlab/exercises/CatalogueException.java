@@ -1,39 +1,39 @@
 package rasterlab.exercises;
 
 import java.nio.file.Path;
-import rasterlab.exercises.score.Message;
+import rasterlab.exercises.score.Phrase;
 
 /** An exercise folder cannot be read; the message names file, field, value and what is allowed. */
 public final class CatalogueException extends IllegalArgumentException {
     private static final long serialVersionUID = 1L;
 
-    /** With what stands behind it; empty where the message is in English only. */
-    private final String place;
+    private final transient Phrase said;
 
-    private final transient Message reason;
-
-    public CatalogueException(String message) {
-        this(message, null);
+    public CatalogueException(Phrase said) {
+        this(said, null);
     }
 
-    public CatalogueException(String message, Throwable cause) {
-        super(message, cause);
-        place = "";
-        reason = Message.quoted(message);
+    public CatalogueException(Phrase said, Throwable cause) {
+        super(said.toString(), cause);
+        this.said = said;
     }
 
-    public CatalogueException(Path place, Message reason, Throwable cause) {
-        super(place + ": " + reason, cause);
-        this.place = place + ": ";
-        this.reason = reason;
+    /** With the place in front of the reason. */
+    public CatalogueException(Path place, Phrase reason, Throwable cause) {
+        this(Phrase.of("folder.at", place.toString(), reason), cause);
+    }
+
+    /** The message in any language. */
+    public Phrase said() {
+        return said;
     }
 
     /**
-     * The message in that language; in English where it has no other.
+     * The message in that language.
      *
      * @param language such as "ru"
      */
     public String in(String language) {
-        return place + reason.in(language);
+        return said.in(language);
     }
 }

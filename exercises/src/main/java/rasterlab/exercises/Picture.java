@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import rasterlab.exercises.score.Phrase;
 
 /** A picture of a statement, in its file's own form. */
 public final class Picture {
@@ -60,20 +61,20 @@ public final class Picture {
 
     /**
      * @param file its name, which tells its form
-     * @throws IllegalArgumentException if the name or the content is of no known form
+     * @throws CatalogueException if the name or the content is of no known form
      */
     public static Picture of(String file, byte[] content) {
         Form form =
                 Form.of(file)
                         .orElseThrow(
                                 () ->
-                                        new IllegalArgumentException(
-                                                "picture must end in %s, got '%s'"
-                                                        .formatted(
-                                                                String.join(" or ", endings()),
-                                                                file)));
+                                        new CatalogueException(
+                                                Phrase.of(
+                                                        "picture.ending",
+                                                        String.join(", ", endings()),
+                                                        file)));
         if (!form.begins(content))
-            throw new IllegalArgumentException("'" + file + "' is no " + form + " picture");
+            throw new CatalogueException(Phrase.of("picture.form", file, form));
         return new Picture(form, content);
     }
 

@@ -13,7 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import rasterlab.exercises.CatalogueException;
-import rasterlab.exercises.score.Message;
+import rasterlab.exercises.score.Phrase;
 
 /**
  * What lies in an instructor's folder. Only regular files are opened, since a pipe would be waited
@@ -40,13 +40,13 @@ final class DiskFiles {
         try (Stream<Path> entries = Files.list(folder)) {
             return entries.sorted().toList();
         } catch (NoSuchFileException e) {
-            throw new CatalogueException(folder, Message.of("disk.folder-none"), e);
+            throw new CatalogueException(folder, Phrase.of("disk.folder-none"), e);
         } catch (NotDirectoryException e) {
-            throw new CatalogueException(folder, Message.of("disk.folder-not"), e);
+            throw new CatalogueException(folder, Phrase.of("disk.folder-not"), e);
         } catch (AccessDeniedException e) {
-            throw new CatalogueException(folder, Message.of("disk.folder-right"), e);
+            throw new CatalogueException(folder, Phrase.of("disk.folder-right"), e);
         } catch (IOException e) {
-            throw new CatalogueException(folder, Message.of("disk.unlisted", reason(e)), e);
+            throw new CatalogueException(folder, Phrase.of("disk.unlisted", reason(e)), e);
         }
     }
 
@@ -54,11 +54,11 @@ final class DiskFiles {
         try {
             return Files.readAttributes(entry, BasicFileAttributes.class);
         } catch (AccessDeniedException e) {
-            throw new CatalogueException(entry, Message.of("disk.right"), e);
+            throw new CatalogueException(entry, Phrase.of("disk.right"), e);
         } catch (NoSuchFileException e) {
-            throw new CatalogueException(entry, Message.of("disk.link"), e);
+            throw new CatalogueException(entry, Phrase.of("disk.link"), e);
         } catch (IOException e) {
-            throw new CatalogueException(entry, Message.of("disk.unread", reason(e)), e);
+            throw new CatalogueException(entry, Phrase.of("disk.unread", reason(e)), e);
         }
     }
 
@@ -69,16 +69,16 @@ final class DiskFiles {
         try {
             BasicFileAttributes found = Files.readAttributes(file, BasicFileAttributes.class);
             if (found.isDirectory())
-                throw new CatalogueException(file, Message.of("disk.folder"), null);
+                throw new CatalogueException(file, Phrase.of("disk.folder"), null);
             if (!found.isRegularFile())
-                throw new CatalogueException(file, Message.of("disk.special"), null);
+                throw new CatalogueException(file, Phrase.of("disk.special"), null);
             return Files.newInputStream(file);
         } catch (NoSuchFileException e) {
-            throw new CatalogueException(file, Message.of("disk.none"), e);
+            throw new CatalogueException(file, Phrase.of("disk.none"), e);
         } catch (AccessDeniedException e) {
-            throw new CatalogueException(file, Message.of("disk.right"), e);
+            throw new CatalogueException(file, Phrase.of("disk.right"), e);
         } catch (IOException e) {
-            throw new CatalogueException(file, Message.of("disk.unread", reason(e)), e);
+            throw new CatalogueException(file, Phrase.of("disk.unread", reason(e)), e);
         }
     }
 

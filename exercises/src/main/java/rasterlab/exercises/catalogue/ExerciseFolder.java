@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.TreeMap;
 import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.score.Phrase;
 
 /** The files of one exercise, from a folder or from the class path; remembers texts it read. */
 final class ExerciseFolder {
@@ -70,18 +71,14 @@ final class ExerciseFolder {
         try {
             return StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
         } catch (CharacterCodingException e) {
-            throw new CatalogueException(place(file) + " is not text in UTF-8", e);
+            throw new CatalogueException(Phrase.of("folder.utf", place(file)), e);
         }
     }
 
     /** The bytes of a file, which are not remembered. */
     byte[] content(String file) {
         if (!file.matches("[A-Za-z0-9][A-Za-z0-9._-]*(/[A-Za-z0-9][A-Za-z0-9._-]*)?"))
-            throw new CatalogueException(
-                    place
-                            + ": '"
-                            + file
-                            + "' is not a file name of letters, digits, '.', '_' and '-', in at most one sub-folder");
+            throw new CatalogueException(Phrase.of("folder.name", place, file));
         return bytes(file);
     }
 
@@ -89,11 +86,15 @@ final class ExerciseFolder {
         try (InputStream in = opener.open(file)) {
             byte[] bytes = in.readNBytes(MOST_BYTES + 1);
             if (bytes.length > MOST_BYTES)
-                throw new CatalogueException(
-                        place(file) + " is longer than the allowed " + MOST_BYTES + " bytes");
+                throw new CatalogueException(Phrase.of("folder.long", place(file), MOST_BYTES));
             return bytes;
         } catch (IOException e) {
-            throw new CatalogueException(place(file) + ": cannot be read: " + e.getMessage(), e);
+            throw new CatalogueException(
+                    Phrase.of(
+                            "folder.at",
+                            place(file),
+                            Phrase.of("disk.unread", String.valueOf(e.getMessage()))),
+                    e);
         }
     }
 

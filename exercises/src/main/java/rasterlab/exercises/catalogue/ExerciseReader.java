@@ -16,6 +16,7 @@ import rasterlab.exercises.Exercise.Tolerance;
 import rasterlab.exercises.TopicGrading;
 import rasterlab.exercises.json.JsonFields;
 import rasterlab.exercises.score.Disclosure;
+import rasterlab.exercises.score.Phrase;
 import rasterlab.exercises.topic.TopicGradings;
 
 /**
@@ -36,8 +37,7 @@ final class ExerciseReader {
     Exercise read() {
         String id = folder.id();
         if (!id.matches("[a-z0-9]+(-[a-z0-9]+)*"))
-            throw new CatalogueException(
-                    "exercise folder '" + id + "' must be named in lower-case words with hyphens");
+            throw new CatalogueException(Phrase.of("folder.words", id));
         String file = "exercise.json";
         JsonFields fields =
                 JsonFields.parse(
@@ -92,13 +92,7 @@ final class ExerciseReader {
                         fields.integer("speed", 0, Exercise.MOST_POINTS));
         if (plan.total() != 100)
             throw fields.wrong(
-                    "",
-                    "must add up to 100, got "
-                            + plan.accuracy()
-                            + " + "
-                            + plan.stability()
-                            + " + "
-                            + plan.speed());
+                    "", Phrase.of("field.sum", plan.accuracy(), plan.stability(), plan.speed()));
         return plan;
     }
 
@@ -113,10 +107,10 @@ final class ExerciseReader {
     private static Case oneCase(JsonFields fields) {
         String name = fields.text("name");
         if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*"))
-            throw fields.wrong("name", "must be lower-case words with hyphens, got '" + name + "'");
+            throw fields.wrong("name", Phrase.of("field.words", name));
         boolean generated = fields.has("generate");
         if (generated == fields.has("input"))
-            throw fields.wrong("", "must have either 'input' or 'generate', and not both");
+            throw fields.wrong("", Phrase.of("field.either", "input", "generate"));
         Disclosure visibility =
                 Disclosure.valueOf(
                         constant(
@@ -128,7 +122,7 @@ final class ExerciseReader {
                                                 "after-deadline",
                                                 "never"))));
         if (generated && visibility == Disclosure.OPEN)
-            throw fields.wrong("visibility", "must not be open where the case is generated");
+            throw fields.wrong("visibility", Phrase.of("field.generated"));
         return new Case(
                 name,
                 fields.has("title") ? titles(fields.object("title", "en", "ru")) : Map.of(),
@@ -145,7 +139,7 @@ final class ExerciseReader {
             topic.calls(one, new Tolerance(false), 0);
             return one;
         } catch (CatalogueException e) {
-            throw fields.wrong("", "cannot be used: " + e.getMessage());
+            throw fields.wrong("", Phrase.of("field.unusable", e.said()));
         }
     }
 
@@ -156,24 +150,21 @@ final class ExerciseReader {
     private void checkNames(List<Case> cases) {
         Set<String> names = new HashSet<>();
         for (Case one : cases)
-            if (!names.add(one.name()))
-                throw new CatalogueException(
-                        folder.place("exercise.json")
-                                + ", field 'cases': two cases are called '"
-                                + one.name()
-                                + "'");
+            if (!names.add(one.name())) throw wrongCases(Phrase.of("field.twice", one.name()));
     }
 
     private void checkSum(List<Case> cases, Kind kind, int planned) {
         int sum = cases.stream().filter(one -> one.kind() == kind).mapToInt(Case::points).sum();
         if (sum != planned)
-            throw new CatalogueException(
-                    folder.place("exercise.json")
-                            + ", field 'cases': the "
-                            + kind.name().toLowerCase(Locale.ROOT)
-                            + " cases have "
-                            + sum
-                            + " points together, field 'points' says "
-                            + planned);
+            throw wrongCases(Phrase.of("field.cases." + kindName(kind), sum, planned));
+    }
+
+    private CatalogueException wrongCases(Phrase reason) {
+        Phrase place = Phrase.of("field", folder.place("exercise.json"), "cases");
+        return new CatalogueException(Phrase.of("folder.at", place, reason));
+    }
+
+    private static String kindName(Kind kind) {
+        return kind.name().toLowerCase(Locale.ROOT);
     }
 }

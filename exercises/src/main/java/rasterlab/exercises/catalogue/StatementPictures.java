@@ -6,6 +6,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import rasterlab.exercises.CatalogueException;
 import rasterlab.exercises.Picture;
+import rasterlab.exercises.score.Phrase;
 
 /**
  * The pictures that statements show: files of the exercise's folder. No grade depends on them, so
@@ -44,11 +45,11 @@ final class StatementPictures {
     private Picture picture(String statement, String name) {
         try {
             if (name.contains("/"))
-                throw new IllegalArgumentException(
-                        "picture must lie in the exercise's own folder, got '" + name + "'");
+                throw new CatalogueException(Phrase.of("picture.elsewhere", name));
             return Picture.of(name, folder.content(name));
-        } catch (IllegalArgumentException e) {
-            throw new CatalogueException(folder.place(statement) + ": " + e.getMessage(), e);
+        } catch (CatalogueException e) {
+            throw new CatalogueException(
+                    Phrase.of("folder.at", folder.place(statement), e.said()), e);
         }
     }
 }

@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
 import rasterlab.exercises.CatalogueException;
+import rasterlab.exercises.score.Phrase;
 
 /**
  * One JSON object of an exercise's data, read strictly: a missing, unknown or out-of-range field is
@@ -22,17 +23,17 @@ public final class JsonFields {
                     .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
                     .build();
 
-    private final String place;
+    private final Phrase place;
     private final JsonNode node;
 
-    private JsonFields(String place, JsonNode node, String... known) {
+    private JsonFields(Phrase place, JsonNode node, String... known) {
         this.place = place;
         this.node = node;
-        if (!node.isObject()) throw wrong("", "must be an object {…}, got " + shown(node));
+        if (!node.isObject()) throw wrong("", Phrase.of("field.object", shown(node)));
         for (Iterator<String> names = node.fieldNames(); names.hasNext(); ) {
             String name = names.next();
             if (known.length > 0 && !List.of(known).contains(name))
-                throw wrong(name, "is not known here; known are " + Arrays.toString(known));
+                throw wrong(name, Phrase.of("field.unknown", Arrays.toString(known)));
         }
     }
 
@@ -43,25 +44,31 @@ public final class JsonFields {
      * @param known the fields that may occur; none given: any
      */
     public static JsonFields parse(String place, String json, String... known) {
+        return parse(Phrase.quoted(place), json, known);
+    }
+
+    /** The same where words of ours say the place. */
+    public static JsonFields parse(Phrase place, String json, String... known) {
         return new JsonFields(place, tree(place, json), known);
     }
 
     /** Reads an array of objects, each of which may have the known fields. */
-    public static List<JsonFields> parseArray(String place, String json, String... known) {
+    public static List<JsonFields> parseArray(String file, String json, String... known) {
+        Phrase place = Phrase.quoted(file);
         JsonNode array = tree(place, json);
-        if (!array.isArray())
-            throw new CatalogueException(place + " must be an array […], got " + shown(array));
+        if (!array.isArray()) throw wrong(place, Phrase.of("field.array", shown(array)), null);
         List<JsonFields> objects = new ArrayList<>();
         for (JsonNode item : array)
-            objects.add(new JsonFields(place + "[" + objects.size() + "]", item, known));
+            objects.add(
+                    new JsonFields(Phrase.quoted(file + "[" + objects.size() + "]"), item, known));
         return objects;
     }
 
-    private static JsonNode tree(String place, String json) {
+    private static JsonNode tree(Phrase place, String json) {
         try {
             return MAPPER.readTree(json);
         } catch (JsonProcessingException e) {
-            throw new CatalogueException(place + " is not JSON: " + JsonMistake.in(e), e);
+            throw wrong(place, Phrase.of("json.not", JsonMistake.in(e)), e);
         }
     }
 
@@ -70,13 +77,13 @@ public final class JsonFields {
     }
 
     public JsonFields object(String field, String... known) {
-        return new JsonFields(place + ", field '" + field + "'", required(field), known);
+        return new JsonFields(place(field), required(field), known);
     }
 
     public String text(String field) {
         JsonNode value = required(field);
         if (!value.isTextual() || value.textValue().isBlank())
-            throw wrong(field, "must be a text that is not blank, got " + shown(value));
+            throw wrong(field, Phrase.of("field.text", shown(value)));
         return value.textValue();
     }
 
@@ -84,8 +91,7 @@ public final class JsonFields {
     public String word(String field, List<String> allowed) {
         String text = text(field);
         if (!allowed.contains(text))
-            throw wrong(
-                    field, "must be one of " + String.join(", ", allowed) + ", got '" + text + "'");
+            throw wrong(field, Phrase.of("field.word", String.join(", ", allowed), text));
         return text;
     }
 
@@ -98,7 +104,11 @@ public final class JsonFields {
                 || !value.canConvertToInt()
                 || value.intValue() < least
                 || value.intValue() > most)
-            throw wrong(field, "must be " + wholeNumber(least, most) + ", got " + shown(value));
+            throw wrong(
+                    field,
+                    least == most
+                            ? Phrase.of("field.only", least, shown(value))
+                            : Phrase.of("field.whole", least, most, shown(value)));
         return value.intValue();
     }
 
@@ -116,7 +126,7 @@ public final class JsonFields {
     public boolean flag(String field, boolean otherwise) {
         if (!has(field)) return otherwise;
         JsonNode value = node.get(field);
-        if (!value.isBoolean()) throw wrong(field, "must be true or false, got " + shown(value));
+        if (!value.isBoolean()) throw wrong(field, Phrase.of("field.flag", shown(value)));
         return value.booleanValue();
     }
 
@@ -124,7 +134,7 @@ public final class JsonFields {
     public int[] point(String field) {
         JsonNode value = required(field);
         if (!value.isArray() || value.size() != 2)
-            throw wrong(field, "must be a point [x, y], got " + shown(value));
+            throw wrong(field, Phrase.of("field.point", shown(value)));
         return new int[] {
             integer(field, value.get(0), Integer.MIN_VALUE, Integer.MAX_VALUE),
             integer(field, value.get(1), Integer.MIN_VALUE, Integer.MAX_VALUE)
@@ -135,7 +145,7 @@ public final class JsonFields {
     public int[] integers(String field, int count) {
         JsonNode value = required(field);
         if (!value.isArray() || value.size() != count)
-            throw wrong(field, "must have " + count + " whole numbers, got " + shown(value));
+            throw wrong(field, Phrase.of("field.wholes", count, shown(value)));
         int[] numbers = new int[count];
         for (int i = 0; i < count; i++)
             numbers[i] = integer(field, value.get(i), Integer.MIN_VALUE, Integer.MAX_VALUE);
@@ -147,30 +157,38 @@ public final class JsonFields {
         List<String> texts = new ArrayList<>();
         for (JsonNode item : value) if (item.isTextual()) texts.add(item.textValue());
         if (!value.isArray() || texts.isEmpty() || texts.size() != value.size())
-            throw wrong(field, "must be an array of texts, at least one, got " + shown(value));
+            throw wrong(field, Phrase.of("field.texts", shown(value)));
         return texts;
     }
 
     /** The object under that field as JSON text. */
     public String json(String field) {
         JsonNode value = required(field);
-        if (!value.isObject()) throw wrong(field, "must be an object {…}, got " + shown(value));
+        if (!value.isObject()) throw wrong(field, Phrase.of("field.object", shown(value)));
         return value.toString();
     }
 
-    /** An exception that names this place and the field. */
-    public CatalogueException wrong(String field, String what) {
-        return new CatalogueException(
-                place + (field.isEmpty() ? "" : ", field '" + field + "'") + " " + what);
+    /** An exception that names this place and the field; with no field this place alone. */
+    public CatalogueException wrong(String field, Phrase what) {
+        return wrong(field.isEmpty() ? place : place(field), what, null);
+    }
+
+    private static CatalogueException wrong(Phrase place, Phrase what, Throwable cause) {
+        return new CatalogueException(Phrase.of("field.wrong", place, what), cause);
+    }
+
+    private Phrase place(String field) {
+        return Phrase.of("field", place, field);
     }
 
     private JsonNode required(String field) {
-        if (!has(field)) throw wrong(field, "is missing");
+        if (!has(field)) throw wrong(field, Phrase.of("field.missing"));
         return node.get(field);
     }
 
-    private static String shown(JsonNode value) {
-        String text = value.isMissingNode() ? "nothing" : value.toString();
+    private static Object shown(JsonNode value) {
+        if (value.isMissingNode()) return Phrase.of("field.nothing");
+        String text = value.toString();
         return text.length() <= 60 ? text : text.substring(0, 60) + "…";
     }
 }

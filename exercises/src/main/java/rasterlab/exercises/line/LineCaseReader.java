@@ -8,6 +8,7 @@ import rasterlab.engine.line.Segment;
 import rasterlab.engine.study.Hazard;
 import rasterlab.exercises.Exercise.Case;
 import rasterlab.exercises.json.JsonFields;
+import rasterlab.exercises.score.Phrase;
 
 /**
  * Reads a case's input: the segment itself or the name of a hazard, or how to draw segments from a
@@ -24,13 +25,16 @@ public final class LineCaseReader {
      *     range
      */
     public static LineCase read(Case one, long seed) {
-        String place = "case '" + one.name() + "', field ";
         return one.generated()
-                ? generated(one, place + "'generate'", seed)
-                : given(one, place + "'input'");
+                ? generated(one, place(one, "generate"), seed)
+                : given(one, place(one, "input"));
     }
 
-    private static LineCase given(Case one, String place) {
+    private static Phrase place(Case one, String field) {
+        return Phrase.of("field", Phrase.of("field.case", one.name()), field);
+    }
+
+    private static LineCase given(Case one, Phrase place) {
         JsonFields fields =
                 JsonFields.parse(
                         place,
@@ -54,9 +58,7 @@ public final class LineCaseReader {
                                 "firstPixels", 1, LineCase.MOST_PIXELS, LineCase.MOST_PIXELS),
                         fields.flag("mayRefuse", false));
         if (!fields.has("firstPixels") && read.cutShort(segment))
-            throw fields.wrong(
-                    "firstPixels",
-                    "is needed: the segment has more than " + LineCase.MOST_PIXELS + " pixels");
+            throw fields.wrong("firstPixels", Phrase.of("field.cut", LineCase.MOST_PIXELS));
         return read;
     }
 
@@ -69,7 +71,7 @@ public final class LineCaseReader {
     /** The segment of a hazard of the topic, so that lab, study and exercise have the same one. */
     private static Segment hazard(JsonFields fields) {
         for (String end : List.of("from", "to"))
-            if (fields.has(end)) throw fields.wrong(end, "must not stand beside 'hazard'");
+            if (fields.has(end)) throw fields.wrong(end, Phrase.of("field.beside", "hazard"));
         List<Hazard<Segment>> hazards = new LineTopic().hazards();
         String name = fields.word("hazard", hazards.stream().map(Hazard::name).toList());
         return hazards.stream()
@@ -79,7 +81,7 @@ public final class LineCaseReader {
                 .input();
     }
 
-    private static LineCase generated(Case one, String place, long seed) {
+    private static LineCase generated(Case one, Phrase place, long seed) {
         JsonFields fields =
                 JsonFields.parse(place, one.input(), "octant", "count", "longest", "within");
         int octant = fields.integer("octant", 1, OCTANTS);

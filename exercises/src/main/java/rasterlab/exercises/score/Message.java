@@ -25,8 +25,9 @@ public record Message(List<Sentence> sentences) {
     /** A number with a fraction. */
     private static final Pattern BROKEN = Pattern.compile("\\d+\\.\\d+");
 
-    /** Of other people's words, which stay as they are. */
-    private static final Set<String> VERBATIM = Set.of("quoted", "printed", "printed.case");
+    /** Of other people's words, and of what stands in their files, which stay as they are. */
+    private static final Pattern VERBATIM =
+            Pattern.compile("quoted|printed|printed\\.case|field\\..*");
 
     private static final JsonMapper MAPPER = new JsonMapper();
 
@@ -40,7 +41,7 @@ public record Message(List<Sentence> sentences) {
         }
 
         private String in(ResourceBundle texts) {
-            boolean ours = !VERBATIM.contains(key);
+            boolean ours = !VERBATIM.matcher(key).matches();
             Object[] said =
                     arguments.stream().map(one -> ours ? inForm(one, texts) : one).toArray();
             return new MessageFormat(texts.getString(key), Locale.ROOT).format(said);

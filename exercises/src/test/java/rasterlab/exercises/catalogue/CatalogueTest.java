@@ -16,6 +16,7 @@ import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -41,6 +42,9 @@ class CatalogueTest {
                     "statement.en.md",
                     "statement.ru.md",
                     "segment.svg");
+
+    /** Two words that are no names. */
+    private static final Pattern ENGLISH = Pattern.compile("[a-z]{2,} [a-z]{2,}");
 
     @TempDir Path folder;
     private Path mine;
@@ -145,11 +149,14 @@ class CatalogueTest {
     @MethodSource("mistakes")
     void isNamed(String file, String from, String to, String said) throws IOException {
         change(file, from, to);
-        Exception e =
+        var e =
                 assertThrows(
                         CatalogueException.class, () -> Catalogue.builtIn().withFolder(folder));
         assertTrue(e.getMessage().contains(said), e::getMessage);
         assertTrue(e.getMessage().contains("my-line"), e::getMessage);
+        String russian = e.in("ru").replace(folder.toString(), "");
+        assertTrue(russian.matches("(?s).*[а-яё]{3}.*"), russian);
+        assertFalse(ENGLISH.matcher(russian).find(), russian);
     }
 
     static Stream<Arguments> mistakes() {
@@ -173,7 +180,7 @@ class CatalogueTest {
                         "statement.en.md",
                         "segment.svg",
                         "cases.json",
-                        "picture must end in .png or .svg, got 'cases.json'"),
+                        "picture must end in one of .png, .svg, got 'cases.json'"),
                 argumentSet(
                         "picture of another form than its name tells",
                         "segment.svg",

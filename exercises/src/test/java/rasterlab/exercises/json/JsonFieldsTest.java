@@ -1,6 +1,7 @@
 package rasterlab.exercises.json;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
@@ -15,9 +16,9 @@ class JsonFieldsTest {
     @ParameterizedTest(name = "{argumentSetName}")
     @MethodSource("mistakes")
     void isNamed(String json, String said) {
-        Exception e =
-                assertThrows(CatalogueException.class, () -> JsonFields.parse("a.json", json));
+        var e = assertThrows(CatalogueException.class, () -> JsonFields.parse("a.json", json));
         assertEquals("a.json " + said, e.getMessage());
+        assertFalse(e.in("ru").matches("(?s).*[a-z]{2,} [a-z]{2,}.*"), e.in("ru"));
     }
 
     static Stream<Arguments> mistakes() {
