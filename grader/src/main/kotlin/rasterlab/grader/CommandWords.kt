@@ -24,9 +24,13 @@ internal class CommandWords private constructor(
     fun wear(command: CommandLine): CommandLine =
         if (language == Locale.ENGLISH) command else command.setResourceBundle(wording.bundle)
 
-    /** In English as picocli has it. */
+    /** In English as picocli has it, but for a command, which is told with those there are. */
     fun of(failure: ParameterException): String =
         when {
+            failure is UnmatchedArgumentException && !failure.isUnknownOption && failure.hasCommands() -> {
+                unknownCommand(failure, failure.unmatched.first())
+            }
+
             language == Locale.ENGLISH -> {
                 failure.message.orEmpty()
             }
@@ -48,13 +52,23 @@ internal class CommandWords private constructor(
             }
 
             failure.value != null -> {
-                say("unknown.command", failure.value)
+                unknownCommand(failure, failure.value)
             }
 
             else -> {
                 failure.message.orEmpty()
             }
         }
+
+    private fun ParameterException.hasCommands() = commandLine.subcommands.isNotEmpty()
+
+    private fun unknownCommand(
+        failure: ParameterException,
+        name: String,
+    ): String {
+        val known = generateSequence(failure.commandLine) { it.parent }.last().subcommands
+        return say("unknown.command", name, known.keys.joinToString())
+    }
 
     private fun name(argument: CommandLine.Model.ArgSpec): String =
         (argument as? CommandLine.Model.OptionSpec)?.longestName() ?: argument.paramLabel()

@@ -17,6 +17,9 @@ import kotlin.system.exitProcess
 
 private const val BAD_INPUT = 2
 
+/** Letters in a line, as in the help of ./lab. */
+private const val HELP_WIDTH = 100
+
 /** EX_SOFTWARE of sysexits.h: nothing that the person who started the server can put right in the command. */
 private const val OUR_FAULT = 70
 
@@ -62,6 +65,7 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
     val commands = CommandLine(GraderCommand(words)).addSubcommand(ServeCommand(words)).addSubcommand(HelpCommand())
     return words
         .wear(commands)
+        .setUsageHelpWidth(HELP_WIDTH)
         .setCaseInsensitiveEnumValuesAllowed(true)
         .setOut(utf8(System.out))
         .setErr(utf8(System.err))

@@ -75,10 +75,17 @@ class RussianCommandTest {
             "serve --port 0 --exercises FILE --lang ru",
             "serve --port 0 --exercises FOLDER --lang ru",
             "help nope --lang ru",
+            "nope --lang ru",
+            "serve --port 0 --exercises BROKEN --lang ru",
         ],
     )
     fun `complaints are Russian`(call: String) {
         val file = folder.resolve("a").createFile()
+        folder
+            .resolve("broken/my-line")
+            .createDirectories()
+            .resolve("exercise.json")
+            .writeText("{} []")
         val used = folder.resolve("used")
         val unwritten = folder.resolve("unwritten/server.lock").createDirectories().parent
         DataFolder.take(used, url = null).use {
@@ -87,6 +94,7 @@ class RussianCommandTest {
                     call
                         .replace("FOLDER", "$folder")
                         .replace("FILE", "$file")
+                        .replace("BROKEN", "$folder/broken")
                         .replace("UNWRITTEN", "$unwritten")
                         .replace("USED", "$used")
                         .replace("TAKEN", "${taken.localPort}")
@@ -95,6 +103,23 @@ class RussianCommandTest {
         }
         assertRussian()
         assertEquals(1, printed.lines().size, printed.toString())
+    }
+
+    @ParameterizedTest(name = "{0} for a command is called an argument, or those there are stay unnamed")
+    @ValueSource(strings = ["nope", "nope --lang ru", "help nope --lang ru"])
+    fun `an unknown command is answered with those there are`(call: String) {
+        assertEquals(2, run(*call.split(" ").toTypedArray()))
+        val said = printed.toString()
+        assertTrue(Regex("unknown command 'nope'|неизвестная команда «nope»").containsMatchIn(said), said)
+        assertTrue(said.trim().endsWith("serve, help"), said)
+    }
+
+    @ParameterizedTest(name = "the help of {0} in Russian breaks a line that was broken already")
+    @ValueSource(strings = ["--help", "serve --help"])
+    fun `no line of the help holds one word alone`(call: String) {
+        assertEquals(0, run(*"$call --lang ru".split(" ").toTypedArray()))
+        val alone = printed.toString().lines().filter { Regex(" {12,}\\S+").matches(it) }
+        assertEquals(emptyList<String>(), alone, printed.toString())
     }
 
     @Test
@@ -127,7 +152,7 @@ class RussianCommandTest {
         // In English picocli has them itself, or they stand with the commands.
         val others =
             Regex(
-                "(\\./lab grader|usage|unknown)\\..*|missing|twice|invalid|" +
+                "(\\./lab grader|usage)\\..*|unknown\\.(option|argument)|missing|twice|invalid|" +
                     "help|version|lang.*|data|host|port|db|exam|exercises|workers.*",
             )
         val russian = keys("${name}_ru.properties").filterNot { name == "command" && others.matches(it) }
