@@ -22,7 +22,7 @@ public final class Main {
         } else if (GraphicsEnvironment.isHeadless()) {
             System.exit(run(Lab.instead(arguments)));
         } else {
-            WindowStart.open(asked);
+            WindowStart.open(asked, Lab.notices());
         }
     }
 

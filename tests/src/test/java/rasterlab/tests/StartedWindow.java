@@ -18,7 +18,7 @@ final class StartedWindow {
     public static void main(String[] arguments) {
         Toolkit.getDefaultToolkit()
                 .addAWTEventListener(StartedWindow::say, AWTEvent.WINDOW_EVENT_MASK);
-        WindowStart.open(Lab.windowIn(arguments));
+        WindowStart.open(Lab.windowIn(arguments), Lab.notices());
     }
 
     private static void say(AWTEvent event) {

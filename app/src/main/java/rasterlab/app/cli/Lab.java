@@ -47,6 +47,11 @@ public final class Lab {
                 .findFirst();
     }
 
+    /** Where the window tells what is wrong while there is none yet. */
+    public static PrintStream notices() {
+        return Console.of(System.in, System.out, System.err, ReportLanguage.EN).err();
+    }
+
     /** What is run where the arguments ask for the window, but there is no display. */
     public static String[] instead(String[] args) {
         Console.of(System.in, System.out, System.err, ReportLanguage.asked(args))

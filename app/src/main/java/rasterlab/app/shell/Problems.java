@@ -2,6 +2,7 @@ package rasterlab.app.shell;
 
 import java.awt.EventQueue;
 import java.awt.Font;
+import java.io.PrintStream;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -11,22 +12,37 @@ import javax.swing.JPanel;
 import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.WrappedText;
+import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
 /**
- * Tells what is wrong with the files of the user's: on the standard error stream at once, and in
- * the window together, as soon as there is one.
+ * Tells what is wrong with the files of the user's: on the error stream at once, and in the window
+ * together, as soon as there is one.
  */
 final class Problems implements Consumer<Problem> {
     /** Of a line that is read easily, and that the smallest window has room for. */
     private static final int LETTERS = 70;
 
+    private final PrintStream err;
     private final List<Problem> untold = new ArrayList<>();
+    private volatile Language language;
     private LabFrame frame;
+
+    /**
+     * @param language of the error stream, until the window's is known
+     */
+    Problems(PrintStream err, Language language) {
+        this.err = err;
+        this.language = language;
+    }
+
+    void speak(Language next) {
+        language = next;
+    }
 
     @Override
     public void accept(Problem problem) {
-        System.err.println("rasterlab: " + problem);
+        err.println("rasterlab: " + problem.in(language));
         EventQueue.invokeLater(() -> add(problem));
     }
 

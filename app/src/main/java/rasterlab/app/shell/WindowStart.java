@@ -4,6 +4,7 @@ import java.awt.EventQueue;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -23,7 +24,7 @@ import rasterlab.app.language.Texts;
  * its layout and its picture. The other models are made when the window is open.
  */
 public final class WindowStart {
-    private final Problems problems = new Problems();
+    private final Problems problems;
     private final FailureReports reports = new FailureReports(this::show);
     private final SettingsFile file;
     private final LabSettings kept;
@@ -31,18 +32,22 @@ public final class WindowStart {
     private LabTabs tabs;
     private LabFrame frame;
 
-    private WindowStart(Path place, Optional<Language> asked) {
+    private WindowStart(Path place, Optional<Language> asked, PrintStream err) {
+        Language first = Language.of(Locale.getDefault());
+        problems = new Problems(err, asked.orElse(first));
         file = new SettingsFile(place, problems);
-        kept = file.load(LabSettings.first(Language.of(Locale.getDefault())));
+        kept = file.load(LabSettings.first(first));
         settings = kept.with(kept.look().with(asked.orElse(kept.look().language())));
+        problems.speak(settings.look().language());
     }
 
     /**
      * @param asked for this start; empty for the language that was left
+     * @param err told what is wrong with the files of the user's
      */
-    public static void open(Optional<Language> asked) {
+    public static void open(Optional<Language> asked, PrintStream err) {
         Path place = SettingsFile.usual(System.getenv(), System.getProperties());
-        new WindowStart(place, asked).open(place);
+        new WindowStart(place, asked, err).open(place);
     }
 
     private void open(Path place) {

@@ -8,6 +8,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.PngFile;
@@ -62,7 +63,8 @@ final class TourPage {
 
     /** Says in the section's place that it could not be made, and why. */
     void fail(Throwable e) {
-        String reason = e.getMessage() == null ? e.toString() : e.getMessage();
+        String english = e.getMessage() == null ? e.toString() : e.getMessage();
+        String reason = Complaints.said(texts.language(), english);
         say(texts.text("failed", reason));
         body.append("<p class=\"failure\">")
                 .append(Html.escaped(texts.text("failed", reason)))

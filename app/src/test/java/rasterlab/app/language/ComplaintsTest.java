@@ -30,6 +30,12 @@ class ComplaintsTest {
                         + " | увеличение должно быть в [0,001; 1000], получено −2,5·10⁻⁷",
                 "RUSSIAN | normal (0.0, -0.5, 2.0) has no direction"
                         + " | нормаль (0; −0,5; 2) не имеет направления",
+                "RUSSIAN | direction to the light must be finite and not zero, got (0.0, -0.5, NaN)"
+                        + " | направление на источник должно быть конечным и не нулевым,"
+                        + " получено (0; −0,5; NaN)",
+                "RUSSIAN | no result within 5 s | результата нет за 5 с",
+                "RUSSIAN | the server did not say its address; its last words: no folder a"
+                        + " | сервер не сообщил свой адрес; его последние слова: no folder a",
                 "RUSSIAN | face 3: corners 0, 1, 2 span no area"
                         + " | грань 3: вершины 0, 1, 2 не охватывают площади",
                 "RUSSIAN | world to eye must have an inverse, got determinant 150.28236737529534"

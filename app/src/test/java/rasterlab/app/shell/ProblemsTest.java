@@ -5,10 +5,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
 import java.awt.Font;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import javax.swing.JComponent;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
 
 class ProblemsTest {
@@ -37,6 +42,19 @@ class ProblemsTest {
         int line = both[0].getFontMetrics(FONT).getHeight();
         int gap = both[1].getY() - both[0].getY() - both[0].getHeight();
         assertTrue(gap >= line / 3, gap + " px between them");
+    }
+
+    @ParameterizedTest(name = "the terminal is told in another language than {0}")
+    @EnumSource
+    void terminalIsToldInTheLanguageOfTheWindow(Language language) {
+        var told = new ByteArrayOutputStream();
+        var err = new PrintStream(told, true, StandardCharsets.UTF_8);
+        Problem second = Problem.of("window.second");
+        var problems = new Problems(err, Language.ENGLISH);
+        problems.speak(language);
+        problems.accept(second);
+        assertEquals(
+                "rasterlab: " + second.in(language), told.toString(StandardCharsets.UTF_8).strip());
     }
 
     private static Component[] paragraphs(String... said) {

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -52,6 +53,27 @@ class TourTest {
         assertCellsAreRussian(html);
         assertTrue(html.contains("Тема «отрезок» (line)"), html);
         assertFalse(html.contains(">steep-upward<"), "a hazard has no words");
+    }
+
+    @Test
+    @DisplayName("why a part could not be made is told in English on a Russian page")
+    void whyAPartCouldNotBeMadeIsInThePagesLanguage() throws Exception {
+        var tour = new Tour(folder, Language.RUSSIAN, System.err);
+        assertFalse(tour.make(List.of(new Late())));
+        String html = Files.readString(tour.index());
+        assertTrue(html.contains("результата нет за 5 с"), html);
+    }
+
+    private static final class Late implements TourPart {
+        @Override
+        public String key() {
+            return "grading";
+        }
+
+        @Override
+        public void make(TourPage page) throws IOException {
+            throw new IOException("no result within 5 s");
+        }
     }
 
     private static void assertCellsAreRussian(String html) {
