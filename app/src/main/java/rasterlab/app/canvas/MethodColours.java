@@ -36,12 +36,23 @@ public final class MethodColours {
     public static final Color BROWN = new Color(0x663333);
     public static final Color SLATE = new Color(0x225555);
 
-    /** This and the next three: palette "muted" again, nearer to some of those above. */
+    /** This and the next two: palette "muted" again, nearer to some of those above. */
     public static final Color TEAL = new Color(0x44AA99);
 
-    public static final Color ROSE = new Color(0xCC6677);
     public static final Color MAGENTA = new Color(0xAA4499);
     public static final Color SAND = new Color(0xDDCC77);
+
+    /** Palette "light". */
+    public static final Color ROSE = new Color(0xFFAABB);
+
+    /** For lines on a dark ground, in which these drown; merely paler, they would be others. */
+    private static final Map<Color, Color> ON_DARK =
+            Map.of(
+                    WINE, new Color(0xF7CEDF),
+                    INDIGO, new Color(0x2F62FF),
+                    DARK_GREEN, new Color(0xDBFFB8),
+                    BROWN, new Color(0x8F6238),
+                    SLATE, new Color(0x1F95FF));
 
     /** What methods without a colour of their own are given, those first that differ most. */
     private static final List<Color> PALETTE =
@@ -77,7 +88,7 @@ public final class MethodColours {
                     Map.entry("midpoint", YELLOW),
                     Map.entry("clip-first-textbook", DARK_GREEN),
                     Map.entry("wu", WINE),
-                    Map.entry("blending-textbook", SKY_BLUE),
+                    Map.entry("blending-textbook", SAND),
                     Map.entry("matrix", PURPLE),
                     Map.entry("horner", YELLOW),
                     Map.entry("de-casteljau", GREEN),
@@ -190,6 +201,17 @@ public final class MethodColours {
      */
     public static Color textOn(Color ground, Color colour) {
         return standingOut(ground, colour, 4.5);
+    }
+
+    /**
+     * The colour, or where that drowns in a dark ground its kin there, with a contrast of at least
+     * 3: for wide lines and marks. Kin are chosen so that no two colours of the palette come closer
+     * to each other than they were, with common colour blindness too.
+     */
+    public static Color lineOn(Color ground, Color colour) {
+        Color kin =
+                inkOn(ground).equals(Color.WHITE) ? ON_DARK.getOrDefault(colour, colour) : colour;
+        return contrast(kin, ground) >= 3 ? kin : edgeOn(ground, kin);
     }
 
     private static Color standingOut(Color ground, Color colour, double contrast) {

@@ -19,14 +19,17 @@ final class LabelPlaces {
     /** Between two labels in a row, in pixels, so that they are not read as one number. */
     private static final int GAP = 3;
 
+    /** Between a label and the frame, in pixels. */
+    private static final int EDGE = 3;
+
     /** Between a marker and a label close to it, in pixels. */
     private static final int[] CLOSE = {3, 8};
 
     /** Between a marker and a label with a leader, in pixels. */
-    private static final int[] FAR = {14, 24, 36, 50, 70, 95, 130};
+    private static final int[] FAR = {14, 24, 36, 50, 70, 95, 130, 170};
 
     /** Directions around a point that are tried, at equal angles, clockwise from above it. */
-    private static final int DIRECTIONS = 16;
+    private static final int DIRECTIONS = 32;
 
     private final Rectangle inside;
     private final List<Rectangle> markers;
@@ -45,7 +48,8 @@ final class LabelPlaces {
      * @param lines between points
      */
     LabelPlaces(Rectangle inside, List<Point> points, List<Line2D> lines) {
-        this.inside = inside;
+        this.inside = new Rectangle(inside);
+        this.inside.grow(-EDGE, -EDGE);
         markers = points.stream().map(LabelPlaces::marker).toList();
         this.lines = new ArrayList<>(lines);
     }
@@ -64,12 +68,13 @@ final class LabelPlaces {
     }
 
     /**
-     * Takes the nearest place further off, whose leader crosses no label and, if there is one, no
-     * marker; one on a line only where there is no other, and none where labels and markers leave
-     * no room at all.
+     * Takes the nearest place further off, whose leader crosses no label. If there is such a place,
+     * it crosses no marker either and the label stands on no line; if there is none, rather the
+     * label stands on a line. None where labels and markers leave no room at all.
      */
     Optional<Place> far(Point point, Dimension label) {
         return far(point, label, place -> isOnNoLine(place.box()) && crossesNoMarker(point, place))
+                .or(() -> far(point, label, place -> crossesNoMarker(point, place)))
                 .or(() -> far(point, label, place -> isOnNoLine(place.box())))
                 .or(() -> far(point, label, place -> true))
                 .map(this::taken);
@@ -122,8 +127,8 @@ final class LabelPlaces {
 
     /** Above, below, right and left first, then those between them. */
     private static int inTurn(int number) {
-        int[] quarters = {0, 8, 4, 12};
-        int[] between = {0, 2, 1, -1};
+        int[] quarters = {0, 16, 8, 24};
+        int[] between = {0, 4, 2, -2, 1, -1, 3, -3};
         return Math.floorMod(quarters[number % 4] + between[number / 4], DIRECTIONS);
     }
 

@@ -34,6 +34,7 @@ final class SizeLabels extends Annotation {
     private record Label(String text, Point at, Color colour) {}
 
     private final List<List<Point>> lines = new ArrayList<>();
+    private final List<Double> edges = new ArrayList<>();
     private final List<Label> labels = new ArrayList<>();
 
     private final Color ground;
@@ -49,6 +50,11 @@ final class SizeLabels extends Annotation {
     /** A line through marked points, which no label may hide. */
     void avoid(List<Point> line) {
         lines.add(List.copyOf(line));
+    }
+
+    /** A line across the chart at a place of its axis upwards, likewise. */
+    void avoidEdge(double position) {
+        edges.add(position);
     }
 
     void add(String size, Point at, Color colour) {
@@ -68,9 +74,14 @@ final class SizeLabels extends Annotation {
         return lines.stream().flatMap(List::stream).map(this::seen).toList();
     }
 
-    /** From each point of a line to its next. */
+    /** From each point of a line to its next, and the edges. */
     private List<Line2D> drawnLines() {
         var drawn = new ArrayList<Line2D>();
+        Rectangle all = inside();
+        for (double edge : edges) {
+            int y = getYAxisScreenValue(edge);
+            drawn.add(new Line2D.Double(all.getMinX(), y, all.getMaxX(), y));
+        }
         for (List<Point> line : lines)
             for (int i = 1; i < line.size(); i++)
                 drawn.add(new Line2D.Double(seen(line.get(i - 1)), seen(line.get(i))));

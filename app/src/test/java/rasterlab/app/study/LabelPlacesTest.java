@@ -56,6 +56,39 @@ class LabelPlacesTest {
     }
 
     @Test
+    @DisplayName("a leader runs through another point so that its label is on no line")
+    void leaderCrossesNoMarkerThoughItsLabelThenStandsOnALine() {
+        var wall = new ArrayList<Point>(List.of(MIDDLE));
+        for (int turn = 0; turn < 16; turn++)
+            if (turn % 8 != 0)
+                wall.add(
+                        new Point(
+                                (int) (MIDDLE.x + 22 * Math.sin(turn * Math.PI / 8)),
+                                (int) (MIDDLE.y - 22 * Math.cos(turn * Math.PI / 8))));
+        List<Line2D> lines =
+                IntStream.range(0, 20)
+                        .<Line2D>mapToObj(i -> new Line2D.Double(280, 20 * i, 320, 20 * i))
+                        .toList();
+        var places = new LabelPlaces(CHART, wall, lines);
+        Line2D leader = places.far(MIDDLE, LABEL).orElseThrow().leader().orElseThrow();
+        for (Point other : wall.subList(1, wall.size()))
+            assertFalse(leader.intersects(other.x - 7, other.y - 7, 14, 14), other.toString());
+    }
+
+    @Test
+    @DisplayName("a label lies on the frame")
+    void labelKeepsOffTheFrame() {
+        var low = new Point(300, CHART.height - LabelPlaces.MARKER);
+        var crowd = List.of(low, new Point(300, low.y - 20), new Point(260, low.y));
+        var places = new LabelPlaces(CHART, crowd, List.of());
+        Rectangle box =
+                places.close(low, LABEL).or(() -> places.far(low, LABEL)).orElseThrow().box();
+        var free = new Rectangle(box);
+        free.grow(3, 3);
+        assertTrue(CHART.contains(free), box.toString());
+    }
+
+    @Test
     @DisplayName("a label of a point among many lines is left out")
     void labelStandsOnALineOnlyWhereThereIsNoOtherPlace() {
         var lines = new ArrayList<Line2D>();
