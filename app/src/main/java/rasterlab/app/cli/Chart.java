@@ -4,7 +4,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
@@ -100,13 +99,13 @@ record Chart(
                                     Stream.of(method),
                                     angles.stream()
                                             .map(degrees -> chart.light(method).get(degrees))
-                                            .map(Chart::lightOrNone))
+                                            .map(each -> lightOrNone(each, texts)))
                             .toList());
         return table;
     }
 
-    private static String lightOrNone(double light) {
-        return Double.isNaN(light) ? "-" : thousandths(light);
+    private static String lightOrNone(double light, Texts texts) {
+        return Double.isNaN(light) ? "-" : thousandths(light, texts);
     }
 
     /** The chart as a file of that kind: .svg, .png or .csv. */
@@ -123,8 +122,8 @@ record Chart(
         for (PerspectiveAmount.Sample sample : PerspectiveChart.table())
             table.add(
                     List.of(
-                            String.format(Locale.ROOT, "%.1f", sample.distance()),
-                            String.format(Locale.ROOT, "%.3f", sample.gamma()),
+                            String.format(texts.locale(), "%.1f", sample.distance()),
+                            String.format(texts.locale(), "%.3f", sample.gamma()),
                             texts.text("stretch." + Stretch.of(sample.distance()).code())));
         return table;
     }
@@ -140,9 +139,9 @@ record Chart(
             table.add(
                     List.of(
                             sample.format(),
-                            String.format(Locale.ROOT, "%.0e", sample.ratio()),
-                            String.format(Locale.ROOT, "%.3e", sample.measured()),
-                            String.format(Locale.ROOT, "%.3e", sample.predicted())));
+                            String.format(texts.locale(), "%.0e", sample.ratio()),
+                            String.format(texts.locale(), "%.3e", sample.measured()),
+                            String.format(texts.locale(), "%.3e", sample.predicted())));
         return table;
     }
 
@@ -158,13 +157,13 @@ record Chart(
                                 table.add(
                                         List.of(
                                                 shading,
-                                                thousandths(profile.largestStep()),
-                                                thousandths(profile.largestKink()))));
+                                                thousandths(profile.largestStep(), texts),
+                                                thousandths(profile.largestKink(), texts))));
         return table;
     }
 
-    private static String thousandths(double share) {
-        return String.format(Locale.ROOT, "%.3f", share);
+    private static String thousandths(double share, Texts texts) {
+        return String.format(texts.locale(), "%.3f", share);
     }
 
     private static TextTable growth(GrowthChart growth, Texts texts) {
@@ -180,7 +179,7 @@ record Chart(
                                     Stream.of(method),
                                     Stream.of(Growth.Axis.values())
                                             .map(axis -> growth.growth(method, axis).exponent())
-                                            .map(p -> String.format(Locale.ROOT, "%.2f", p)))
+                                            .map(p -> String.format(texts.locale(), "%.2f", p)))
                             .toList());
         return table;
     }

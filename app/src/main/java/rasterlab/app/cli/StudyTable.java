@@ -2,7 +2,6 @@ package rasterlab.app.cli;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.Stream;
 import rasterlab.app.canvas.Wrapping;
 import rasterlab.app.language.Texts;
@@ -40,7 +39,7 @@ final class StudyTable {
                                 "verdict"));
         for (Measurement each : study.measurements())
             table.add(
-                    Stream.of(named(each), times(each), errors(each, words))
+                    Stream.of(named(each), times(each, texts), errors(each, words, texts))
                             .flatMap(List::stream)
                             .toList());
         var lines = new ArrayList<String>();
@@ -72,9 +71,9 @@ final class StudyTable {
         for (Measurement each : study.measurements()) {
             var row = new ArrayList<String>(named(each));
             row.add(String.valueOf(each.size()));
-            row.addAll(times(each));
-            counts.cells(each).forEach(cell -> row.add(shortened(cell)));
-            row.addAll(errors(each, words));
+            row.addAll(times(each, texts));
+            counts.cells(each).forEach(cell -> row.add(shortened(cell, texts)));
+            row.addAll(errors(each, words, texts));
             table.add(row);
         }
         return table.lines();
@@ -88,38 +87,40 @@ final class StudyTable {
         return List.of(measured.method(), measured.workload());
     }
 
-    private static List<String> times(Measurement measured) {
+    private static List<String> times(Measurement measured, Texts texts) {
         Cost cost = measured.cost();
         if (!cost.timed()) return List.of(NOT_TIMED, NOT_TIMED);
         return List.of(
-                number(cost.medianNanos()),
-                number(cost.lowNanos()) + "–" + number(cost.highNanos()));
+                number(cost.medianNanos(), texts),
+                number(cost.lowNanos(), texts) + "–" + number(cost.highNanos(), texts));
     }
 
-    private static List<String> errors(Measurement measured, StudyWords words) {
+    private static List<String> errors(Measurement measured, StudyWords words, Texts texts) {
         Deviation error = measured.error();
         String verdict = words.verdict(measured.kind());
         if (!measured.cost().timed()) return List.of(NOT_TIMED, NOT_TIMED, verdict);
         return List.of(
-                rounded(error.worst()), String.valueOf(error.missing() + error.extra()), verdict);
+                rounded(error.worst(), texts),
+                String.valueOf(error.missing() + error.extra()),
+                verdict);
     }
 
-    private static String shortened(String count) {
-        return count.contains(".") ? number(Double.parseDouble(count)) : count;
+    private static String shortened(String count, Texts texts) {
+        return count.contains(".") ? number(Double.parseDouble(count), texts) : count;
     }
 
     /** Two places, none from 1,000 on, or two digits where two places would be 0. */
-    private static String number(double value) {
+    private static String number(double value, Texts texts) {
         String form = value >= 1_000 ? "%.0f" : value == 0 || value >= 0.01 ? "%.2f" : "%.1e";
-        return String.format(Locale.ROOT, form, value);
+        return String.format(texts.locale(), form, value);
     }
 
     /** Three digits; the files have all. */
-    private static String rounded(double error) {
+    private static String rounded(double error, Texts texts) {
         if (error == 0) return "0";
         String form = error >= 0.001 && error < 1000 ? "%.3f" : "%.2e";
         return Double.isFinite(error)
-                ? String.format(Locale.ROOT, form, error)
+                ? String.format(texts.locale(), form, error)
                 : String.valueOf(error);
     }
 }

@@ -83,7 +83,7 @@ public final class MachBandsChart {
                         .xAxisTitle(texts.text("equator"))
                         .yAxisTitle(texts.text("brightness"))
                         .build();
-        ChartLook.PAPER.style(chart.getStyler());
+        ChartLook.PAPER.style(chart.getStyler(), texts.locale());
         style(chart.getStyler());
         int colour = 0;
         for (var profile : profiles().entrySet()) {

@@ -6,7 +6,6 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.StringJoiner;
 import java.util.stream.Collectors;
@@ -100,14 +99,13 @@ public final class BrightnessChart {
                         .xAxisTitle(texts.text("chart.degrees"))
                         .yAxisTitle(texts.text("chart.light"))
                         .build();
-        ChartLook.PAPER.style(chart.getStyler());
+        ChartLook.PAPER.style(chart.getStyler(), texts.locale());
         chart.getStyler()
                 .setXAxisMin(0.0)
                 .setXAxisMax((double) SlopeFigure.STEEPEST)
                 .setYAxisMin(0.0)
                 .setYAxisMax(HIGHEST);
         chart.getStyler().setLegendPosition(LegendPosition.OutsideS);
-        chart.getStyler().setLocale(Locale.ROOT);
         Map<String, MethodLook> looks = MethodLook.of(known());
         int number = 0;
         for (List<String> alike : alike())

@@ -65,7 +65,7 @@ public final class PerspectiveChart {
                         .xAxisTitle(texts.text("distance"))
                         .yAxisTitle(texts.text("gamma"))
                         .build();
-        ChartLook.PAPER.style(chart.getStyler());
+        ChartLook.PAPER.style(chart.getStyler(), texts.locale());
         style(chart.getStyler());
         chart.addAnnotation(new StretchBands(texts, HIGHEST));
         XYSeries series =

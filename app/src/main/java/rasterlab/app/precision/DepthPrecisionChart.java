@@ -92,7 +92,7 @@ public final class DepthPrecisionChart {
                         .xAxisTitle(texts.text("ratio"))
                         .yAxisTitle(texts.text("distance"))
                         .build();
-        paper.style(chart.getStyler());
+        paper.style(chart.getStyler(), texts.locale());
         style(chart.getStyler());
         chart.addAnnotation(new PrecisionNotes(texts, paper, LOWEST, HIGHEST));
         Map<String, MethodLook> looks = MethodLook.of(DepthPrecision.FORMATS);

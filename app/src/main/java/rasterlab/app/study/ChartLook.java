@@ -74,9 +74,9 @@ public record ChartLook(Color ground, Color ink) {
         return mixed(NOTE);
     }
 
-    /** A line's colour, changed no more than it takes to stand out from the ground. */
+    /** A line's colour: on white as it is, elsewhere one that stands out from the ground. */
     public Color line(Color colour) {
-        return ground.equals(Color.WHITE) ? colour : MethodColours.textOn(ground, colour);
+        return ground.equals(Color.WHITE) ? colour : MethodColours.lineOn(ground, colour);
     }
 
     private Color mixed(double share) {
@@ -90,15 +90,21 @@ public record ChartLook(Color ground, Color ink) {
         return (int) Math.round(from + share * (to - from));
     }
 
-    /** Gives a chart these colours and the type that all charts have. */
-    public void style(XYStyler styler) {
-        styler.setLocale(Locale.ROOT);
+    /**
+     * Gives a chart these colours and the type that all charts have.
+     *
+     * @param locale of the numbers at its axes
+     */
+    public void style(XYStyler styler, Locale locale) {
+        styler.setLocale(locale);
         styler.setBaseFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
         styler.setChartTitleFont(new Font(Font.SANS_SERIF, Font.BOLD, 18));
         styler.setChartTitleBoxVisible(false);
         styler.setChartBackgroundColor(ground);
         styler.setPlotBackgroundColor(ground);
         styler.setLegendBackgroundColor(ground);
+        // beside the plot's border it would be a second one
+        styler.setAxisTicksLineVisible(false);
         styler.setChartFontColor(ink);
         styler.setAxisTickLabelsColor(ink);
         styler.setAxisTickMarksColor(mixed(NOTE));

@@ -3,6 +3,7 @@ package rasterlab.app.study;
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
+import java.util.Locale;
 import rasterlab.engine.study.Measurement;
 
 /**
@@ -73,9 +74,9 @@ record CostAxis(double left, double right) {
     }
 
     /** The label of a multiple of a power of ten; empty where it has none. */
-    String label(double value) {
+    String label(double value, Locale locale) {
         return ticks().stream().anyMatch(tick -> LogTicks.same(value, tick))
-                ? LogTicks.label(value)
+                ? LogTicks.label(value, locale)
                 : "";
     }
 }

@@ -84,14 +84,14 @@ record ErrorAxis(int low, int high, List<String> lanes) {
     }
 
     /**
-     * The label of a multiple of a power of ten; empty where it has none.
-     *
-     * @param exact the label of the band of zero, which stands at the multiple next to its middle
+     * The label of a multiple of a power of ten; empty where it has none. That of the band of zero
+     * stands at the multiple next to its middle.
      */
-    String label(double value, String exact) {
-        if (value < border() * 0.999) return LogTicks.same(value, middleOfZero()) ? exact : "";
+    String label(double value, StudyWords words) {
+        if (value < border() * 0.999)
+            return LogTicks.same(value, middleOfZero()) ? words.exact() : "";
         return ticks().stream().anyMatch(tick -> LogTicks.same(value, tick))
-                ? LogTicks.label(value)
+                ? LogTicks.label(value, words.locale())
                 : "";
     }
 

@@ -18,9 +18,9 @@ final class LogTicks {
     }
 
     /** A short decimal from 0.001 to a million, beyond that with an exponent: "1e-7". */
-    static String label(double value) {
+    static String label(double value, Locale locale) {
         if (value >= 0.000999 && value < 999_999)
-            return String.format(Locale.ROOT, "%.3f", value).replaceFirst("\\.?0+$", "");
+            return String.format(locale, "%.3f", value).replaceFirst("[.,]?0+$", "");
         int power = (int) Math.floor(Math.log10(value) + 1e-9);
         return Math.round(value / Math.pow(10, power)) + "e" + power;
     }

@@ -47,7 +47,7 @@ public final class StudyChart {
         var errors = ErrorAxis.over(points(study));
         var sizes = new SizeLabels(paper.ground());
         XYChart chart = empty(study, words);
-        paper.style(chart.getStyler());
+        paper.style(chart.getStyler(), words.locale());
         style(chart.getStyler());
         style(chart.getStyler(), costs, errors, words);
         chart.addAnnotation(new ChartGrid(costs, errors, paper.ink()));
@@ -57,10 +57,13 @@ public final class StudyChart {
                 .forEach(
                         (method, look) -> {
                             for (List<Measurement> line : lines(method, points(study))) {
-                                add(chart, method, look.on(paper), line, errors);
-                                label(sizes, look, line, errors, point -> words.size(study, point));
+                                MethodLook here = look.on(paper);
+                                add(chart, method, here, line, errors);
+                                label(sizes, here, line, errors, point -> words.size(study, point));
                             }
                         });
+        sizes.avoidEdge(errors.border());
+        sizes.avoidEdge(errors.bottom());
         chart.addAnnotation(sizes);
         return chart;
     }
@@ -78,12 +81,12 @@ public final class StudyChart {
                 .setXAxisLogarithmicDecadeOnly(false)
                 .setXAxisMin(costs.left())
                 .setXAxisMax(costs.right());
-        styler.setXAxisTickLabelsFormattingFunction(costs::label);
+        styler.setXAxisTickLabelsFormattingFunction(cost -> costs.label(cost, words.locale()));
         styler.setYAxisLogarithmic(true)
                 .setYAxisLogarithmicDecadeOnly(false)
                 .setYAxisMin(errors.bottom())
                 .setYAxisMax(errors.top());
-        styler.setYAxisTickLabelsFormattingFunction(value -> errors.label(value, words.exact()));
+        styler.setYAxisTickLabelsFormattingFunction(error -> errors.label(error, words));
     }
 
     private static void style(XYStyler styler) {

@@ -1,6 +1,7 @@
 package rasterlab.app.study;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -18,6 +19,11 @@ public final class StudyWords {
         texts = Texts.of("study", language);
         called = TopicNames.in(language);
         workloads = new WorkloadWords(texts);
+    }
+
+    /** Of numbers with fractions. */
+    Locale locale() {
+        return texts.locale();
     }
 
     /** What is counted, as it stands behind "per"; in English where it has no translation. */

@@ -172,7 +172,7 @@ public final class GrowthChart {
                         .xAxisTitle(texts.text("growth." + code(axis) + ".axis"))
                         .yAxisTitle(texts.text("growth.work"))
                         .build();
-        paper.style(chart.getStyler());
+        paper.style(chart.getStyler(), texts.locale());
         style(chart.getStyler());
         for (String method : methods) {
             Growth growth = growth(method, axis);

@@ -7,12 +7,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.Color;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import rasterlab.app.study.ChartLook;
 import rasterlab.app.study.MethodLook;
+import rasterlab.engine.Topics;
 import rasterlab.engine.clip.polygon.PolygonClipTopic;
 import rasterlab.engine.clip.segment.SegmentClipTopic;
 import rasterlab.engine.clip.volume.VolumeClipTopic;
@@ -20,10 +23,16 @@ import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.pipeline.Renderer;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.study.Method;
+import rasterlab.engine.study.Topic;
 
 class MethodColoursTest {
     /** What colour-blind people can tell apart. */
     private static final int MOST_COLOURS = 11;
+
+    /** Levels between two colours: one can tell them apart, and without looking twice. */
+    private static final double LEAST = 12;
+
+    private static final double ENOUGH = 40;
 
     static List<String> lineMethods() {
         return new LineTopic().methods().stream().map(Method::name).toList();
@@ -67,6 +76,41 @@ class MethodColoursTest {
         assertEquals(names.size(), new HashSet<>(MethodColours.among(names).values()).size());
         for (String name : names)
             assertEquals(MethodColours.of(name), MethodColours.among(names).get(name), name);
+    }
+
+    @Test
+    @DisplayName("two methods of a topic have one colour on a chart, if only on a dark ground")
+    void linesOfOneTopicDifferOnEveryGround() {
+        for (Topic<?, ?, ?> topic : Topics.all()) {
+            List<String> names = topic.methods().stream().map(Method::name).toList();
+            for (String one : names)
+                for (String two : names.subList(0, names.indexOf(one))) {
+                    double light = apart(names, one, two, StageColours.LIGHT);
+                    double dark = apart(names, one, two, StageColours.DARK);
+                    String pair = topic.name() + ": " + one + ", " + two;
+                    assertTrue(light >= LEAST, pair + " are " + light + " apart on white");
+                    assertTrue(dark >= Math.min(ENOUGH, light), pair + " are " + dark + " apart");
+                }
+        }
+    }
+
+    private static double apart(List<String> names, String one, String two, StageColours stage) {
+        Map<String, MethodLook> looks = MethodLook.of(names);
+        ChartLook paper = ChartLook.on(stage);
+        return apart(looks.get(one).on(paper).colour(), looks.get(two).on(paper).colour());
+    }
+
+    /**
+     * Distance of two colours in levels, red and green taken together as by an eye that does not
+     * tell them apart.
+     */
+    private static double apart(Color one, Color two) {
+        return Math.hypot(yellow(one) - yellow(two), one.getBlue() - two.getBlue());
+    }
+
+    /** Weights of red and green in luminance. */
+    private static double yellow(Color colour) {
+        return 0.23 * colour.getRed() + 0.77 * colour.getGreen();
     }
 
     @ParameterizedTest(name = "pixels of {0} drown in the stage")

@@ -78,7 +78,21 @@ class ChartCommandTest {
                         "4.0 1.500 calm")) assertTrue(rows.contains(row), row + " in " + rows);
         ran.assertDone();
         String russian = Ran.lab("chart", "perspective", "--lang", "ru").out();
-        assertTrue(russian.contains("  2.000  на грани\n"), russian);
+        assertTrue(russian.contains("  2,000  на грани\n"), russian);
+    }
+
+    @ParameterizedTest(name = "people read decimal points in Russian, or programs commas: {0}")
+    @ValueSource(strings = {"perspective", "depth-precision", "mach-bands", "line-brightness"})
+    void fractionsHaveTheMarkOfWhoReadsThem(String chart) throws Exception {
+        Path svg = folder.resolve("c.svg");
+        Path csv = folder.resolve("c.csv");
+        Ran ran = Ran.lab("chart", chart, "--lang", "ru", "--out=" + svg, "--out=" + csv);
+        ran.assertDone();
+        assertFalse(Pattern.compile("\\d\\.\\d").matcher(ran.out()).find(), ran.out());
+        assertTrue(Pattern.compile("\\d,\\d").matcher(ran.out()).find(), ran.out());
+        String drawn = Files.readString(svg);
+        assertFalse(Pattern.compile(">\\s*\\d+\\.\\d+\\s*<").matcher(drawn).find(), "in the chart");
+        assertTrue(Files.readString(csv).contains("0."), "in the file of values");
     }
 
     @Test

@@ -1,6 +1,7 @@
 package rasterlab.app.cli;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
@@ -11,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
@@ -19,6 +21,7 @@ import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.engine.Topics;
 import rasterlab.engine.study.Cost;
@@ -85,6 +88,23 @@ class StudyCommandTest {
                         StudyTable.narrow(study, ReportLanguage.RU),
                         StudyTable.wide(study, ReportLanguage.RU)))
             assertTrue(lines.stream().anyMatch(line -> line.endsWith("не кончается")), "" + lines);
+    }
+
+    @ParameterizedTest(name = "fractions of the table in {0} have the other language''s mark")
+    @EnumSource
+    void fractionsHaveTheMarkOfTheLanguage(ReportLanguage language) {
+        var cost = new Cost(2.5, 1.25, 0.001 + 2.5, Map.of("items", 3L));
+        var error = new Deviation(1.0 / 3, 1, 0, 20, "pixel");
+        var each = new Measurement("dda", "w", 16, cost, error, Verdict.Kind.DEGRADED, "");
+        var study = new Study("line", "pixel", "pixels", List.of(each));
+        String wrong = language == ReportLanguage.RU ? "\\d\\.\\d" : "\\d,\\d";
+        for (List<String> lines :
+                List.of(StudyTable.narrow(study, language), StudyTable.wide(study, language))) {
+            String row =
+                    lines.stream().filter(line -> line.contains("dda")).findAny().orElseThrow();
+            assertFalse(Pattern.compile(wrong).matcher(row).find(), row);
+            assertTrue(row.contains("2,50") || row.contains("2.50"), row);
+        }
     }
 
     @ParameterizedTest(name = "the table of {0} is wider than a terminal")

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Font;
+import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
@@ -19,7 +20,9 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.knowm.xchart.XYChart;
+import org.knowm.xchart.internal.chartpart.Annotation;
 import rasterlab.app.canvas.SvgPicture;
 import rasterlab.app.language.Language;
 import rasterlab.engine.study.Cost;
@@ -71,6 +74,44 @@ class SizeLabelsTest {
         assertEquals(18, labels.size());
         for (Rectangle label : labels)
             assertEquals(List.of(), under(label, labels, places.all()), label.toString());
+    }
+
+    /** Remembers where a chart puts the edges of the band of exact results. */
+    private static final class Edges extends Annotation {
+        private final ErrorAxis errors;
+        private final List<Integer> places = new ArrayList<>();
+
+        Edges(ErrorAxis errors) {
+            super(false);
+            this.errors = errors;
+        }
+
+        @Override
+        public void paint(Graphics2D graphics) {
+            for (double edge : List.of(errors.border(), errors.bottom()))
+                places.add(getYAxisScreenValue(edge));
+        }
+    }
+
+    @ParameterizedTest(name = "a size lies on an edge of the band of {0} exact methods")
+    @ValueSource(ints = {1, 2, 3, 5, 8})
+    void labelsLieOnNoEdgeOfTheBand(int methods) {
+        List<Measurement> points =
+                IntStream.range(0, methods)
+                        .mapToObj(i -> measured("m" + i, 77_777, 2 + 10 * i, 0))
+                        .toList();
+        XYChart chart =
+                StudyChart.chart(
+                        new Study("line", "pixel", "pixels", points),
+                        new StudyWords(Language.ENGLISH));
+        var edges = new Edges(ErrorAxis.over(points));
+        chart.addAnnotation(edges);
+        String svg = SvgPicture.of(1000, 700, g -> chart.paint(g, 1000, 700)).document();
+        List<Rectangle> labels = boxes(svg, "77777");
+        assertEquals(methods, labels.size());
+        for (Rectangle label : labels)
+            for (int edge : edges.places)
+                assertFalse(label.intersectsLine(0, edge, 1000, edge), label + " on " + edge);
     }
 
     /** What the label lies on. */

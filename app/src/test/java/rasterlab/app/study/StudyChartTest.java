@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.awt.image.BufferedImage;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
@@ -25,6 +26,8 @@ import rasterlab.engine.study.Topic;
 import rasterlab.engine.study.Verdict;
 
 class StudyChartTest {
+    private static final StudyWords ENGLISH = new StudyWords(Language.ENGLISH);
+
     @Test
     void exactResultsStandBelowEveryRealError() {
         List<Measurement> points =
@@ -50,18 +53,18 @@ class StudyChartTest {
     @Test
     void labelsAreWordsAndPlainNumbers() {
         ErrorAxis axis = ErrorAxis.over(List.of(point("dda", 0), point("naive", 2e7)));
-        assertEquals("1e7", axis.label(1e7, "0 (exact)"));
-        assertEquals("", axis.label(2e7, "0 (exact)"), "a multiple has no room");
+        assertEquals("1e7", axis.label(1e7, ENGLISH));
+        assertEquals("", axis.label(2e7, ENGLISH), "a multiple has no room");
         ErrorAxis low = ErrorAxis.over(List.of(point("dda", 0), point("naive", 2000)));
-        assertEquals("1000", low.label(1000, "0 (exact)"));
+        assertEquals("1000", low.label(1000, ENGLISH));
     }
 
     @Test
     void exactStandsOnceInTheBandAndTheBandHasNoNumbers() {
         ErrorAxis axis = ErrorAxis.over(List.of(point("dda", 0), point("naive", 2e7)));
         List<String> labels =
-                multiples(axis.bottom(), axis.border()).map(v -> axis.label(v, "exact")).toList();
-        assertEquals(List.of("exact"), labels.stream().filter(l -> !l.isEmpty()).toList());
+                multiples(axis.bottom(), axis.border()).map(v -> axis.label(v, ENGLISH)).toList();
+        assertEquals(List.of(ENGLISH.exact()), labels.stream().filter(l -> !l.isEmpty()).toList());
     }
 
     private static Stream<Double> multiples(double from, double to) {
@@ -78,8 +81,9 @@ class StudyChartTest {
         CostAxis costs = CostAxis.over(List.of(costing(2e-5), costing(40)));
         assertEquals(
                 List.of("1e-5", "1e-4", "0.001", "0.01", "0.1", "1", "10"),
-                costs.ticks().stream().map(costs::label).toList());
-        assertEquals("", costs.label(20));
+                costs.ticks().stream().map(tick -> costs.label(tick, Locale.ENGLISH)).toList());
+        assertEquals("", costs.label(20, Locale.ENGLISH));
+        assertEquals("0,001", costs.label(0.001, new StudyWords(Language.RUSSIAN).locale()));
     }
 
     @Test
@@ -87,7 +91,7 @@ class StudyChartTest {
         CostAxis costs = CostAxis.over(List.of(costing(24), costing(25)));
         assertEquals(
                 List.of("20", "50"),
-                costs.ticks().stream().map(costs::label).toList(),
+                costs.ticks().stream().map(tick -> costs.label(tick, Locale.ENGLISH)).toList(),
                 "both ends");
     }
 
