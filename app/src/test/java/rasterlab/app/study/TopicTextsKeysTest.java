@@ -36,6 +36,19 @@ class TopicTextsKeysTest {
     }
 
     @Test
+    void whereNoMethodIsKnownToFailIsSaidInOneForm() {
+        var others = new TreeSet<String>();
+        for (Topic<?, ?, ?> topic : Topics.all())
+            for (Method<?> method : topic.methods()) {
+                var said = TopicTexts.of(topic.name(), Language.RUSSIAN).orElseThrow();
+                String failures = said.texts().text(said.key(method) + ".failures");
+                if (method.about().failures().contains("none known")
+                        && !failures.contains("ошибок не известно")) others.add(failures);
+            }
+        assertEquals(new TreeSet<>(), others);
+    }
+
+    @Test
     void partComesBeforeNamesInALabOfSeveralTopics() {
         var seed = TopicTexts.of("fill", Language.RUSSIAN).orElseThrow();
         Topic<?, ?, ?> fill =
