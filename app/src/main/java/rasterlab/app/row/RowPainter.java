@@ -11,8 +11,8 @@ import java.awt.image.BufferedImage;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.StageColours;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.canvas.Wrapping;
-import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.raster.PixelMark;
 
@@ -186,7 +186,7 @@ final class RowPainter {
         return texts.text(
                 scene.verdict().kind().code(),
                 choice.method(),
-                Complaints.said(texts.language(), scene.verdict().detail()));
+                VerdictDetail.said(texts.language(), scene.verdict().detail()));
     }
 
     private String errorWords() {

@@ -75,6 +75,17 @@ class SourceRulesTest {
                         .toList());
     }
 
+    @Test
+    void whatAVerdictTellsIsSaidByVerdictDetail() {
+        var elsewhere = Pattern.compile("Complaints\\.said\\w*\\([^;]*?detail\\(\\)");
+        var wrong =
+                Repository.sources(".java").stream()
+                        .filter(file -> elsewhere.matcher(Repository.text(file)).find())
+                        .map(this::name)
+                        .toList();
+        assertEquals(List.of(), wrong);
+    }
+
     private static void assertShort(List<SourceFunction> functions) {
         assertFalse(functions.isEmpty(), "no function was found to measure");
         var tooLong =

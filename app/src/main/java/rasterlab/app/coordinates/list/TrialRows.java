@@ -11,9 +11,9 @@ import rasterlab.app.canvas.AboutText;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.MethodChooser;
 import rasterlab.app.canvas.NameChooser;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.canvas.WrappedText;
 import rasterlab.app.coordinates.figure.NumberTable;
-import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.study.Method;
 import rasterlab.engine.study.Verdict;
@@ -101,7 +101,7 @@ final class TrialRows {
                 .known()
                 .map(TrialScene::verdict)
                 .filter(said -> said.kind() == Verdict.Kind.REFUSED)
-                .map(said -> Complaints.said(texts.language(), said.detail()))
+                .map(said -> VerdictDetail.said(texts.language(), said.detail()))
                 .orElse("");
     }
 }
