@@ -95,6 +95,13 @@ public final class Inspector extends JPanel implements Scrollable {
                 label.setVisible(shown);
     }
 
+    /** Calls a row by the text of another key than it was made with. */
+    public void nameRow(JComponent control, String key) {
+        for (Component each : getComponents())
+            if (each instanceof JLabel label && label.getLabelFor() == control)
+                label.setText(texts.label(key));
+    }
+
     /** Whether the type is so large that lists stand below their labels, to take less width. */
     boolean stacked() {
         return stacked;

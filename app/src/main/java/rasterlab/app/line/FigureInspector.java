@@ -143,13 +143,18 @@ final class FigureInspector {
         boolean arc = scene.figure() instanceof ArcFigure;
         column.showRow(fields.centre(), arc);
         column.showRow(fields.radii(), arc);
-        if (scene.figure() instanceof ArcFigure shown) fields.show(shown);
+        if (scene.figure() instanceof ArcFigure shown) showArc(shown);
         boolean pen = scene.figure() instanceof PenFigure;
         for (JComponent each : List.of(width, dashes)) column.showRow(each, pen);
         round.setVisible(pen);
         if (scene.figure() instanceof PenFigure shown) showPen(shown);
         refreshReadings(state);
         explain(state);
+    }
+
+    private void showArc(ArcFigure shown) {
+        fields.show(shown);
+        column.nameRow(fields.radii(), shown.round() ? "radius" : "radii");
     }
 
     private void showPen(PenFigure shown) {
