@@ -1,16 +1,23 @@
 package rasterlab.app.canvas;
 
+import java.awt.event.ActionEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Predicate;
+import javax.swing.UIManager;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.outcome.Complaint;
 
-/** Asks for the file of a picture; the chosen filter gives an ending to a name that has none. */
+/**
+ * Asks for the file of a picture, first in the form that was chosen last; the chosen filter gives
+ * an ending to a name that has none.
+ */
 class PictureChooser extends SaveChooser {
     private static final long serialVersionUID = 1L;
+
+    private static final String FORM = "Rasterlab.lastPictureForm";
 
     PictureChooser(Language language) {
         super(language, file -> file);
@@ -33,7 +40,15 @@ class PictureChooser extends SaveChooser {
             addChoosableFileFilter(
                     new FileNameExtensionFilter(
                             texts.text("picture." + form.ending()), form.ending()));
-        setFileFilter(getChoosableFileFilters()[0]);
+        PictureForm last = PictureForm.PNG;
+        if (UIManager.get(FORM) instanceof PictureForm form) last = form;
+        setFileFilter(getChoosableFileFilters()[last.ordinal()]);
+        addActionListener(this::keepForm);
+    }
+
+    private void keepForm(ActionEvent e) {
+        if (e.getActionCommand().equals(APPROVE_SELECTION))
+            UIManager.put(FORM, PictureForm.of(named(chosen())));
     }
 
     /**

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import javax.swing.JFileChooser;
+import javax.swing.UIManager;
 import javax.swing.plaf.basic.BasicFileChooserUI;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -40,6 +41,7 @@ class PictureChooserTest {
 
     @BeforeEach
     void open() {
+        UIManager.put("Rasterlab.lastPictureForm", null);
         chooser = new Recording(asked::add);
         chooser.setDialogType(JFileChooser.SAVE_DIALOG);
         chooser.addActionListener(e -> commands.add(e.getActionCommand()));
@@ -120,6 +122,15 @@ class PictureChooserTest {
         choose("house");
         assertEquals(List.of(file), asked);
         assertEquals(List.of(JFileChooser.APPROVE_SELECTION), commands);
+    }
+
+    @ParameterizedTest(name = "the next dialog forgets the form of {0}, saved with the filter {1}")
+    @CsvSource({"house, 1, svg", "tree, 0, png", "house.svg, 0, svg", "tree.png, 1, png"})
+    void nextDialogOffersTheFormThatWasChosenLast(String name, int filter, String ending) {
+        chooser.setFileFilter(chooser.getChoosableFileFilters()[filter]);
+        choose(name);
+        var next = new PictureChooser(Language.ENGLISH);
+        assertEquals(folder.resolve("next." + ending), next.named(folder.resolve("next")));
     }
 
     @Test
