@@ -12,6 +12,9 @@ final class LightGrips {
     /** View units from a grip's middle that still take hold of it. */
     private static final double REACH = 12;
 
+    /** View units from a lamp's middle to the ends of its rays. */
+    static final int LAMP = 16;
+
     private final LightLabModel model;
 
     LightGrips(LightLabModel model) {
@@ -40,8 +43,8 @@ final class LightGrips {
                 double[] pixel = pixel(drawn, choice.lamps().get(grip.index()));
                 double scale = (double) drawn.width() / box.width;
                 yield new Point2D.Double(
-                        Math.max(8, Math.min(box.width - 8, pixel[0] / scale)),
-                        Math.max(8, Math.min(box.height - 8, pixel[1] / scale)));
+                        Math.max(LAMP, Math.min(box.width - LAMP, pixel[0] / scale)),
+                        Math.max(LAMP, Math.min(box.height - LAMP, pixel[1] / scale)));
             }
         };
     }

@@ -1,11 +1,13 @@
 package rasterlab.app.opengl;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import javax.accessibility.AccessibleRole;
@@ -17,6 +19,12 @@ import rasterlab.engine.raster.Raster;
 /** Shows a finished picture, or says why there is none. */
 final class PicturePane extends SelfDrawn {
     private static final long serialVersionUID = 1L;
+
+    /** Around words, in view units. */
+    private static final int MARGIN = 12;
+
+    /** Points of the smallest type that is read. */
+    private static final float LEAST_TYPE = 9;
 
     private final transient Supplier<Optional<Raster>> picture;
     private final transient Supplier<String> otherwise;
@@ -66,14 +74,26 @@ final class PicturePane extends SelfDrawn {
         g.dispose();
     }
 
+    /** In type that is small enough for all of it, but no smaller than can be read. */
     private void say(Graphics2D g, String sentence) {
         g.setColor(StageColours.now().ink());
+        List<String> lines = lines(g, sentence);
+        float least = UIScale.scale(LEAST_TYPE);
+        while (lines.size() * g.getFontMetrics().getHeight() > getHeight() - 2 * MARGIN
+                && g.getFont().getSize2D() > least) {
+            g.setFont(g.getFont().deriveFont(Math.max(least, g.getFont().getSize2D() - 1)));
+            lines = lines(g, sentence);
+        }
         FontMetrics metrics = g.getFontMetrics();
-        int y = 12 + metrics.getAscent();
-        for (String line : Wrapping.lines(sentence, getWidth() - 24, metrics::stringWidth)) {
-            g.drawString(line, 12, y);
+        int y = MARGIN + metrics.getAscent();
+        for (String line : lines) {
+            g.drawString(line, MARGIN, y);
             y += metrics.getHeight();
         }
+    }
+
+    private List<String> lines(Graphics2D g, String sentence) {
+        return Wrapping.lines(sentence, getWidth() - 2 * MARGIN, g.getFontMetrics()::stringWidth);
     }
 
     /** Blue between two white lines, so that it is seen on any picture. */

@@ -2,6 +2,7 @@ package rasterlab.app.light;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -33,6 +34,30 @@ class MarkPlacesTest {
     @AfterEach
     void close() {
         model.close();
+    }
+
+    @ParameterizedTest(name = "a lamp at the edge of a picture of {0}×{1} is cut off")
+    @CsvSource({"300, 500", "220, 140", "90, 200"})
+    void lampsAreWhollyInThePicture(int width, int height) {
+        LightFrame.Drawn drawn = drawn(width, height);
+        var box = new Rectangle(width, height);
+        for (double[] to : new double[][] {{-1, -1}, {2, 2}}) {
+            double[] far =
+                    drawn.places()
+                            .toWorld(
+                                    to[0] * drawn.width(),
+                                    to[1] * drawn.height(),
+                                    LightGrips.pixel(drawn, model.state().choice().lamp())[2]);
+            model.choose(choice -> choice.withLamp(choice.lamp().moved(far[0], far[1], far[2])));
+            Point2D at =
+                    LightGrips.at(
+                            new LightGrip(LightGrip.Kind.LAMP, model.state().choice().selected()),
+                            drawn,
+                            model.state().choice(),
+                            box);
+            var whole = new Rectangle((int) at.getX() - 15, (int) at.getY() - 15, 30, 30);
+            assertTrue(box.contains(whole), at.toString());
+        }
     }
 
     @ParameterizedTest(name = "the point slips on the body in a picture of {0}×{1}")
