@@ -36,7 +36,7 @@ final class SourceEditor extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient RemarkNotices notices = new RemarkNotices();
-    private final RSyntaxTextArea area = new Area();
+    private final Area area = new Area();
     private final RTextScrollPane scroll = new RTextScrollPane(area);
     private final int blinkRate = area.getCaret().getBlinkRate();
     private transient Texts texts;
@@ -136,7 +136,18 @@ final class SourceEditor extends JPanel {
         @Override
         public void addNotify() {
             super.addNotify();
-            setFont(getFont());
+            wear(getFont());
+        }
+
+        /**
+         * Sets the type. The new view that this makes has measured its lines by the old one, so it
+         * is made again, as after any change of the tabs.
+         */
+        void wear(Font type) {
+            setFont(type);
+            int tab = getTabSize();
+            setTabSize(tab + 1);
+            setTabSize(tab);
         }
 
         @Override
@@ -251,7 +262,7 @@ final class SourceEditor extends JPanel {
     }
 
     private void setType(Font type) {
-        area.setFont(type);
+        area.wear(type);
         scroll.getGutter().setLineNumberFont(type);
     }
 }
