@@ -141,13 +141,11 @@ final class SourceEditor extends JPanel {
 
         /**
          * Sets the type. The new view that this makes has measured its lines by the old one, so it
-         * is made again, as after any change of the tabs.
+         * is made again, as whenever the tabs are set.
          */
         void wear(Font type) {
             setFont(type);
-            int tab = getTabSize();
-            setTabSize(tab + 1);
-            setTabSize(tab);
+            setTabSize(getTabSize());
         }
 
         @Override

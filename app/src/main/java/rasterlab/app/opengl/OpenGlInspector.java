@@ -196,8 +196,7 @@ final class OpenGlInspector {
     }
 
     private String reasons(OpenGlLabState state) {
-        if (state.missing().isPresent())
-            return texts.text("missing", Complaints.said(texts.language(), state.missing().get()));
+        if (state.missing().isPresent()) return texts.text("difference.none");
         List<Deviations> named = Deviations.of(state.choice());
         if (named.isEmpty()) return texts.text("why.none");
         return named.stream()

@@ -84,14 +84,11 @@ class ChartCommandTest {
     @ParameterizedTest(name = "people read decimal points in Russian, or programs commas: {0}")
     @ValueSource(strings = {"perspective", "depth-precision", "mach-bands", "line-brightness"})
     void fractionsHaveTheMarkOfWhoReadsThem(String chart) throws Exception {
-        Path svg = folder.resolve("c.svg");
         Path csv = folder.resolve("c.csv");
-        Ran ran = Ran.lab("chart", chart, "--lang", "ru", "--out=" + svg, "--out=" + csv);
+        Ran ran = Ran.lab("chart", chart, "--lang", "ru", "--out=" + csv);
         ran.assertDone();
         assertFalse(Pattern.compile("\\d\\.\\d").matcher(ran.out()).find(), ran.out());
         assertTrue(Pattern.compile("\\d,\\d").matcher(ran.out()).find(), ran.out());
-        String drawn = Files.readString(svg);
-        assertFalse(Pattern.compile(">\\s*\\d+\\.\\d+\\s*<").matcher(drawn).find(), "in the chart");
         assertTrue(Files.readString(csv).contains("0."), "in the file of values");
     }
 

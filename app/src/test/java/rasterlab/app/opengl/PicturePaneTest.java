@@ -25,7 +25,7 @@ class PicturePaneTest {
     }
 
     @ParameterizedTest(name = "the sentence is cut off where there are {0} units for it")
-    @CsvSource({"300", "120", "100"})
+    @CsvSource({"300", "80"})
     void allOfASentenceIsShown(int height) throws InterruptedException {
         String sentence =
                 Texts.of("opengl", Language.RUSSIAN)

@@ -66,8 +66,8 @@ class LabelPlacesTest {
                                 (int) (MIDDLE.x + 22 * Math.sin(turn * Math.PI / 8)),
                                 (int) (MIDDLE.y - 22 * Math.cos(turn * Math.PI / 8))));
         List<Line2D> lines =
-                IntStream.range(0, 20)
-                        .<Line2D>mapToObj(i -> new Line2D.Double(280, 20 * i, 320, 20 * i))
+                IntStream.range(0, 45)
+                        .<Line2D>mapToObj(i -> new Line2D.Double(280, 9 * i, 320, 9 * i))
                         .toList();
         var places = new LabelPlaces(CHART, wall, lines);
         Line2D leader = places.far(MIDDLE, LABEL).orElseThrow().leader().orElseThrow();

@@ -12,8 +12,10 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYChartBuilder;
 import rasterlab.app.canvas.MethodColours;
 import rasterlab.app.language.Language;
 import rasterlab.engine.Topics;
@@ -84,6 +86,16 @@ class StudyChartTest {
                 costs.ticks().stream().map(tick -> costs.label(tick, Locale.ENGLISH)).toList());
         assertEquals("", costs.label(20, Locale.ENGLISH));
         assertEquals("0,001", costs.label(0.001, new StudyWords(Language.RUSSIAN).locale()));
+    }
+
+    @Test
+    @DisplayName("numbers at the axes of a Russian chart have a point")
+    void numbersAtAxesHaveTheMarkOfTheLanguage() {
+        for (Language language : Language.values()) {
+            XYChart chart = new XYChartBuilder().build();
+            ChartLook.PAPER.style(chart.getStyler(), language.locale());
+            assertEquals(language.locale(), chart.getStyler().getLocale());
+        }
     }
 
     @Test

@@ -1,8 +1,14 @@
 package rasterlab.app.opengl.context;
 
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
 /** There is no OpenGL here; the message says what is missing. */
 public final class NoOpenGl extends RuntimeException {
     private static final long serialVersionUID = 1L;
+
+    /** In LWJGL's words, which Java repeats among others when it is asked again. */
+    private static final Pattern LIBRARY = Pattern.compile("Failed to locate library: ([^\\s\\[]+)");
 
     public NoOpenGl(String missing) {
         super(missing);
@@ -17,6 +23,8 @@ public final class NoOpenGl extends RuntimeException {
         Throwable deepest = failure;
         while (deepest.getCause() != null) deepest = deepest.getCause();
         String message = deepest.getMessage();
+        Matcher library = LIBRARY.matcher(String.valueOf(message));
+        if (library.find()) return "library " + library.group(1) + " is missing";
         return message == null || message.isBlank()
                 ? deepest.getClass().getSimpleName()
                 : message.lines().findFirst().orElse(message);
