@@ -1,5 +1,6 @@
 package rasterlab.app.visibility;
 
+import java.awt.Insets;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -13,11 +14,14 @@ import rasterlab.app.language.Texts;
 final class SceneRow extends JPanel {
     private static final long serialVersionUID = 1L;
 
+    /** As of the buttons below the inspector. */
+    private static final Insets MARGIN = new Insets(2, 3, 2, 3);
+
     private final transient VisibilityLabModel model;
     private final transient Texts texts;
 
     SceneRow(VisibilityLabModel model, Texts texts, SceneSaving saving) {
-        super(new MigLayout("insets 0, gap 6", "[grow,fill,sg][grow,fill,sg]"));
+        super(new MigLayout("insets 0, gap 6", "[grow,fill][grow,fill]"));
         this.model = model;
         this.texts = texts;
         add(button("open", this::open), "wmin 0");
@@ -29,6 +33,7 @@ final class SceneRow extends JPanel {
         button.setName(key);
         button.setMnemonic(texts.mnemonic(key));
         button.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
+        button.setMargin(MARGIN);
         button.setToolTipText(texts.text(key + ".hint"));
         button.addActionListener(e -> action.run());
         return button;

@@ -8,7 +8,8 @@ public final class NoOpenGl extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     /** In LWJGL's words, which Java repeats among others when it is asked again. */
-    private static final Pattern LIBRARY = Pattern.compile("Failed to locate library: ([^\\s\\[]+)");
+    private static final Pattern LIBRARY =
+            Pattern.compile("Failed to locate library: ([^\\s\\[]+)");
 
     public NoOpenGl(String missing) {
         super(missing);
