@@ -28,10 +28,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import rasterlab.app.canvas.ModelThread;
 import rasterlab.app.canvas.Unlike;
+import rasterlab.app.canvas.VerdictDetail;
 import rasterlab.app.coordinates.Answered;
 import rasterlab.app.coordinates.figure.Box;
 import rasterlab.app.coordinates.figure.Mark;
-import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.engine.raster.PixelMark;
@@ -143,7 +143,7 @@ class ListTrialTest {
             boolean fails = scene.verdict().kind() != Verdict.Kind.EXACT;
             assertEquals(fails || !scene.unlike().isEmpty(), !note.isEmpty(), note);
             if (fails) assertTrue(note.contains(trial.method()), note);
-            String reason = Complaints.said(language, scene.verdict().detail());
+            String reason = VerdictDetail.said(language, scene.verdict().detail());
             if (scene.verdict().kind() == Verdict.Kind.REFUSED)
                 assertTrue(note.contains(reason), note);
         }
