@@ -15,7 +15,7 @@ final class SceneRow extends JPanel {
     private static final long serialVersionUID = 1L;
 
     /** As of the buttons below the inspector. */
-    private static final Insets MARGIN = new Insets(2, 3, 2, 3);
+    private static final Insets MARGIN = new Insets(2, 4, 2, 4);
 
     private final transient VisibilityLabModel model;
     private final transient Texts texts;
