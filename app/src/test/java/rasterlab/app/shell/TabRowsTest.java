@@ -4,8 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.formdev.flatlaf.FlatClientProperties;
+import java.awt.DefaultKeyboardFocusManager;
 import java.awt.EventQueue;
+import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
+import java.awt.Window;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.function.Predicate;
@@ -13,13 +16,34 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class TabRowsTest {
+    /** For a pane in no window, whichever window other tests have left active. */
+    private static final class NoWindowActive extends DefaultKeyboardFocusManager {
+        @Override
+        public Window getActiveWindow() {
+            return null;
+        }
+    }
+
+    private KeyboardFocusManager before;
+
+    @BeforeEach
+    void haveNoWindow() throws Exception {
+        EventQueue.invokeAndWait(
+                () -> KeyboardFocusManager.setCurrentKeyboardFocusManager(new NoWindowActive()));
+    }
+
     @AfterEach
     void useLight() throws Exception {
-        EventQueue.invokeAndWait(LabTheme.LIGHT::install);
+        EventQueue.invokeAndWait(
+                () -> {
+                    KeyboardFocusManager.setCurrentKeyboardFocusManager(before);
+                    LabTheme.LIGHT.install();
+                });
     }
 
     @ParameterizedTest(name = "titles in rows look the same with and without the keyboard: {0}")
