@@ -50,20 +50,26 @@ class WindowCourseTest extends ExercisesHarness {
         await("it is told again", () -> tells(form, "is not a server’s address"));
         form.textBox("join.address").setText("http://127.0.0.1:1");
         form.textBox("join.address").pressAndReleaseKeys(KeyEvent.VK_ENTER);
-        await("the token is taken", () -> noticed("Submissions now go to"));
+        await("nobody knows the token", () -> tells(form, "no answer"));
+        form.textBox("join.address").pressAndReleaseKeys(KeyEvent.VK_ESCAPE);
     }
 
     @Test
-    void submissionToADeadServerLeavesTheKeyboardToTheButton() {
+    void submissionToADeadServerLeavesTheKeyboardToTheButton() throws Exception {
         window.resizeTo(new Dimension(900, 600));
         showProgram();
-        window.button("server").click();
-        JOptionPaneFixture form = window.optionPane();
-        form.checkBox("join.known").pressAndReleaseKeys(KeyEvent.VK_SPACE);
-        form.textBox("join.address").setText("http://127.0.0.1:1");
-        form.textBox("join.token").setText("secret");
-        form.textBox("join.token").pressAndReleaseKeys(KeyEvent.VK_ENTER);
-        await("the token is taken", () -> noticed("Submissions now go to"));
+        try (var server = ServerProcess.start(folder.resolve("course"))) {
+            window.button("server").click();
+            JOptionPaneFixture form = window.optionPane();
+            form.checkBox("join.known").pressAndReleaseKeys(KeyEvent.VK_SPACE);
+            form.textBox("join.address").setText(server.address().toString());
+            form.textBox("join.token").setText("secret");
+            form.textBox("join.token").pressAndReleaseKeys(KeyEvent.VK_ENTER);
+            await("the token is refused", () -> tells(form, "does not know the token"));
+            form.textBox("join.token").setText(server.token());
+            form.textBox("join.token").pressAndReleaseKeys(KeyEvent.VK_ENTER);
+            await("the token is taken", () -> noticed("Submissions now go to"));
+        }
         window.button("submit").click();
         await("it is told", () -> noticed("no answer"));
         await("the keyboard is at the button", () -> hasKeyboard("submit"));

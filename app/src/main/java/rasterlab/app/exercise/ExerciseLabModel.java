@@ -226,7 +226,17 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
      * @param name of the student
      */
     void join(String address, String code, String name) {
-        server(address).ifPresent(server -> join(server, code, name));
+        server(address)
+                .ifPresent(
+                        server -> {
+                            String key = key(server + "\n" + code + "\n" + name);
+                            join(server, course -> course.join(code, name, key));
+                        });
+    }
+
+    /** Submits with a token that the student has already, if the server knows it. */
+    void signIn(String address, String token) {
+        server(address).ifPresent(server -> join(server, course -> course.known(token.strip())));
     }
 
     private Optional<URI> server(String address) {
@@ -238,20 +248,14 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         }
     }
 
-    private void join(URI server, String code, String name) {
-        String key = key(server + "\n" + code + "\n" + name);
+    private void join(URI server, Joining joining) {
         begin(
                 Work.of(JOINING),
                 tell -> {
-                    var account = new CourseServer(server, patience).join(code, name, key);
+                    Account account = joining.with(new CourseServer(server, patience));
                     return () -> use(account);
                 },
                 failure -> tell(ServerNotices.joining(server, failure)));
-    }
-
-    /** Submits with a token that the student has already. */
-    void signIn(String address, String token) {
-        server(address).ifPresent(server -> use(new Account(server, token.strip(), "")));
     }
 
     private void use(Account account) {

@@ -39,6 +39,7 @@ class FoldedRoomsTest {
     void open() throws Exception {
         mute = new FakeServer();
         mute.on("POST /api/v1/join", exchange -> hold());
+        mute.on("GET /api/v1/exercises", 200, "[]");
         mute.on("POST /api/v1/exercises/line-bresenham/submissions", exchange -> hold());
         EventQueue.invokeAndWait(
                 () -> {
@@ -112,11 +113,14 @@ class FoldedRoomsTest {
     @Test
     @DisplayName("a submission cannot be given up beside the result it turns to")
     void submissionIsGivenUpBesideTheResult() throws Exception {
+        var known = new CountDownLatch(1);
         EventQueue.invokeAndWait(
                 () -> {
+                    model.listen(state -> state.account().ifPresent(account -> known.countDown()));
                     model.signIn(mute.address(), "token");
-                    model.submit();
                 });
+        known.await();
+        EventQueue.invokeAndWait(model::submit);
         paint();
         EventQueue.invokeAndWait(
                 () -> {

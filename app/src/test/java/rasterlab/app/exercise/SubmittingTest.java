@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.DisplayName;
@@ -182,6 +183,23 @@ class SubmittingTest {
             String russian = notice.in(Texts.of("exercise", Language.RUSSIAN));
             assertTrue(
                     russian.endsWith("Запись на курс не завершена; попробуйте ещё раз."), russian);
+        }
+    }
+
+    @Test
+    @DisplayName("a token that the server does not know takes the place of one that it does")
+    void accountStaysWhereATokenIsNotKnown() throws Exception {
+        try (var server = server();
+                var trial = joined(server, Duration.ofSeconds(20))) {
+            Account before = trial.model.state().account().orElseThrow();
+            server.on("GET /api/v1/exercises", 401, "{\"detail\":\"no\"}");
+            trial.model.signIn(server.address(), "made up");
+            assertEquals("server.token", trial.awaitEnd().notice().key());
+            assertEquals(Optional.of(before), trial.model.state().account());
+            server.on("GET /api/v1/exercises", 200, "[]");
+            trial.model.signIn(server.address(), " known ");
+            assertEquals("joined", trial.awaitEnd().notice().key());
+            assertEquals("known", trial.model.state().account().orElseThrow().token());
         }
     }
 
