@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.Window;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.SwingUtilities;
 
@@ -39,10 +40,19 @@ public final class RunButtons {
         else end(owner());
     }
 
-    /** Also while a dialog is just being closed, from which the keyboard comes back. */
+    /**
+     * The button that is clicked, to which the keyboard may still be on its way; else what has it,
+     * also while a dialog is just being closed, from which it comes back.
+     */
     private Optional<Component> owner() {
-        return Optional.ofNullable(SwingUtilities.getWindowAncestor(cancel))
-                .map(Window::getMostRecentFocusOwner);
+        return Stream.concat(begin.stream(), Stream.of(cancel))
+                .filter(button -> button.getModel().isArmed())
+                .map(Component.class::cast)
+                .findFirst()
+                .or(
+                        () ->
+                                Optional.ofNullable(SwingUtilities.getWindowAncestor(cancel))
+                                        .map(Window::getMostRecentFocusOwner));
     }
 
     private void begin(Optional<Component> owner) {

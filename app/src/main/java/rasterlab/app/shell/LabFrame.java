@@ -106,6 +106,7 @@ public final class LabFrame extends JFrame {
                     }
                 });
         addWindowFocusListener(new FirstFocus());
+        FocusOffDisabled.in(this);
         setContentPane(place);
         fill(tabs, settings.tab());
         placeOnScreen();
