@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static rasterlab.exercises.Sources.method;
 
+import java.util.List;
+import org.junit.jupiter.api.DisplayName;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -46,6 +49,43 @@ class ForbiddenClassesTest {
         assertEquals(6, told.line());
         assertTrue(told.message("en").startsWith(english), told.message("en"));
         assertTrue(told.message("ru").startsWith(russian), told.message("ru"));
+    }
+
+    @Test
+    @DisplayName("what is allowed is said again with every class that is not")
+    void whatIsAllowedIsSaidOnce() throws Exception {
+        String body =
+                """
+
+                new Thread();
+                System.gc();
+                new java.io.File("x");
+                System.exit(0);
+                """;
+        List<String> told =
+                JUDGE.grade(method(body)).diagnostics().stream()
+                        .map(one -> one.line() + " " + one.message())
+                        .toList();
+        assertEquals(
+                List.of(
+                        "6 the class java.lang.Thread is not allowed in this exercise",
+                        "7 java.lang.System.gc is not allowed in this exercise",
+                        "8 the class java.io.File is not allowed in this exercise; arithmetic,"
+                                + " strings, arrays, collections and System.out are allowed",
+                        "9 java.lang.System.exit is not allowed in this exercise; of"
+                                + " java.lang.System these are allowed: "),
+                told.stream()
+                        .map(one -> one.replaceFirst("(System these are allowed: ).*", "$1"))
+                        .toList());
+    }
+
+    @Test
+    @DisplayName("what stands first in a line is told after what its lambda does not do")
+    void mistakesOfALineAreToldInTheirOrder() throws Exception {
+        String body = "\nRunnable r = () -> System.exit(0); new Thread(r).start();\n";
+        List<Diagnostic> told = JUDGE.grade(method(body)).diagnostics();
+        assertTrue(told.get(0).message().startsWith("java.lang.System.exit"), told::toString);
+        assertTrue(told.get(1).message().startsWith("the class java.lang.Thread"), told::toString);
     }
 
     @ParameterizedTest(name = "two mistakes in one line are told one after the other: {0}")

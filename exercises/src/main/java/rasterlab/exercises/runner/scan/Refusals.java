@@ -1,6 +1,9 @@
 package rasterlab.exercises.runner.scan;
 
-import java.util.ArrayList;
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.toList;
+
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -8,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import rasterlab.exercises.score.Diagnostic;
@@ -28,10 +32,15 @@ final class Refusals {
 
     /**
      * @param word that stands in the source, as a rule
+     * @param allowed what may be used instead, said once for all that it is said of
      */
-    private record Found(Diagnostic diagnostic, String word) {
-        int line() {
-            return diagnostic.line();
+    private record Found(int line, Message said, String word, Message allowed) {
+        Found at(int otherLine) {
+            return new Found(otherLine, said, word, allowed);
+        }
+
+        Diagnostic told(boolean last) {
+            return new Diagnostic(line, 0, last ? said.and(allowed) : said);
         }
     }
 
@@ -61,8 +70,10 @@ final class Refusals {
         same.put(
                 type,
                 new Found(
-                        new Diagnostic(line, 0, Message.of("not-allowed.class", name)),
-                        lastWord(name)));
+                        line,
+                        Message.of("not-allowed.class", name),
+                        lastWord(name),
+                        Message.of("allowed.classes")));
     }
 
     /**
@@ -95,22 +106,19 @@ final class Refusals {
                 some.isEmpty()
                         ? Message.NONE
                         : Message.of("allowed.members", type, String.join(", ", some));
-        add(line, name.equals("<init>") ? type : name, refused.and(instead));
+        add(line, name.equals("<init>") ? type : name, refused, instead);
     }
 
     /** Something that has no name in the source, or only the one it is told by. */
     void add(int line, String thing) {
-        add(line, thing, Message.of("not-allowed", readable(thing)));
+        add(line, thing, Message.of("not-allowed", readable(thing)), Message.NONE);
     }
 
-    private void add(int line, String word, Message said) {
+    private void add(int line, String word, Message said, Message allowed) {
         if (isFull()) return;
+        int place = line > 0 ? line : mention(word);
         found.computeIfAbsent(
-                line + ": " + said,
-                key ->
-                        new Found(
-                                new Diagnostic(line > 0 ? line : mention(word), 0, said),
-                                lastWord(word)));
+                line + ": " + said, key -> new Found(place, said, lastWord(word), allowed));
     }
 
     private static String lastWord(String name) {
@@ -133,34 +141,41 @@ final class Refusals {
     }
 
     private boolean stands(String word, int line) {
-        if (line > sourceLines.size()) return false;
-        Pattern pattern = Pattern.compile("\\b" + Pattern.quote(word) + "\\b");
-        return pattern.matcher(sourceLines.get(line - 1)).find();
+        return place(word, line) >= 0;
     }
 
-    /** In the order of their lines; of a line at least the first, and all that stands in it. */
+    /** Where in that line the word stands first; negative where it does not. */
+    private int place(String word, int line) {
+        if (line > sourceLines.size()) return -1;
+        Pattern pattern = Pattern.compile("\\b" + Pattern.quote(word) + "\\b");
+        Matcher matcher = pattern.matcher(sourceLines.get(line - 1));
+        return matcher.find() ? matcher.start() : -1;
+    }
+
+    /**
+     * In the order of their places in the source; of a line at least the first, and all that stands
+     * in it. What may be used instead is said with the last that it is said of.
+     */
     List<Diagnostic> list() {
-        Map<Integer, List<Found>> lines = new TreeMap<>();
-        (found.isEmpty() ? exceptions : found)
-                .values().stream()
-                        .map(this::placed)
-                        .forEach(
-                                one ->
-                                        lines.computeIfAbsent(one.line(), is -> new ArrayList<>())
-                                                .add(one));
-        return lines.values().stream().flatMap(this::toBeTold).map(Found::diagnostic).toList();
+        Map<Integer, List<Found>> lines =
+                (found.isEmpty() ? exceptions : found)
+                        .values().stream()
+                                .map(one -> one.line() > 0 ? one : one.at(mention(one.word())))
+                                .collect(groupingBy(Found::line, TreeMap::new, toList()));
+        List<Found> told = lines.values().stream().flatMap(this::toBeTold).toList();
+        Map<Message, Found> last = new HashMap<>();
+        told.forEach(one -> last.put(one.allowed(), one));
+        return told.stream().map(one -> one.told(last.get(one.allowed()) == one)).toList();
     }
 
     private Stream<Found> toBeTold(List<Found> inOneLine) {
-        if (inOneLine.get(0).line() == 0) return inOneLine.stream();
+        int line = inOneLine.get(0).line();
+        if (line == 0) return inOneLine.stream();
         List<Found> standing =
-                inOneLine.stream().filter(one -> stands(one.word(), one.line())).toList();
+                inOneLine.stream()
+                        .filter(one -> stands(one.word(), line))
+                        .sorted(Comparator.comparing(one -> place(one.word(), line)))
+                        .toList();
         return standing.isEmpty() ? inOneLine.stream().limit(1) : standing.stream();
-    }
-
-    private Found placed(Found one) {
-        if (one.line() > 0) return one;
-        return new Found(
-                new Diagnostic(mention(one.word()), 0, one.diagnostic().said()), one.word());
     }
 }
