@@ -3,8 +3,10 @@ package rasterlab.app.exercise;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.text.BadLocationException;
 import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
+import org.fife.ui.rsyntaxtextarea.Token;
 import org.fife.ui.rsyntaxtextarea.parser.AbstractParser;
 import org.fife.ui.rsyntaxtextarea.parser.DefaultParseResult;
 import org.fife.ui.rsyntaxtextarea.parser.DefaultParserNotice;
@@ -46,24 +48,59 @@ final class RemarkNotices extends AbstractParser {
     }
 
     private DefaultParserNotice notice(Outcome.Remark remark, RSyntaxDocument document) {
-        var line = document.getDefaultRootElement().getElement(remark.line() - 1);
-        int end = Math.min(line.getEndOffset() - 1, document.getLength());
-        int first =
-                remark.column() > 0
-                        ? line.getStartOffset() + remark.column() - 1
-                        : firstSign(document, line.getStartOffset(), end);
+        int index = remark.line() - 1;
         String said = remark.said().in(language);
-        if (first >= end) return new DefaultParserNotice(this, said, remark.line() - 1);
-        return new DefaultParserNotice(this, said, remark.line() - 1, first, end - first);
+        Optional<Span> span = Span.of(document, index, remark.column());
+        return span.map(at -> new DefaultParserNotice(this, said, index, at.start(), at.length()))
+                .orElseGet(() -> new DefaultParserNotice(this, said, index));
     }
 
-    /** Where the line's indentation ends. */
-    private static int firstSign(RSyntaxDocument document, int start, int end) {
-        try {
-            String text = document.getText(start, end - start);
-            return start + text.length() - text.stripLeading().length();
-        } catch (BadLocationException e) {
-            throw new AssertionError("from " + start + " to " + end, e);
+    /**
+     * What is underlined.
+     *
+     * @param start in the document
+     */
+    private record Span(int start, int length) {
+        /**
+         * The token in that column, or the last one before it where none is there, as after a
+         * missing semicolon; with what follows a dot. The whole line's where no column is known;
+         * empty where the line is.
+         */
+        static Optional<Span> of(RSyntaxDocument document, int index, int column) {
+            List<Span> tokens = tokens(document, index);
+            if (tokens.isEmpty()) return Optional.empty();
+            Span first = tokens.get(0);
+            if (column == 0) return Optional.of(first.to(tokens.get(tokens.size() - 1)));
+            int place =
+                    document.getDefaultRootElement().getElement(index).getStartOffset() + column;
+            int found = 0;
+            for (int i = 0; i < tokens.size(); i++) if (tokens.get(i).start < place) found = i;
+            Span token = tokens.get(found);
+            boolean dot = token.isDot(document) && found + 1 < tokens.size();
+            return Optional.of(dot ? token.to(tokens.get(found + 1)) : token);
+        }
+
+        /** But for spaces and comments. */
+        private static List<Span> tokens(RSyntaxDocument document, int index) {
+            var tokens = new ArrayList<Span>();
+            for (Token each = document.getTokenListForLine(index);
+                    each != null && each.isPaintable();
+                    each = each.getNextToken())
+                if (!each.isCommentOrWhitespace())
+                    tokens.add(new Span(each.getOffset(), each.length()));
+            return tokens;
+        }
+
+        private boolean isDot(RSyntaxDocument document) {
+            try {
+                return document.getText(start, length).equals(".");
+            } catch (BadLocationException e) {
+                throw new AssertionError("from " + start + ", " + length, e);
+            }
+        }
+
+        private Span to(Span last) {
+            return new Span(start, last.start + last.length - start);
         }
     }
 

@@ -54,7 +54,7 @@ final class Compiler {
         List<Diagnostic<? extends JavaFileObject>> errors = new ArrayList<>();
         for (Diagnostic<? extends JavaFileObject> one : found.getDiagnostics())
             if (one.getKind() == Diagnostic.Kind.ERROR) errors.add(one);
-        return errors.isEmpty() ? tooComplex() : failed(errors);
+        return errors.isEmpty() ? tooComplex() : failed(source, errors);
     }
 
     private List<String> options() {
@@ -96,7 +96,7 @@ final class Compiler {
         return ByteBuffer.allocate(1 + Long.BYTES).put((byte) status).putLong(amount).array();
     }
 
-    private static byte[] failed(List<Diagnostic<? extends JavaFileObject>> errors)
+    private static byte[] failed(String source, List<Diagnostic<? extends JavaFileObject>> errors)
             throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         DataOutputStream out = new DataOutputStream(bytes);
@@ -104,9 +104,16 @@ final class Compiler {
         out.writeInt(errors.size());
         for (Diagnostic<? extends JavaFileObject> one : errors) {
             out.writeInt((int) Math.max(0, one.getLineNumber()));
-            out.writeInt((int) Math.max(0, one.getColumnNumber()));
+            out.writeInt(column(source, one.getPosition()));
             out.writeUTF(Wire.cut(one.getMessage(Locale.ENGLISH)));
         }
         return bytes.toByteArray();
+    }
+
+    /** From 1, in characters, as an editor counts; the compiler takes a tab for up to eight. */
+    private static int column(String source, long position) {
+        if (position == Diagnostic.NOPOS) return 0;
+        String before = source.substring(0, (int) Math.min(position, source.length()));
+        return before.length() - Math.max(before.lastIndexOf('\n'), before.lastIndexOf('\r'));
     }
 }

@@ -88,6 +88,16 @@ class ForbiddenClassesTest {
         assertTrue(told.get(1).message().startsWith("the class java.lang.Thread"), told::toString);
     }
 
+    @ParameterizedTest(name = "a place behind tabs is told as a terminal shows it: {0}")
+    @CsvSource({"'\t', 11", "'    ', 14", "'\t\t ', 13"})
+    void placesAreCountedInCharacters(String indentation, int column) throws Exception {
+        List<Diagnostic> told =
+                JUDGE.grade(method("\n" + indentation + "int n = 1 \n")).diagnostics();
+        assertEquals(6, told.get(0).line());
+        assertEquals(column, told.get(0).column());
+        assertEquals("';' expected", told.get(0).message());
+    }
+
     @ParameterizedTest(name = "two mistakes in one line are told one after the other: {0}")
     @CsvSource(
             delimiter = '|',
