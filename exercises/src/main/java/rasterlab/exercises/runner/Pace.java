@@ -1,15 +1,24 @@
 package rasterlab.exercises.runner;
 
+import rasterlab.exercises.score.SpeedPoints;
+
 /**
  * Nanoseconds per pixel of a method in its quickest round, since what else the machine does only
  * ever adds time; as the child tells it, whose clock leaves out the way there and back, and by the
  * clock of this process, which the child cannot move.
  */
 final class Pace {
-    /** Two rounds that differ by less say the same. */
+    /**
+     * Two rounds that differ by less say the same: the ratio of two such paces is off by a tenth at
+     * most, and each band of {@link SpeedPoints} ends at twice the one before at least.
+     */
     private static final double ALIKE = 1.05;
 
-    /** How many times wider than the reference's the gap between the clocks may be. */
+    /**
+     * How many times wider than the reference's the gap between the clocks may be. Each band of
+     * {@link SpeedPoints} ends at twice the one before at least, so a clock that tells a shorter
+     * time by this much gains one band at most.
+     */
     private static final double WIDER = 2;
 
     private double own = Double.MAX_VALUE;
