@@ -65,7 +65,7 @@ class WindowCourseTest extends ExercisesHarness {
             form.textBox("join.address").setText(server.address().toString());
             form.textBox("join.token").setText("secret");
             form.textBox("join.token").pressAndReleaseKeys(KeyEvent.VK_ENTER);
-            await("the token is refused", () -> tells(form, "does not know the token"));
+            await("the token is refused", () -> tells(form, "does not know this token"));
             form.textBox("join.token").setText(server.token());
             form.textBox("join.token").pressAndReleaseKeys(KeyEvent.VK_ENTER);
             await("the token is taken", () -> noticed("Submissions now go to"));
@@ -108,7 +108,15 @@ class WindowCourseTest extends ExercisesHarness {
                             .path("code")
                             .asText();
             type(Solutions.source(Solutions.WRONG));
-            join(server.address().toString(), code);
+            JOptionPaneFixture form = join(server.address().toString(), "WRONG");
+            await("the code is refused", () -> tells(form, "no course with this code"));
+            var field = form.textBox("join.code").target();
+            await("the code has the keyboard", field::isFocusOwner);
+            int told = GuiActionRunner.execute(() -> form.textBox("join.problem").target().getY());
+            assertTrue(told > field.getY(), "told above the code");
+            assertTrue(told < form.textBox("join.name").target().getY(), "told below the name");
+            form.textBox("join.code").setText(code);
+            form.textBox("join.code").pressAndReleaseKeys(KeyEvent.VK_ENTER);
             await("joined", () -> noticed("Submissions now go to"));
             window.button("submit").click();
             await("the verdict", () -> window.label("result.verdict").text().contains("wrong"));

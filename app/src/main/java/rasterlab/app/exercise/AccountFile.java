@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.Properties;
 import rasterlab.app.outcome.FileKind;
 import rasterlab.app.outcome.FileToRead;
+import rasterlab.app.outcome.WholeFile;
 
 /** The account of the last course joined, in a file that only its owner may read. */
 final class AccountFile {
@@ -45,6 +46,17 @@ final class AccountFile {
         } catch (IllegalArgumentException e) {
             throw new IOException(
                     file + ": 'server' is no http address: '" + e.getMessage() + "'", e);
+        }
+    }
+
+    /** Saves the account; the answer tells that this does not go. */
+    Optional<Notice> unsaved(Account account) {
+        try {
+            save(account);
+            return Optional.empty();
+        } catch (IOException e) {
+            String why = file.getParent() + ": " + WholeFile.reason(e);
+            return Optional.of(Notice.of("account.unsaved", account.toString(), why));
         }
     }
 

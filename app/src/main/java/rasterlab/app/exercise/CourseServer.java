@@ -26,6 +26,9 @@ final class CourseServer {
                 new Patience(Duration.ofSeconds(5), Duration.ofSeconds(20), Duration.ofSeconds(45));
     }
 
+    /** Begins the type of each problem that a grading server tells. */
+    private static final String PROBLEM = "urn:rasterlab:problem:";
+
     private final URI server;
     private final Patience patience;
     private final HttpClient http;
@@ -127,17 +130,20 @@ final class CourseServer {
     private byte[] answered(HttpRequest request) throws IOException, InterruptedException {
         HttpResponse<byte[]> response = http.send(request, BodyHandlers.ofByteArray());
         if (response.statusCode() / 100 == 2) return response.body();
-        throw new ServerRefusal(response.statusCode(), detail(response));
+        throw refusal(response.statusCode(), response.body());
     }
 
-    /** The server's words; for an answer that has none, what it is. */
-    private String detail(HttpResponse<byte[]> response) {
+    /** In the server's words; where it has none, with what the answer is. */
+    private ServerRefusal refusal(int status, byte[] body) {
         try {
-            String said = json.readTree(response.body()).path("detail").asText();
-            if (!said.isEmpty()) return said;
+            JsonNode problem = json.readTree(body);
+            String type = problem.path("type").asText();
+            String code = type.startsWith(PROBLEM) ? type.substring(PROBLEM.length()) : "";
+            String detail = problem.path("detail").asText();
+            return new ServerRefusal(status, code, detail.isEmpty() ? "status " + status : detail);
         } catch (IOException noJson) {
-            return "status " + response.statusCode() + ", not from a grading server";
+            return new ServerRefusal(
+                    status, "", "status " + status + ", not from a grading server");
         }
-        return "status " + response.statusCode();
     }
 }

@@ -85,7 +85,7 @@ final class EventLines implements AutoCloseable {
     private void ended() throws IOException, InterruptedException {
         try {
             int status = response.get(quiet.toMillis(), TimeUnit.MILLISECONDS).statusCode();
-            if (status != 200) throw new ServerRefusal(status, "status " + status);
+            if (status != 200) throw new ServerRefusal(status, "", "status " + status);
         } catch (ExecutionException e) {
             if (e.getCause() instanceof IOException cause) throw cause;
             throw new IOException(e.getCause());

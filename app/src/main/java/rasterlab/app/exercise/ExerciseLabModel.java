@@ -21,7 +21,7 @@ import rasterlab.app.canvas.Background;
 import rasterlab.app.canvas.Kept;
 import rasterlab.app.canvas.Listeners;
 import rasterlab.app.canvas.ShellPath;
-import rasterlab.app.outcome.WholeFile;
+import rasterlab.app.exercise.JoinAnswer.Field;
 import rasterlab.engine.naming.Named;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.formula.Formulas;
@@ -218,6 +218,11 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                 failure -> tell(Notice.of("failed", failure.toString())));
     }
 
+    /** A form asks for a course, to which there is no answer yet. */
+    void askForCourse() {
+        publish(changed().joining(JoinAnswer.NONE));
+    }
+
     /**
      * Joins a course, to submit to it from now on.
      *
@@ -226,12 +231,8 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
      * @param name of the student
      */
     void join(String address, String code, String name) {
-        server(address)
-                .ifPresent(
-                        server -> {
-                            String key = key(server + "\n" + code + "\n" + name);
-                            join(server, course -> course.join(code, name, key));
-                        });
+        String key = key(address + "\n" + code + "\n" + name);
+        server(address).ifPresent(at -> join(at, course -> course.join(code, name, key)));
     }
 
     /** Submits with a token that the student has already, if the server knows it. */
@@ -243,7 +244,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
         try {
             return Optional.of(Account.server(address));
         } catch (IllegalArgumentException e) {
-            tell(Notice.of("server.address", address));
+            accept(JoinAnswer.refused(Field.ADDRESS, Notice.of("server.address", address)));
             return Optional.empty();
         }
     }
@@ -255,21 +256,19 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
                     Account account = joining.with(new CourseServer(server, patience));
                     return () -> use(account);
                 },
-                failure -> tell(ServerNotices.joining(server, failure)));
+                failure -> accept(ServerNotices.joining(server, failure)));
+    }
+
+    private void accept(JoinAnswer refused) {
+        publish(changed().joining(refused).notice(refused.problem()));
     }
 
     private void use(Account account) {
-        Notice notice = Notice.of("joined", account.toString());
-        try {
-            if (folder.isPresent()) new AccountFile(folder.get()).save(account);
-        } catch (IOException e) {
-            notice =
-                    Notice.of(
-                            "account.unsaved",
-                            account.toString(),
-                            folder.orElseThrow() + ": " + WholeFile.reason(e));
-        }
-        publish(changed().account(Optional.of(account)).notice(notice));
+        Notice notice =
+                folder.flatMap(kept -> new AccountFile(kept).unsaved(account))
+                        .orElse(Notice.of("joined", account.toString()));
+        var joined = changed().account(Optional.of(account)).joining(JoinAnswer.JOINED);
+        publish(joined.notice(notice));
     }
 
     /** Hands the source in and follows its grading; needs an account. */
@@ -323,7 +322,7 @@ public final class ExerciseLabModel implements Kept<ExerciseChoice>, AutoCloseab
 
     private void begin(Work first, Background.Task task, Consumer<IOException> failed) {
         if (state().work().running()) return;
-        publish(changed().work(first).notice(Notice.NONE));
+        publish(changed().work(first).notice(Notice.NONE).joining(JoinAnswer.NONE));
         background.begin(task, () -> publish(changed().work(Work.NONE)), failed);
     }
 

@@ -212,19 +212,15 @@ public final class ExercisePanel extends LabPanel implements Settling {
         editor.show(state.exercise().id(), state.source());
         editor.remark(state.upToDate() ? state.outcome().orElseThrow().remarks() : List.of());
         bar.refresh();
-        say(notice, joins(state) ? Notice.of("joining") : state.notice());
+        say(notice, state.joins() ? Notice.of("joining") : state.notice());
         say(unsaved, state.unsaved());
         result.show(state, model.untried());
         turn(state);
     }
 
-    private static boolean joins(ExerciseState state) {
-        return state.work().phase() == Work.Phase.JOINING;
-    }
-
     /** To the result of what begins, and to the words above which it was asked for. */
     private void turn(ExerciseState state) {
-        if (state.work().running() && !running && !joins(state)) {
+        if (state.work().running() && !running && !state.joins()) {
             rooms.show(Rooms.Room.RESULT);
             result.focusGiveUp();
         }

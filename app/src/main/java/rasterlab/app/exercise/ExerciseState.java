@@ -13,6 +13,7 @@ import rasterlab.exercises.Exercise;
  * @param notice of the last thing that was done
  * @param unsaved why the source is not on the disk; {@link Notice#NONE} when it is
  * @param account where to submit; empty before a course is joined
+ * @param joining what the last form to join a course was answered
  */
 record ExerciseState(
         Exercise exercise,
@@ -22,7 +23,8 @@ record ExerciseState(
         Work work,
         Notice notice,
         Notice unsaved,
-        Optional<Account> account) {
+        Optional<Account> account,
+        JoinAnswer joining) {
     ExerciseState {
         otherDrafts = List.copyOf(otherDrafts);
     }
@@ -37,7 +39,13 @@ record ExerciseState(
                 Work.NONE,
                 Notice.NONE,
                 Notice.NONE,
-                Optional.empty());
+                Optional.empty(),
+                JoinAnswer.NONE);
+    }
+
+    /** Whether a server is asked to let a student join. */
+    boolean joins() {
+        return work.phase() == Work.Phase.JOINING;
     }
 
     /** Whether the outcome speaks of the text as it is now. */

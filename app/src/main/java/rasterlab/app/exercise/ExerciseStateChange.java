@@ -14,6 +14,7 @@ final class ExerciseStateChange {
     private Notice notice;
     private Notice unsaved;
     private Optional<Account> account;
+    private JoinAnswer joining;
 
     ExerciseStateChange(ExerciseState from) {
         exercise = from.exercise();
@@ -24,6 +25,7 @@ final class ExerciseStateChange {
         notice = from.notice();
         unsaved = from.unsaved();
         account = from.account();
+        joining = from.joining();
     }
 
     ExerciseStateChange exercise(Exercise next, String itsSource) {
@@ -67,8 +69,13 @@ final class ExerciseStateChange {
         return this;
     }
 
+    ExerciseStateChange joining(JoinAnswer next) {
+        joining = next;
+        return this;
+    }
+
     ExerciseState made() {
         return new ExerciseState(
-                exercise, source, otherDrafts, outcome, work, notice, unsaved, account);
+                exercise, source, otherDrafts, outcome, work, notice, unsaved, account, joining);
     }
 }

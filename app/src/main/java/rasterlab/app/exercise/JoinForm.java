@@ -4,8 +4,10 @@ import java.awt.Color;
 import java.awt.Component;
 import java.awt.EventQueue;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JCheckBox;
@@ -38,8 +40,8 @@ final class JoinForm extends JPanel {
     private final JTextArea problem = Controls.words("join.problem");
     private final Map<JTextField, JLabel> labels = new HashMap<>();
 
-    /** Whether the model is asked to join, and has not said what came of it. */
-    private boolean joining;
+    /** Whether a server is asked, so that nothing can be typed. */
+    private transient BooleanSupplier joining = () -> false;
 
     /** What a later form begins with, for the server may refuse it. A token is typed anew. */
     record Typed(String address, String code, String student) {
@@ -106,8 +108,6 @@ final class JoinForm extends JPanel {
         code.setText(before.code());
         student.setText(before.student());
         row("join.address", address);
-        problem.setVisible(false);
-        add(problem, "skip, growx, wmin 0");
         row("join.code", code);
         row("join.name", student);
         add(known, "span 2");
@@ -140,16 +140,18 @@ final class JoinForm extends JPanel {
     }
 
     private void enableFields() {
-        known.setEnabled(!joining);
+        known.setEnabled(!joining.getAsBoolean());
         enable(address, true);
         enable(code, !known.isSelected());
         enable(student, !known.isSelected());
         enable(token, known.isSelected());
-        join.setEnabled(!joining && needed().noneMatch(JoinForm::isEmpty));
+        join.setEnabled(!joining.getAsBoolean() && needed().noneMatch(JoinForm::isEmpty));
     }
 
     private void enable(JTextField field, boolean needed) {
-        field.setEnabled(needed && !joining);
+        boolean typedIn = needed && !joining.getAsBoolean();
+        field.setEnabled(typedIn);
+        if (!typedIn) field.getCaret().setVisible(false);
         labels.get(field).setEnabled(needed);
     }
 
@@ -171,41 +173,53 @@ final class JoinForm extends JPanel {
         var question = new Question();
         join.addActionListener(e -> join(model));
         cancel.addActionListener(e -> question.setValue(cancel));
+        model.askForCourse();
+        joining = () -> model.state().joins();
         Runnable end = model.listen(state -> follow(state, question));
         JDialog dialog =
                 question.createDialog(SwingUtilities.getRoot(parent), texts.text("join.title"));
         dialog.setVisible(true);
         end.run();
         dialog.dispose();
-        if (joining) model.cancel();
+        if (model.state().joins()) model.cancel();
     }
 
     private void join(ExerciseLabModel model) {
-        joining = true;
         if (known.isSelected())
             model.signIn(address.getText(), String.valueOf(token.getPassword()));
         else model.join(address.getText(), code.getText().strip(), student.getText().strip());
     }
 
     private void follow(ExerciseState state, Question question) {
-        if (!joining) return;
-        if (state.work().running()) {
-            tell(texts.text("notice.joining"), UIManager.getColor("Label.foreground"));
-        } else if (!state.notice().isEmpty()) {
-            joining = false;
-            if (state.notice().joined()) question.setValue(join);
-            else tell(state.notice().in(texts), VerdictLook.colour("wrong"));
+        JoinAnswer answer = state.joining();
+        if (state.joins()) {
+            cancel.requestFocusInWindow();
+            tell(address, texts.text("notice.joining"), UIManager.getColor("Label.foreground"));
         }
         enableFields();
+        if (answer.joined()) question.setValue(join);
+        else if (!answer.problem().isEmpty()) tell(answer);
     }
 
-    /** Beside the address, from which most problems come. */
-    private void tell(String said, Color colour) {
+    /** Below the field that is to be typed anew, which gets the keyboard. */
+    private void tell(JoinAnswer refused) {
+        JTextField field =
+                switch (refused.field()) {
+                    case ADDRESS -> address;
+                    case CODE -> code;
+                    case NAME -> student;
+                    case TOKEN -> token;
+                };
+        tell(field, refused.problem().in(texts), VerdictLook.colour("wrong"));
+        EventQueue.invokeLater(field::requestFocusInWindow);
+    }
+
+    private void tell(JTextField field, String said, Color colour) {
         problem.setText(said);
         problem.setForeground(colour);
         problem.setSize(address.getWidth(), Short.MAX_VALUE);
-        problem.setVisible(true);
+        remove(problem);
+        add(problem, "skip, growx, wmin 0", List.of(getComponents()).indexOf(field) + 1);
         SwingUtilities.getWindowAncestor(this).pack();
-        if (!joining) EventQueue.invokeLater(address::requestFocusInWindow);
     }
 }

@@ -26,11 +26,6 @@ record Notice(String key, List<String> arguments) {
         return key.isEmpty();
     }
 
-    /** Whether it says that a course is joined, or would be after the next start. */
-    boolean joined() {
-        return key.equals("joined") || key.equals("account.unsaved");
-    }
-
     private Object[] said(Language language) {
         return arguments.stream().map(each -> Complaints.said(language, each)).toArray();
     }

@@ -11,6 +11,7 @@ import java.net.http.HttpTimeoutException;
 import java.nio.channels.ClosedChannelException;
 import java.util.Objects;
 import java.util.stream.Stream;
+import rasterlab.app.exercise.JoinAnswer.Field;
 
 /** What a failed talk with a server means to the user. */
 final class ServerNotices {
@@ -24,9 +25,18 @@ final class ServerNotices {
         return told("server", server, failure);
     }
 
-    /** Of joining a course. */
-    static Notice joining(URI server, IOException failure) {
-        return told("join", server, failure);
+    /** Of joining a course: what of the form is to be typed anew, and why. */
+    static JoinAnswer joining(URI server, IOException failure) {
+        String address = server.toString();
+        if (failure instanceof ServerRefusal refusal) {
+            if (refusal.status() == UNAUTHORIZED)
+                return JoinAnswer.refused(Field.TOKEN, Notice.of("join.token", address));
+            if (refusal.code().equals("unknown-course"))
+                return JoinAnswer.refused(Field.CODE, Notice.of("join.code", address));
+            if (refusal.code().equals("bad-name"))
+                return JoinAnswer.refused(Field.NAME, Notice.of("join.name", address));
+        }
+        return JoinAnswer.refused(Field.ADDRESS, told("join", server, failure));
     }
 
     /**
@@ -38,7 +48,7 @@ final class ServerNotices {
         if (failure instanceof HttpConnectTimeoutException
                 || failure instanceof ConnectException
                 || failure instanceof UnknownHostException)
-            return Notice.of("server.down", address);
+            return Notice.of(talk + ".down", address);
         if (failure instanceof HttpTimeoutException) return Notice.of(talk + ".slow", address);
         if (isLost(failure)) return Notice.of(talk + ".lost", address);
         String reason = failure.getMessage();

@@ -7,17 +7,25 @@ final class ServerRefusal extends IOException {
     private static final long serialVersionUID = 1L;
 
     private final int status;
+    private final String code;
 
     /**
+     * @param code of the kind of refusal; empty where the server names none
      * @param detail the server's own words
      */
-    ServerRefusal(int status, String detail) {
+    ServerRefusal(int status, String code, String detail) {
         super(detail);
         this.status = status;
+        this.code = code;
     }
 
     /** An HTTP status. */
     int status() {
         return status;
+    }
+
+    /** Such as "unknown-course"; empty where the server names none. */
+    String code() {
+        return code;
     }
 }

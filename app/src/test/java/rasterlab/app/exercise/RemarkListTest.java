@@ -112,7 +112,8 @@ class RemarkListTest {
                         work,
                         Notice.NONE,
                         Notice.NONE,
-                        Optional.empty()),
+                        Optional.empty(),
+                        JoinAnswer.NONE),
                 TriedCase.untried(ShownResult.EXERCISE));
         Component remarks = named(pane, "remarks.scroll");
         Component cases = named(pane, "cases.scroll").getParent();

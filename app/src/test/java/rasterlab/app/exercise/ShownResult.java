@@ -75,7 +75,8 @@ final class ShownResult {
                         work,
                         Notice.NONE,
                         Notice.NONE,
-                        Optional.empty()),
+                        Optional.empty(),
+                        JoinAnswer.NONE),
                 TriedCase.untried(EXERCISE));
     }
 

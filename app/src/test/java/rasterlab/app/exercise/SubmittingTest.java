@@ -18,6 +18,8 @@ import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 
@@ -149,7 +151,7 @@ class SubmittingTest {
             trial.model.type("typed");
             trial.model.join(nobody, "CODE", "Ann");
             var state = trial.awaitEnd();
-            assertEquals(Notice.of("server.down", nobody), state.notice());
+            assertEquals(Notice.of("join.down", nobody), state.notice());
             assertEquals("typed", state.source());
         }
     }
@@ -194,12 +196,37 @@ class SubmittingTest {
             Account before = trial.model.state().account().orElseThrow();
             server.on("GET /api/v1/exercises", 401, "{\"detail\":\"no\"}");
             trial.model.signIn(server.address(), "made up");
-            assertEquals("server.token", trial.awaitEnd().notice().key());
+            assertEquals("join.token", trial.awaitEnd().notice().key());
             assertEquals(Optional.of(before), trial.model.state().account());
             server.on("GET /api/v1/exercises", 200, "[]");
             trial.model.signIn(server.address(), " known ");
             assertEquals("joined", trial.awaitEnd().notice().key());
             assertEquals("known", trial.model.state().account().orElseThrow().token());
+        }
+    }
+
+    @ParameterizedTest(name = "{2} is refused, but it is told at another field: {0}, {1}")
+    @CsvSource({
+        "404, unknown-course, CODE, join.code",
+        "422, bad-name, NAME, join.name",
+        "401, not-signed-in, TOKEN, join.token",
+        "404, '', ADDRESS, server.refused"
+    })
+    void refusalIsToldAtItsField(int status, String code, JoinAnswer.Field field, String key)
+            throws Exception {
+        try (var server = server();
+                var trial = new Trial(folder)) {
+            String problem = "{\"type\":\"urn:rasterlab:problem:" + code + "\",\"detail\":\"no\"}";
+            server.on("POST /api/v1/join", status, problem);
+            trial.model.join(server.address(), "CODE", "Ann");
+            JoinAnswer answer = trial.awaitEnd().joining();
+            assertEquals(field, answer.field());
+            assertEquals(key, answer.problem().key());
+            server.on("POST /api/v1/join", 201, "{\"student\":\"x\",\"token\":\"secret\"}");
+            trial.model.join(server.address(), "CODE", "Ann");
+            assertEquals(JoinAnswer.JOINED, trial.awaitEnd().joining());
+            trial.model.askForCourse();
+            assertEquals(JoinAnswer.NONE, trial.state().joining(), "another form closes at once");
         }
     }
 

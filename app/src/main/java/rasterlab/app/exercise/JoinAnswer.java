@@ -1,0 +1,25 @@
+package rasterlab.app.exercise;
+
+/**
+ * What came of asking to join a course.
+ *
+ * @param joined whether a course is joined by it
+ * @param problem why not; {@link Notice#NONE} where it is, or where nothing was asked yet
+ * @param field what of the form the problem is about
+ */
+record JoinAnswer(boolean joined, Notice problem, Field field) {
+    /** What the form asks for. */
+    enum Field {
+        ADDRESS,
+        CODE,
+        NAME,
+        TOKEN
+    }
+
+    static final JoinAnswer NONE = refused(Field.ADDRESS, Notice.NONE);
+    static final JoinAnswer JOINED = new JoinAnswer(true, Notice.NONE, Field.ADDRESS);
+
+    static JoinAnswer refused(Field field, Notice problem) {
+        return new JoinAnswer(false, problem, field);
+    }
+}
