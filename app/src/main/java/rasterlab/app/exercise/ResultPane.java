@@ -3,18 +3,16 @@ package rasterlab.app.exercise;
 import java.awt.CardLayout;
 import java.awt.Dimension;
 import java.awt.Font;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextArea;
-import javax.swing.UIManager;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.canvas.FlowRows;
 import rasterlab.app.canvas.NameChooser;
@@ -23,8 +21,6 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.scene.MethodCase;
 import rasterlab.exercises.scene.SceneFile;
-import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.Points;
 
 /** What was said to the source: verdict, points, every case with its reason and pictures. */
 final class ResultPane extends JPanel {
@@ -32,11 +28,7 @@ final class ResultPane extends JPanel {
 
     private final transient Texts texts;
     private final transient OpenInLab lab;
-    private final JLabel verdict = new JLabel(" ");
-    private final JLabel points = new JLabel(" ");
-    private final JLabel where = new JLabel(" ");
-    private final JProgressBar progress = new JProgressBar();
-    private final JButton giveUp;
+    private final ResultHead head;
     private final CardLayout cards = new CardLayout();
     private final JPanel answer = new JPanel(cards);
     private final JPanel cases;
@@ -89,22 +81,7 @@ final class ResultPane extends JPanel {
         guide.setCaretPosition(0);
         guideScroll.setBorder(null);
         guideScroll.setName("guide.scroll");
-        verdict.setName("result.verdict");
-        verdict.setFont(verdict.getFont().deriveFont(Font.BOLD));
-        points.setName("result.points");
-        where.setForeground(UIManager.getColor("Label.disabledForeground"));
-        var head = new JPanel(FlowRows.inTheMiddle(10));
-        head.add(verdict);
-        head.add(points);
-        progress.setName("progress");
-        progress.setStringPainted(true);
-        progress.getAccessibleContext().setAccessibleName(texts.text("progress"));
-        head.add(progress);
-        giveUp = Controls.button("cancel", texts, cancel);
-        giveUp.setName("result.cancel");
-        head.add(giveUp);
-        head.add(where);
-        FlowRows.keepWrapped(head);
+        head = new ResultHead(texts, cancel);
         add(head, "wmin 0");
         cases = cases();
         answer.add(cases, "cases");
@@ -144,9 +121,8 @@ final class ResultPane extends JPanel {
     /** The label lies in the middle of its row of buttons. */
     private void wear(Font type) {
         if (type.equals(table.getFont()) && viewLabel.isPreferredSizeSet()) return;
-        List.of(points, where, giveUp, table, reason, viewLabel, view, open, picture)
-                .forEach(part -> part.setFont(type));
-        verdict.setFont(type.deriveFont(Font.BOLD));
+        head.wear(type);
+        List.of(table, reason, viewLabel, view, open, picture).forEach(part -> part.setFont(type));
         viewLabel.setPreferredSize(null);
         viewLabel.setPreferredSize(
                 new Dimension(viewLabel.getPreferredSize().width, view.getPreferredSize().height));
@@ -159,38 +135,48 @@ final class ResultPane extends JPanel {
         boolean running = !state.work().cases().isEmpty();
         // The last one stays until the next one's cases come.
         Optional<Outcome> outcome = running ? Optional.empty() : state.outcome();
-        List<TriedCase> judged = outcome.map(Outcome::cases).orElse(state.work().cases());
-        String language = texts.locale().getLanguage();
-        // While another text is tried, its lines are not those that remarks speak of.
-        boolean sourceRefused =
-                outcome.filter(one -> one.cases().isEmpty() && !one.remarks().isEmpty())
-                        .filter(one -> state.upToDate() || !state.work().running())
-                        .isPresent();
         boolean another = !state.exercise().id().equals(exercise);
         boolean other = another || !outcome.equals(shown);
         boolean begins = !another && outcome.isEmpty();
         exercise = state.exercise().id();
         shown = outcome;
-        Optional<String> chosen =
-                table.chosen()
-                        .filter(one -> begins)
-                        .map(TriedCase::name)
-                        .or(() -> kept.chosenCase(exercise, shown))
-                        .or(() -> outcome.flatMap(Outcome::mostTelling).map(TriedCase::name));
+        Optional<String> chosen = toChoose(begins);
+        List<TriedCase> judged = outcome.map(Outcome::cases).orElse(state.work().cases());
         table.show(
-                outcome.isPresent() || running ? merged(judged, untried) : untried,
-                name -> state.exercise().caseTitle(name, language));
+                merged(judged, untried),
+                name -> state.exercise().caseTitle(name, texts.locale().getLanguage()));
         remarks.show(outcome.map(Outcome::remarks).orElse(List.of()));
         guide(outcome.isEmpty() && !state.work().running());
         cases.revalidate();
-        cards.show(answer, sourceRefused ? "remarks" : "cases");
-        sayHead(state, outcome);
+        cards.show(answer, tellsOfSource(state, outcome) ? "remarks" : "cases");
+        head.show(state, outcome);
+        offerToGiveUp();
         if (other) {
             chosen.ifPresent(table::choose);
             if (outcome.isPresent()) table.chooseAny();
             table.scrollToChosen();
         }
         showChosen();
+    }
+
+    /**
+     * Whether remarks are all that there is. While another text is tried, its lines are not those
+     * that they speak of.
+     */
+    private static boolean tellsOfSource(ExerciseState state, Optional<Outcome> outcome) {
+        return outcome.filter(one -> one.cases().isEmpty() && !one.remarks().isEmpty()).isPresent()
+                && (state.upToDate() || !state.work().running());
+    }
+
+    /**
+     * @param begins whether the chosen case stays so, as a check of the same exercise begins
+     */
+    private Optional<String> toChoose(boolean begins) {
+        return table.chosen()
+                .filter(one -> begins)
+                .map(TriedCase::name)
+                .or(() -> kept.chosenCase(exercise, shown))
+                .or(() -> shown.flatMap(Outcome::mostTelling).map(TriedCase::name));
     }
 
     /**
@@ -204,95 +190,20 @@ final class ResultPane extends JPanel {
 
     /** The judged cases first, then those that were not. */
     private static List<TriedCase> merged(List<TriedCase> judged, List<TriedCase> untried) {
-        var all = new java.util.ArrayList<>(judged);
+        var all = new ArrayList<>(judged);
         for (TriedCase one : untried)
             if (judged.stream().noneMatch(other -> other.name().equals(one.name()))) all.add(one);
         return all;
     }
 
-    /** The button that gives up what runs, where that of the program is out of sight. */
     private void offerToGiveUp() {
         boolean alone = getParent() instanceof JTabbedPane;
-        boolean offered = progress.isVisible() && alone;
-        if (offered == giveUp.isVisible()) return;
-        if (giveUp.isFocusOwner()) table.requestFocusInWindow();
-        giveUp.setVisible(offered);
+        if (head.offerToGiveUp(alone)) table.requestFocusInWindow();
     }
 
     /** Gives the keyboard to the button that gives up what runs, where it is in sight. */
     void focusGiveUp() {
-        if (giveUp.isVisible()) giveUp.requestFocusInWindow();
-    }
-
-    private void show(Work work) {
-        progress.setVisible(work.running());
-        offerToGiveUp();
-        progress.setIndeterminate(work.of() == 0);
-        progress.setMaximum(Math.max(1, work.of()));
-        progress.setValue(work.done());
-        String phase = work.phase().name().toLowerCase(Locale.ROOT);
-        if (!work.running()) return;
-        progress.setString(texts.text("phase." + phase, work.done(), work.of()));
-        // It asks for the room that its words need, but not for a new layout.
-        progress.revalidate();
-    }
-
-    private void sayHead(ExerciseState state, Optional<Outcome> outcome) {
-        show(state.work());
-        if (outcome.isEmpty() || state.work().running()) {
-            verdict.setText(texts.text("result." + nothingYet(state.work().phase())));
-            verdict.setForeground(UIManager.getColor("Label.foreground"));
-            points.setText("");
-            where.setText("");
-            return;
-        }
-        Outcome said = outcome.get();
-        verdict.setText(
-                VerdictLook.sign(said.verdict())
-                        + " "
-                        + GradingVerdict.word(said.verdict(), texts.locale().getLanguage()));
-        verdict.setForeground(VerdictLook.colour(said.verdict()));
-        points.setText(points(said));
-        where.setText(where(state, said));
-        where.setToolTipText(said.isolation().in(texts.language()));
-    }
-
-    private static String nothingYet(Work.Phase phase) {
-        return switch (phase) {
-            case NONE -> "none";
-            case JOINING -> "joining";
-            case CHECKING, SENDING, WAITING, GRADING -> "running";
-        };
-    }
-
-    private String points(Outcome said) {
-        Points earned = said.points();
-        return texts.text(
-                "result.points",
-                earned.total(),
-                earned.of(),
-                earned.accuracy(),
-                earned.stability(),
-                earned.speed());
-    }
-
-    private String where(ExerciseState state, Outcome said) {
-        String place =
-                said.attempt() == 0
-                        ? texts.text("result.here", said.isolation().in(texts.language()))
-                        : texts.text("result.attempt", said.attempt());
-        String cost =
-                said.nanosPerItem() > 0
-                        ? ", "
-                                + texts.text(
-                                        "result.cost",
-                                        String.format(numbers(), "%.2f", said.nanosPerItem()))
-                        : "";
-        return place + cost + (state.upToDate() ? "" : ", " + texts.text("result.old"));
-    }
-
-    private Locale numbers() {
-        return texts.locale();
+        head.focusGiveUp();
     }
 
     private void chosen() {
@@ -320,9 +231,9 @@ final class ResultPane extends JPanel {
     private String hint(Optional<TriedCase> chosen) {
         if (chosen.isEmpty()) return texts.text("hint.choose");
         if (chosen.get().verdict().isEmpty())
-            return texts.text(progress.isVisible() ? "hint.notYet" : "hint.untried");
+            return texts.text(head.works() ? "hint.notYet" : "hint.untried");
         if (chosen.get().right()) return texts.text("hint.right");
-        if (progress.isVisible()) return texts.text("hint.coming");
+        if (head.works()) return texts.text("hint.coming");
         return texts.text("hint.noPicture");
     }
 

@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JLabel;
+import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.JTextArea;
@@ -37,6 +38,25 @@ class ResultGuideTest {
     void usualTheme() throws Exception {
         EventQueue.invokeAndWait(LabTheme.LIGHT::install);
         assertEquals(List.of(), FAILURES);
+    }
+
+    @ParameterizedTest(name = "the bar is full or at its begin while it compiles: {0}, {1} of {2}")
+    @CsvSource({
+        "CHECKING, 0, 12, true, compiling",
+        "CHECKING, 3, 12, false, case 3 of 12",
+        "SENDING, 0, 0, true, sending",
+        "WAITING, 2, 0, true, place 2 in the queue"
+    })
+    void barTellsOnlyWhatIsDone(Work.Phase phase, int done, int of, boolean unknown, String said)
+            throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    ResultPane pane = pane(Language.ENGLISH, FAILURES::add);
+                    show(pane, new Work(phase, done, of, List.of()), Optional.empty());
+                    var bar = (JProgressBar) named(pane, "progress");
+                    assertEquals(unknown, bar.isIndeterminate());
+                    assertEquals(said, bar.getString());
+                });
     }
 
     @ParameterizedTest(name = "half the window is empty: {0}, type of {1} in {2}×{3}")
