@@ -22,6 +22,8 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
+import rasterlab.engine.raster.Pixel
+import rasterlab.engine.raster.PixelWindow
 import rasterlab.exercises.Exercise
 import rasterlab.exercises.Grading
 import rasterlab.exercises.Picture
@@ -30,6 +32,7 @@ import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
+import rasterlab.exercises.score.PicturePart
 import rasterlab.exercises.score.Points
 import rasterlab.exercises.score.Report
 import rasterlab.grader.exercise.Exercises
@@ -144,9 +147,13 @@ class Classroom(
             2,
             5,
             Message.quoted("secret of $name <img src=x onerror=alert(1)>").and(Message.of("pixel.missing", "(1, 2)")),
-            Optional.of(CasePictures("#+-.", byteArrayOf(1), byteArrayOf(2), byteArrayOf(3))),
+            Optional.of(
+                CasePictures("a part\n#+-.", Optional.of(part()), byteArrayOf(1), byteArrayOf(2), byteArrayOf(3)),
+            ),
             """{"from":[0,0],"to":[3,1]}""",
         )
+
+        private fun part() = PicturePart(PixelWindow(-2, 1, 1, 1), PixelWindow(-2, 1, 99, 1), Pixel(-1, 1))
     }
 }
 

@@ -7,7 +7,6 @@ import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Diagnostic;
-import rasterlab.exercises.score.PicturePart;
 import rasterlab.exercises.score.Points;
 import rasterlab.exercises.score.Report;
 
@@ -95,11 +94,10 @@ final class ReportText {
                             String title = exercise.caseTitle(name, language());
                             out.println(title.equals(name) ? name : title + ", " + name);
                             out.println("(" + texts.text("legend") + ")");
-                            String text = pictures.text();
-                            PicturePart.of(text)
-                                    .ifPresent(
-                                            part -> out.println("  " + part.said().in(language())));
-                            PicturePart.rows(text).forEach(row -> out.println("  " + row));
+                            pictures.cut()
+                                    .map(part -> part.said().in(language()))
+                                    .ifPresent(said -> out.println("  " + said));
+                            pictures.rows().forEach(row -> out.println("  " + row));
                         });
     }
 }

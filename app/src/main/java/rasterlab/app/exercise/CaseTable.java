@@ -4,8 +4,10 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
@@ -30,16 +32,18 @@ final class CaseTable extends JTable {
     /** Left and right of a text, together; more beside large type. */
     private static final int MARGIN = 14;
 
-    private static final List<GradingVerdict> SHORTEST =
-            List.of(GradingVerdict.OK, GradingVerdict.WRONG);
+    private static final Set<GradingVerdict> SHORTEST =
+            EnumSet.of(GradingVerdict.OK, GradingVerdict.WRONG);
+
+    /** Of a whole submission only. */
+    static final Set<GradingVerdict> OF_NO_CASE =
+            EnumSet.of(
+                    GradingVerdict.COMPILE_ERROR, GradingVerdict.REFUSED, GradingVerdict.INTERNAL);
 
     private final transient Texts texts;
     private final transient Rows rows = new Rows();
     private transient UnaryOperator<String> titles = UnaryOperator.identity();
     private final TableColumn verdict;
-
-    /** Whether verdicts are said in fewer words, since usual ones have no room. */
-    private boolean brief;
 
     /**
      * @param chosen run when another case is chosen
@@ -72,14 +76,10 @@ final class CaseTable extends JTable {
         if (getTableHeader() != null) getTableHeader().setFont(type);
     }
 
-    /**
-     * Without verdicts in words where even the brief ones would be cut off: signs tell them too.
-     */
+    /** Without verdicts in words where they would be cut off: signs tell them too. */
     @Override
     public void doLayout() {
         int rest = getWidth() - least();
-        brief = false;
-        brief = rest < widest(3);
         boolean roomy = rest >= Math.max(said(SHORTEST), widest(3));
         if (roomy && getColumnCount() < COLUMNS.size()) addColumn(verdict);
         if (!roomy && getColumnCount() == COLUMNS.size()) removeColumn(verdict);
@@ -89,11 +89,9 @@ final class CaseTable extends JTable {
         super.doLayout();
     }
 
-    /**
-     * The width in which no verdict is cut off, at least in brief, so that no place moves by it.
-     */
+    /** The width in which no verdict of a case is cut off, so that no place moves by it. */
     int needed() {
-        return least() + said(List.of(GradingVerdict.values()));
+        return least() + said(EnumSet.complementOf(EnumSet.copyOf(OF_NO_CASE)));
     }
 
     /** The width of all columns but that of verdicts. */
@@ -101,21 +99,17 @@ final class CaseTable extends JTable {
         return IntStream.range(0, COLUMNS.size() - 1).map(this::widest).sum();
     }
 
-    private int said(List<GradingVerdict> verdicts) {
+    private int said(Set<GradingVerdict> verdicts) {
         var metrics = getFontMetrics(getFont());
         return margin()
                 + verdicts.stream()
-                        .map(one -> inBrief(one.code()))
+                        .map(one -> inWords(one.code()))
                         .mapToInt(metrics::stringWidth)
                         .max()
                         .orElseThrow();
     }
 
-    private String inBrief(String verdict) {
-        return texts.textOr("verdict.brief." + verdict, inFull(verdict));
-    }
-
-    private String inFull(String verdict) {
+    private String inWords(String verdict) {
         return verdict.isEmpty() ? "–" : GradingVerdict.word(verdict, texts.locale().getLanguage());
     }
 
@@ -265,7 +259,7 @@ final class CaseTable extends JTable {
                 case 0 -> VerdictLook.sign(one.verdict());
                 case 1 -> titles.apply(one.name());
                 case 2 -> one.verdict().isEmpty() ? one.of() : one.points() + "/" + one.of();
-                default -> brief ? inBrief(one.verdict()) : inFull(one.verdict());
+                default -> inWords(one.verdict());
             };
         }
     }

@@ -69,7 +69,7 @@ record Outcome(
     Optional<TriedCase> smallestCounterexample() {
         return cases.stream()
                 .filter(one -> !one.right() && one.pictures().isPresent())
-                .min(Comparator.comparingInt(one -> one.pictures().orElseThrow().size()));
+                .min(Comparator.comparingInt(TriedCase::pixels));
     }
 
     /**

@@ -3,11 +3,9 @@ package rasterlab.app.exercise;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
-import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
-import java.util.stream.IntStream;
 import rasterlab.engine.raster.PixelMark;
 
 /**
@@ -52,17 +50,6 @@ record RasterPicture(BufferedImage picture, int dots, BufferedImage raster) {
                         + Math.abs(dot.getGreen() - mark.getGreen())
                         + Math.abs(dot.getBlue() - mark.getBlue())
                 < ALIKE;
-    }
-
-    /** Column and row of the topmost pixel with a mark, or of the middle where none has one. */
-    Point firstMark() {
-        int width = raster.getWidth();
-        int height = raster.getHeight();
-        return IntStream.range(0, width * height)
-                .filter(i -> raster.getRGB(i % width, i / width) == PixelMark.ARGB)
-                .mapToObj(i -> new Point(i % width, i / width))
-                .findFirst()
-                .orElse(new Point(width / 2, height / 2));
     }
 
     /**

@@ -2,11 +2,16 @@ package rasterlab.app.exercise;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import rasterlab.exercises.score.CasePictures;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.PicturePart;
 import rasterlab.exercises.score.Points;
+import rasterlab.exercises.score.PublishedVerdict;
+import rasterlab.exercises.score.Report;
 
 /** Hands a source in and follows it to its result. */
 final class Submitting {
@@ -72,7 +77,7 @@ final class Submitting {
     }
 
     private static byte[] bytes(String text) {
-        return text.getBytes(java.nio.charset.StandardCharsets.UTF_8);
+        return text.getBytes(StandardCharsets.UTF_8);
     }
 
     private Outcome outcome(String source, String id) throws IOException, InterruptedException {
@@ -97,8 +102,7 @@ final class Submitting {
     }
 
     private static String isolation(JsonNode view, String language) {
-        return rasterlab.exercises.score.Report.isolationIn(
-                language, view.path("isolation").asText(""));
+        return Report.isolationIn(language, view.path("isolation").asText(""));
     }
 
     private static Said said(JsonNode english, JsonNode russian) {
@@ -117,29 +121,34 @@ final class Submitting {
         }
     }
 
-    private static TriedCase tried(JsonNode one, Said said, Optional<TriedCase.Pictures> pictures) {
+    private static TriedCase tried(JsonNode one, Said said, Optional<CasePictures> pictures) {
         JsonNode scene = one.path("scene");
+        var verdict =
+                new PublishedVerdict(
+                        one.path("verdict").asText(GradingVerdict.NO_RESULT.code()),
+                        one.path("run").asBoolean(true));
+        int points = one.path("points").asInt();
+        int of = one.path("of").asInt();
         return new TriedCase(
                 one.path("name").asText(),
-                GradingVerdict.told(
-                        one.path("verdict").asText(GradingVerdict.NO_RESULT.code()),
-                        one.path("run").asBoolean(true)),
-                one.path("points").asInt(),
-                one.path("of").asInt(),
+                verdict.told(points, of),
+                points,
+                of,
                 said,
                 pictures,
                 scene.isObject() ? scene.toString() : "");
     }
 
-    private Optional<TriedCase.Pictures> pictures(JsonNode addresses)
+    private Optional<CasePictures> pictures(JsonNode addresses)
             throws IOException, InterruptedException {
         if (!addresses.isObject()) return Optional.empty();
         return Optional.of(
-                new TriedCase.Pictures(
+                new CasePictures(
+                        addresses.path("text").asText(),
+                        PicturePart.ofData(addresses.path("part").toString()),
                         picture(addresses, "expected"),
                         picture(addresses, "actual"),
-                        picture(addresses, "difference"),
-                        addresses.path("text").asText()));
+                        picture(addresses, "difference")));
     }
 
     private byte[] picture(JsonNode addresses, String which)

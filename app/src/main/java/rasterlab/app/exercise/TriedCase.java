@@ -1,16 +1,13 @@
 package rasterlab.app.exercise;
 
-import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 import rasterlab.exercises.Exercise;
 import rasterlab.exercises.score.CasePictures;
 import rasterlab.exercises.score.CaseReport;
 import rasterlab.exercises.score.Disclosure;
 import rasterlab.exercises.score.GradingVerdict;
-import rasterlab.exercises.score.PicturePart;
 
 /**
  * One case of a result.
@@ -25,40 +22,8 @@ record TriedCase(
         int points,
         int of,
         Said said,
-        Optional<Pictures> pictures,
+        Optional<CasePictures> pictures,
         String scene) {
-    /**
-     * Right, drawn, and where they differ, each as PNG.
-     *
-     * @param text rows of characters, as {@link CasePictures#text}
-     */
-    record Pictures(byte[] expected, byte[] actual, byte[] difference, String text) {
-        private static Pictures of(CasePictures drawn) {
-            return new Pictures(
-                    drawn.expectedPng(), drawn.actualPng(), drawn.differencePng(), drawn.text());
-        }
-
-        /** Columns and rows of all that was drawn or expected, of which a part may be kept. */
-        List<Long> whole() {
-            Dimension kept = pixels();
-            return PicturePart.of(text)
-                    .map(part -> List.of(part.width(), part.height()))
-                    .orElse(List.of((long) kept.width, (long) kept.height));
-        }
-
-        /** Number of pixels of the box that holds both pictures. */
-        int size() {
-            return pixels().width * pixels().height;
-        }
-
-        /** Of that box, across and down. */
-        Dimension pixels() {
-            List<String> rows = PicturePart.rows(text);
-            int across = rows.stream().mapToInt(String::length).max().orElse(0);
-            return new Dimension(across, rows.size());
-        }
-    }
-
     static TriedCase of(CaseReport report) {
         return new TriedCase(
                 report.name(),
@@ -66,7 +31,7 @@ record TriedCase(
                 report.points(),
                 report.of(),
                 Said.of(report::message),
-                report.pictures().map((Function<CasePictures, Pictures>) Pictures::of),
+                report.pictures(),
                 report.scene());
     }
 
@@ -94,6 +59,13 @@ record TriedCase(
 
     private TriedCase called(String next) {
         return new TriedCase(next, verdict, points, of, said, pictures, scene);
+    }
+
+    /** Pixels that its pictures show; 0 where it has none. */
+    int pixels() {
+        return pictures.map(drawn -> CaseDrawing.pixels(drawn.rows()))
+                .map(size -> size.width * size.height)
+                .orElse(0);
     }
 
     boolean right() {

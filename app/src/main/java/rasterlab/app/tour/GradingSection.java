@@ -13,6 +13,7 @@ import rasterlab.app.canvas.Shown;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.score.GradingVerdict;
 import rasterlab.exercises.score.PicturePart;
+import rasterlab.exercises.score.PublishedVerdict;
 
 /** A real server, a course, a student and four submissions. */
 final class GradingSection implements TourPart {
@@ -145,13 +146,12 @@ final class GradingSection implements TourPart {
             if (!pictures.hasNonNull("difference")) continue;
             String name = judged.path("name").asText();
             page.paragraph(page.texts().text("grading.picture", title(judged)));
+            var part = PicturePart.ofData(pictures.path("part").toString());
+            part.filter(known -> !known.isWhole())
+                    .map(known -> known.said().in(page.texts().locale().getLanguage()))
+                    .ifPresent(page::paragraph);
             String text = pictures.path("text").asText();
-            PicturePart.of(text)
-                    .ifPresent(
-                            part ->
-                                    page.paragraph(
-                                            part.said().in(page.texts().locale().getLanguage())));
-            page.preformatted(String.join("\n", PicturePart.rows(text)));
+            page.preformatted(part.map(known -> String.join("\n", known.rows(text))).orElse(text));
             List<TourPage.Figure> figures = new ArrayList<>();
             for (String kind : PICTURES)
                 figures.add(
@@ -170,8 +170,9 @@ final class GradingSection implements TourPart {
     }
 
     private static String verdict(JsonNode judged) {
-        return GradingVerdict.told(
-                judged.path("verdict").asText(), judged.path("run").asBoolean(true));
+        return new PublishedVerdict(
+                        judged.path("verdict").asText(), judged.path("run").asBoolean(true))
+                .told(judged.path("points").asInt(), judged.path("of").asInt());
     }
 
     private static String title(JsonNode judged) {

@@ -82,7 +82,13 @@ class ReportTextTest {
                         0,
                         1,
                         Message.NONE,
-                        Optional.of(new CasePictures("#..", new byte[0], new byte[0], new byte[0])),
+                        Optional.of(
+                                new CasePictures(
+                                        "#..",
+                                        Optional.empty(),
+                                        new byte[0],
+                                        new byte[0],
+                                        new byte[0])),
                         "");
         return new Report(
                 GradingVerdict.WRONG,

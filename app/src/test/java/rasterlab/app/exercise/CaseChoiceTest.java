@@ -28,6 +28,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabTheme;
 import rasterlab.app.shell.OffscreenPainter;
+import rasterlab.exercises.score.CasePictures;
 import rasterlab.exercises.score.GradingVerdict;
 
 /** Which case of a result is chosen and in sight. */
@@ -298,7 +299,7 @@ class CaseChoiceTest {
 
     private static TriedCase drawn(TriedCase one, int pixels) {
         byte[] png = png(pixels);
-        var pictures = new TriedCase.Pictures(png, png, png, "-".repeat(pixels));
+        var pictures = new CasePictures("-".repeat(pixels), Optional.empty(), png, png, png);
         return new TriedCase(
                 one.name(), one.verdict(), 0, one.of(), Said.NOTHING, Optional.of(pictures), "");
     }

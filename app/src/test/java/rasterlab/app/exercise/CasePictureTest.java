@@ -4,26 +4,36 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.imageio.ImageIO;
+import javax.swing.UIManager;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.engine.raster.Pixel;
+import rasterlab.engine.raster.PixelWindow;
+import rasterlab.exercises.score.CasePictures;
+import rasterlab.exercises.score.PicturePart;
 
 class CasePictureTest {
+    private static final String LARGE = ("#".repeat(80) + "\n").repeat(40).strip();
+
     @Test
     @DisplayName("pictures of two sizes, as another server may send them, end in an unclear error")
     void picturesOfTwoSizesAreToldWithTheirSizes() throws Exception {
         var failures = new ArrayList<Throwable>();
-        var pictures = new TriedCase.Pictures(png(9, 9), png(9, 5), png(9, 9), "#");
+        var pictures = new CasePictures("#", Optional.empty(), png(9, 9), png(9, 5), png(9, 9));
         EventQueue.invokeAndWait(
                 () ->
                         new CasePicture(Texts.of("exercise", Language.ENGLISH), failures::add)
@@ -33,49 +43,116 @@ class CasePictureTest {
                 failures.stream().map(Throwable::getMessage).toList());
     }
 
-    @ParameterizedTest(name = "a part is not called one: {0}, {1}")
+    @ParameterizedTest(name = "the window does not say which columns and rows a part is: {0}")
     @CsvSource(
             delimiter = '|',
             value = {
-                "ENGLISH | columns 0..4 of -500..500, rows 7..9 of 0..300"
-                        + "| Part: 5 × 3 of 1001 × 301 pixels",
-                "RUSSIAN | columns 0..4 of -500..500, rows 7..9 of 0..300"
-                        + "| Часть: 5 × 3 из 1001 × 301 пикселей",
-                "ENGLISH | '' | ''",
+                "ENGLISH | A part: columns 0..4 of −500..500, rows 7..9 of 0..300",
+                "RUSSIAN | Часть: столбцы 0..4 из −500..500, строки 7..9 из 0..300"
             })
-    void aPartIsCalledOne(Language language, String first, String said) throws Exception {
-        String text = (first.isEmpty() ? "" : first + "\n") + "#..#.\n.-...\n....+";
-        var pictures = new TriedCase.Pictures(png(41, 25), png(41, 25), png(41, 25), text);
+    void aPartIsCalledOne(Language language, String said) throws Exception {
+        var part =
+                new PicturePart(
+                        new PixelWindow(0, 7, 4, 9),
+                        new PixelWindow(-500, 0, 500, 300),
+                        new Pixel(1, 8));
+        String text = "columns and rows\n#..#.\n.-...\n....+";
         EventQueue.invokeAndWait(
                 () -> {
-                    var shown = new CasePicture(Texts.of("exercise", language), failure -> {});
+                    CasePicture shown = shown(language, pictures(text, part, png(41, 25)));
                     shown.setSize(600, 300);
-                    shown.show(Optional.of(pictures));
-                    assertEquals(said, shown.words());
+                    assertEquals(List.of(said), words(shown));
+                    String told = shown.getAccessibleContext().getAccessibleDescription();
+                    assertEquals(said + "\n#..#.\n.-...\n....+", told);
                 });
     }
 
     @Test
     @DisplayName("what a small window shows of a large picture is not called a part")
     void whatHasNoRoomIsLeftOut() throws Exception {
-        String row = "#".repeat(80) + "\n";
-        byte[] png = png(641, 321);
-        var pictures = new TriedCase.Pictures(png, png, png, row.repeat(40).strip());
+        var whole = new PixelWindow(10, 0, 89, 39);
+        var part = new PicturePart(whole, whole, new Pixel(80, 35));
         EventQueue.invokeAndWait(
                 () -> {
-                    var shown = new CasePicture(Texts.of("exercise", Language.ENGLISH), one -> {});
+                    CasePicture shown = shown(Language.ENGLISH, pictures(LARGE, part, png()));
                     shown.setSize(400, 130);
-                    shown.show(Optional.of(pictures));
-                    assertTrue(shown.words().endsWith("of 80 × 40 pixels"), shown.words());
+                    String said = String.join(" ", words(shown));
+                    assertTrue(said.matches("A part: columns .* of 10..89, rows .*"), said);
                     shown.setSize(1200, 600);
-                    assertEquals("", shown.words());
+                    assertEquals(List.of(), words(shown));
                 });
     }
 
-    private static byte[] png(int width, int height) throws IOException {
+    @ParameterizedTest(name = "a small window shows another place than the message names: {0}, {1}")
+    @CsvSource({"80, 35", "10, 0", "50, 20"})
+    void thePixelOfTheMessageIsSeen(int x, int y) throws Exception {
+        var whole = new PixelWindow(10, 0, 89, 39);
+        var part = new PicturePart(whole, whole, new Pixel(x, y));
+        EventQueue.invokeAndWait(
+                () -> {
+                    CasePicture shown = shown(Language.ENGLISH, pictures(LARGE, part, png()));
+                    shown.setSize(400, 130);
+                    Rectangle seen = shown.arranged(CaseDrawing.KEYS).orElseThrow().part();
+                    assertTrue(seen.contains(x - 10, y), seen::toString);
+                });
+    }
+
+    @ParameterizedTest(name = "the words on a part are cut or tiny beside a list: {0}")
+    @EnumSource
+    void wordsOnAPartAreWhole(Language language) throws Exception {
+        var everything = PixelWindow.EVERYTHING;
+        var shown = new PixelWindow(Integer.MIN_VALUE, Integer.MIN_VALUE, -2147483569, -2147483609);
+        var part = new PicturePart(shown, everything, new Pixel(-2147483600, -2147483640));
+        EventQueue.invokeAndWait(
+                () -> {
+                    CasePicture picture =
+                            shown(language, pictures("columns\n" + LARGE, part, png()));
+                    picture.setSize(300, 260);
+                    List<String> lines = words(picture);
+                    var metrics = picture.getFontMetrics(picture.getFont());
+                    for (String line : lines)
+                        assertTrue(metrics.stringWidth(line) <= 300, () -> "cut: " + line);
+                    String all = String.join(" ", lines).replaceAll("[-−]?\\d{10}", "#");
+                    assertTrue(all.matches(".* #..# (of|из) #..#, .* #..# (of|из) #..#"), all);
+                    PlacedCase placed = picture.arranged(CaseDrawing.KEYS).orElseThrow();
+                    int lowest =
+                            placed.pictures().places().stream()
+                                    .mapToInt(place -> place.y + place.height)
+                                    .max()
+                                    .orElseThrow();
+                    int below = (1 + lines.size()) * metrics.getHeight();
+                    assertTrue(lowest + below <= 260, lowest + " and " + below);
+                });
+    }
+
+    private static List<String> words(CasePicture shown) {
+        return shown.arranged(CaseDrawing.KEYS).orElseThrow().words();
+    }
+
+    private static CasePicture shown(Language language, CasePictures pictures) {
+        var shown = new CasePicture(Texts.of("exercise", language), failure -> {});
+        shown.setFont(UIManager.getFont("Label.font"));
+        shown.show(Optional.of(pictures));
+        return shown;
+    }
+
+    private static CasePictures pictures(String text, PicturePart part, byte[] png) {
+        return new CasePictures(text, Optional.of(part), png, png, png);
+    }
+
+    /** Of a picture of 80 × 40 pixels. */
+    private static byte[] png() {
+        return png(641, 321);
+    }
+
+    private static byte[] png(int width, int height) {
         var bytes = new ByteArrayOutputStream();
         var picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        ImageIO.write(picture, "png", bytes);
+        try {
+            ImageIO.write(picture, "png", bytes);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
         return bytes.toByteArray();
     }
 }

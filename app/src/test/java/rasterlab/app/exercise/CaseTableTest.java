@@ -8,8 +8,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.exercises.Exercise;
@@ -59,6 +62,30 @@ class CaseTableTest {
                             "потерян последний пиксель (last-pixel-is-dropped)",
                             ((JComponent) cell).getToolTipText());
                 });
+    }
+
+    @ParameterizedTest(name = "the table and the head call a verdict differently: {0}")
+    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "NOT_RUN")
+    void verdictsAreSaidInTheSameWords(GradingVerdict verdict) throws Exception {
+        EventQueue.invokeAndWait(
+                () -> {
+                    ResultPane pane = ShownResult.pane(Language.RUSSIAN, failure -> {});
+                    Outcome outcome = ShownResult.outcome(verdict);
+                    ShownResult.show(pane, Work.NONE, Optional.of(outcome));
+                    var head = (JLabel) ShownResult.named(pane, "result.verdict");
+                    var table = new CaseTable(texts, () -> {});
+                    table.setSize(280, 200);
+                    table.show(outcome.cases(), name -> name);
+                    table.doLayout();
+                    Object said = table.getModel().getValueAt(0, 3);
+                    assertEquals(head.getText(), VerdictLook.sign(verdict.code()) + " " + said);
+                });
+    }
+
+    @Test
+    @DisplayName("a speed that is worth no points has a tick")
+    void worthlessSpeedHasNoTick() {
+        assertEquals("✗", VerdictLook.sign(GradingVerdict.TOO_SLOW.code()));
     }
 
     private static int needed(CaseTable table, int column) {

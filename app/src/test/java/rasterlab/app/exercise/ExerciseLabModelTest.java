@@ -273,10 +273,7 @@ class ExerciseLabModelTest {
             assertNotEquals(smallest.said().in(Language.RUSSIAN), smallest.said().english());
             for (TriedCase other : outcome.cases())
                 if (other.pictures().isPresent())
-                    assertTrue(
-                            smallest.pictures().orElseThrow().size()
-                                    <= other.pictures().orElseThrow().size(),
-                            other.name());
+                    assertTrue(smallest.pixels() <= other.pixels(), other.name());
             assertTrue(trial.state().upToDate());
             trial.model.type(FIRST_PIXEL + " ");
             assertFalse(trial.state().upToDate());

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
-import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
@@ -27,13 +26,6 @@ class RasterPictureTest {
         mark.paint(g, 2 * DOTS, 0, DOTS);
         g.dispose();
         return picture;
-    }
-
-    @ParameterizedTest(name = "a part of a picture is cut around another pixel: {0}")
-    @EnumSource
-    void firstMarkIsFoundByItsColour(PixelMark mark) {
-        RasterPicture picture = RasterPicture.of(picture(mark), new Dimension(4, 1), DOTS);
-        assertEquals(new Point(2, 0), picture.firstMark());
     }
 
     @ParameterizedTest(name = "a mark fades where its pixel is three units wide: {0}")

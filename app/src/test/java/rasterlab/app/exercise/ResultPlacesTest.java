@@ -11,6 +11,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.Rectangle;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -59,7 +60,7 @@ class ResultPlacesTest {
         OffscreenPainter.paint(pane, width, height);
         Rectangle before = named(pane, "cases.scroll").getBounds();
         Rectangle guide = named(pane, "guide.scroll").getBounds();
-        for (GradingVerdict verdict : GradingVerdict.values()) {
+        for (GradingVerdict verdict : EnumSet.complementOf(EnumSet.copyOf(CaseTable.OF_NO_CASE))) {
             EventQueue.invokeAndWait(() -> show(pane, Work.NONE, Optional.of(outcome(verdict))));
             OffscreenPainter.paint(pane, width, height);
             Rectangle after = named(pane, "cases.scroll").getBounds();
@@ -101,8 +102,8 @@ class ResultPlacesTest {
         var picture = (CasePicture) named(pane, "case.picture");
         assertTrue(picture.together(), "no room for three pictures in " + picture.getSize());
         assertTrue(picture.getHeight() >= 120, "pictures are high by " + picture.getHeight());
-        List<String> all = CasePicture.VIEWS.subList(1, 4);
-        float names = picture.placed(all).orElseThrow().type().getSize2D();
+        PlacedCase placed = picture.arranged(CaseDrawing.KEYS).orElseThrow();
+        float names = placed.pictures().type().getSize2D();
         float cases = named(pane, "cases").getFont().getSize2D();
         assertTrue(cases >= 0.7 * type, "cases of " + cases + " beside type of " + type);
         assertTrue(names >= 0.7 * cases, "names of " + names + " beside cases of " + cases);

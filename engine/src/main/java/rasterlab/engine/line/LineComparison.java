@@ -25,46 +25,8 @@ final class LineComparison {
                 missing.size(),
                 extra.size(),
                 exact.size(),
-                difference.isEmpty() ? order(exact, actual) : first(exact, actual, difference));
-    }
-
-    /** The same pixels, but perhaps repeated or in another order. */
-    private static String order(PixelRecording exact, PixelRecording actual) {
-        int shared = Math.min(exact.size(), actual.size());
-        int i = 0;
-        while (i < shared && same(exact, actual, i)) i++;
-        if (i == exact.size() && i == actual.size()) return "";
-        return actual.size() > exact.size()
-                ? pixel(actual, actual.firstRepeated()) + " is drawn again"
-                : pixel(actual, i) + " comes out of order";
-    }
-
-    private static String first(
-            PixelRecording exact, PixelRecording actual, PixelDifference difference) {
-        int missing = firstIn(difference.missing(), exact);
-        int extra = firstIn(difference.extra(), actual);
-        if (missing == extra)
-            return pixel(exact, missing) + " is missing, " + place(actual, extra) + " is drawn";
-        return missing < extra
-                ? pixel(exact, missing) + " is missing"
-                : pixel(actual, extra) + " is extra";
-    }
-
-    private static int firstIn(PixelSet set, PixelRecording writes) {
-        for (int i = 0; i < writes.size(); i++)
-            if (set.contains(writes.x(i), writes.y(i))) return i;
-        return Integer.MAX_VALUE;
-    }
-
-    private static boolean same(PixelRecording exact, PixelRecording actual, int i) {
-        return exact.x(i) == actual.x(i) && exact.y(i) == actual.y(i);
-    }
-
-    private static String pixel(PixelRecording writes, int i) {
-        return "pixel " + place(writes, i);
-    }
-
-    private static String place(PixelRecording writes, int i) {
-        return "(" + writes.x(i) + ", " + writes.y(i) + ")";
+                FirstDifference.of(exact, actual, difference)
+                        .map(FirstDifference::toString)
+                        .orElse(""));
     }
 }

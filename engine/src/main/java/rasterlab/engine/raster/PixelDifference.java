@@ -73,41 +73,20 @@ public record PixelDifference(PixelSet right, PixelSet missing, PixelSet extra) 
     }
 
     /**
-     * The box as rows of characters, top row first, joined by line feeds: {@code #} right, {@code
-     * +} extra, {@code -} missing, {@code .} none of them; empty where there is no pixel.
-     *
-     * <p>A box of more than 80 columns or 40 rows is cut to that size around its topmost wrong
-     * pixel (where nothing is wrong, around its topmost pixel), and a first line says which part is
-     * shown.
+     * A part of the box around a pixel of it, of at most 80 columns and 40 rows: all of a smaller
+     * box.
      */
-    public String text() {
-        return text(PixelSet.EMPTY);
+    public PixelWindow around(int x, int y) {
+        return box().orElseThrow().around(x, y, MOST_COLUMNS, MOST_ROWS);
     }
 
     /**
-     * The same around the topmost of other pixels where none is wrong.
-     *
-     * @param told pixels that are right, but something is to be said of them
+     * A part of the box as rows of characters, top row first, joined by line feeds: {@code #}
+     * right, {@code +} extra, {@code -} missing, {@code .} none of them. Where it is not the whole
+     * box, a first line says which part it is.
      */
-    public String text(PixelSet told) {
-        return box().map(whole -> text(whole, shown(whole, told))).orElse("");
-    }
-
-    /** The part of the box that {@link #text} shows; none if there is no pixel at all. */
-    public Optional<PixelWindow> shown(PixelSet told) {
-        return box().map(whole -> shown(whole, told));
-    }
-
-    private PixelWindow shown(PixelWindow whole, PixelSet told) {
-        PixelSet centre =
-                Stream.of(missing.union(extra), told)
-                        .filter(set -> !set.isEmpty())
-                        .findFirst()
-                        .orElse(right);
-        return whole.around(centre.x(0), centre.y(0), MOST_COLUMNS, MOST_ROWS);
-    }
-
-    private String text(PixelWindow whole, PixelWindow shown) {
+    public String text(PixelWindow shown) {
+        PixelWindow whole = box().orElseThrow();
         var text = new StringBuilder();
         if (!shown.equals(whole)) text.append(part(shown, whole)).append('\n');
         for (long y = shown.ymin(); y <= shown.ymax(); y++) {

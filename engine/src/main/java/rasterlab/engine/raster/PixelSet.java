@@ -2,7 +2,6 @@ package rasterlab.engine.raster;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
-import java.util.stream.LongStream;
 
 /**
  * Pixels without order or repetition, listed row by row and within a row by column; any int
@@ -56,14 +55,6 @@ public final class PixelSet {
                 IntStream.range(0, size())
                         .filter(i -> predicate.test(x(i), y(i)))
                         .mapToLong(i -> packed[i])
-                        .toArray());
-    }
-
-    PixelSet union(PixelSet other) {
-        return new PixelSet(
-                LongStream.concat(Arrays.stream(packed), Arrays.stream(other.packed))
-                        .sorted()
-                        .distinct()
                         .toArray());
     }
 

@@ -40,7 +40,7 @@ public record PixelWindow(int xmin, int ymin, int xmax, int ymax) {
      * A part of this window of at most {@code columns} × {@code rows} pixels around (x, y), moved
      * so that it stays inside.
      */
-    PixelWindow around(int x, int y, int columns, int rows) {
+    public PixelWindow around(int x, int y, int columns, int rows) {
         long left =
                 Math.min(
                         Math.max((long) x - columns / 2, xmin),

@@ -31,6 +31,7 @@ final class TextCanvas implements Pixels {
     void assertMatches(String what) {
         if (matches()) return;
         String writes = drawn.size() + " writes for " + expected.size() + " pixels";
+        var difference = PixelDifference.of(expected, drawn);
         String first = LineComparison.compare(expected, drawn).first();
         fail(
                 what
@@ -39,6 +40,6 @@ final class TextCanvas implements Pixels {
                         + "; "
                         + writes
                         + "\n"
-                        + PixelDifference.of(expected, drawn).text());
+                        + difference.text(difference.box().orElseThrow()));
     }
 }

@@ -2,8 +2,10 @@ package rasterlab.exercises.line;
 
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Locale;
 import java.util.Optional;
 import rasterlab.contract.LineRasterizer;
+import rasterlab.engine.line.FirstDifference;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
 import rasterlab.engine.raster.PixelDifference;
@@ -52,8 +54,8 @@ public final class LineJudge {
                     Message.of("still-plotting", actual.size(), wanted.size()),
                     wanted,
                     answer);
-        Message wrong = difference(segment, wanted, actual);
-        if (wrong.isEmpty()) return Finding.OK;
+        if (isAccepted(segment, wanted, actual)) return Finding.OK;
+        Message wrong = said(FirstDifference.of(wanted, actual).orElseThrow());
         return shown(GradingVerdict.WRONG, wrong.and(knownFault(segment, actual)), wanted, answer);
     }
 
@@ -66,14 +68,23 @@ public final class LineJudge {
         return Finding.of(verdict, Message.quoted(answer.thrown()).and(answer.place()));
     }
 
-    private Message difference(Segment segment, PixelRecording wanted, PixelRecording actual) {
+    private boolean isAccepted(Segment segment, PixelRecording wanted, PixelRecording actual) {
         Deviation deviation = topic.compare(segment, wanted, actual);
         boolean eachOnce =
                 deviation.missing() == 0
                         && deviation.extra() == 0
                         && actual.size() == wanted.size();
-        boolean accepted = demand.inOrder() ? deviation.exact() : eachOnce;
-        return accepted ? Message.NONE : FirstDifference.told(deviation.first());
+        return demand.inOrder() ? deviation.exact() : eachOnce;
+    }
+
+    private static Message said(FirstDifference first) {
+        return first.drawn()
+                .map(drawn -> Message.of("pixel.instead", first.pixel(), drawn))
+                .orElseGet(
+                        () -> {
+                            String kind = first.kind().name().toLowerCase(Locale.ROOT);
+                            return Message.of("pixel." + kind, first.pixel());
+                        });
     }
 
     /** Names the faulty textbook method that draws the very same; nothing where none does. */
@@ -107,7 +118,13 @@ public final class LineJudge {
         return new Finding(
                 verdict,
                 said,
-                CasePictures.of(difference, amiss.filter(difference.right()::contains)),
+                FirstDifference.of(wanted, actual)
+                        .map(
+                                first ->
+                                        CasePictures.of(
+                                                difference,
+                                                amiss.filter(difference.right()::contains),
+                                                first.pixel())),
                 Optional.of(new Plotted(actual, answer.ending() == Answer.Ending.CUT)));
     }
 

@@ -18,6 +18,8 @@ public enum GradingVerdict {
     NO_RESULT,
     /** Only for the report's line on speed: nothing was timed, so that nothing can be said. */
     NOT_MEASURED,
+    /** Only for the report's line on speed: measured, and right, but worth no point. */
+    TOO_SLOW,
     /** Only for a case: its turn did not come, for the method was stopped before. */
     NOT_RUN,
     /** Our own fault: tried again, never a mark. */
@@ -33,22 +35,16 @@ public enum GradingVerdict {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    /** What scripts are told, to which no result is all there is of a case that was not run. */
+    /** The nearest one that scripts know, and that a whole submission may have. */
     public GradingVerdict published() {
-        return this == NOT_RUN ? NO_RESULT : this;
+        return switch (this) {
+            case NOT_RUN -> NO_RESULT;
+            case TOO_SLOW -> OK;
+            default -> this;
+        };
     }
 
-    /**
-     * The code of a case's verdict from what scripts are told.
-     *
-     * @param code of the published verdict
-     * @param run whether the case was run
-     */
-    public static String told(String code, boolean run) {
-        return run ? code : NOT_RUN.code();
-    }
-
-    /** In words, wherever they are read. */
+    /** In words, the same wherever they are read. */
     public String word(String language) {
         return Message.of("verdict." + code()).in(language);
     }

@@ -22,6 +22,8 @@ public record Message(List<Sentence> sentences) {
     private static final Set<String> LANGUAGES = Set.of("en", "ru");
     private static final Pattern PIXEL = Pattern.compile("^\\((-?\\d+), (-?\\d+)\\)$");
 
+    private static final Pattern NEGATIVE = Pattern.compile("-\\d+");
+
     /** A number with a fraction. */
     private static final Pattern BROKEN = Pattern.compile("\\d+\\.\\d+");
 
@@ -48,6 +50,8 @@ public record Message(List<Sentence> sentences) {
         }
 
         private static String inForm(String argument, ResourceBundle texts) {
+            if (NEGATIVE.matcher(argument).matches())
+                return argument.replace("-", texts.getString("minus"));
             return BROKEN.matcher(argument).matches()
                     ? argument.replace('.', point(texts))
                     : pixel(argument, texts);

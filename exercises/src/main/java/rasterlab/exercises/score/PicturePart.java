@@ -1,65 +1,74 @@
 package rasterlab.exercises.score;
 
+import com.fasterxml.jackson.annotation.JsonAutoDetect.Visibility;
+import com.fasterxml.jackson.annotation.PropertyAccessor;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.util.List;
 import java.util.Optional;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
-import java.util.stream.Stream;
+import rasterlab.engine.raster.Pixel;
+import rasterlab.engine.raster.PixelWindow;
 
 /**
- * Which part of a picture a text of {@link CasePictures} shows, where it is not all of it.
+ * Which pixels a case's pictures show.
  *
- * @param columns first and last of the part, then those of the whole picture
- * @param rows the same
+ * @param shown the columns and rows of the pictures
+ * @param whole those of all that is expected or drawn
+ * @param pixel the one that the case's message names, or another that a smaller part is to show
  */
-public record PicturePart(List<Integer> columns, List<Integer> rows) {
-    private static final String RANGE = "(-?\\d+)\\.\\.(-?\\d+) of (-?\\d+)\\.\\.(-?\\d+)";
-    private static final Pattern LINE = Pattern.compile("columns " + RANGE + ", rows " + RANGE);
+public record PicturePart(PixelWindow shown, PixelWindow whole, Pixel pixel) {
+    private static final JsonMapper MAPPER =
+            JsonMapper.builder()
+                    .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
+                    .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
+                    .visibility(PropertyAccessor.IS_GETTER, Visibility.NONE)
+                    .build();
 
-    /**
-     * What the first line says; empty where the text shows the whole picture.
-     *
-     * @param text as {@link CasePictures#text}
-     */
-    public static Optional<PicturePart> of(String text) {
-        Matcher line = LINE.matcher(text.lines().findFirst().orElse(""));
-        if (!line.matches()) return Optional.empty();
+    /** Whether nothing is left out. */
+    public boolean isWhole() {
+        return shown.equals(whole);
+    }
+
+    /** At most so many columns and rows of what is shown, with the pixel in their middle. */
+    public PicturePart around(int columns, int rows) {
+        return new PicturePart(shown.around(pixel.x(), pixel.y(), columns, rows), whole, pixel);
+    }
+
+    /** The rows of characters of {@link CasePictures#text}, without the line on the part. */
+    public List<String> rows(String text) {
+        return text.lines().skip(isWhole() ? 0 : 1).toList();
+    }
+
+    /** In words: its first and last column, those of the whole, and its rows. */
+    public Message said() {
+        return Message.of(
+                "picture.part",
+                shown.xmin(),
+                shown.xmax(),
+                whole.xmin(),
+                whole.xmax(),
+                shown.ymin(),
+                shown.ymax(),
+                whole.ymin(),
+                whole.ymax());
+    }
+
+    /** As JSON, to be stored and for scripts. */
+    public String data() {
         try {
-            return Optional.of(new PicturePart(numbers(line, 1), numbers(line, 5)));
-        } catch (NumberFormatException fromAnotherServer) {
-            return Optional.empty();
+            return MAPPER.writeValueAsString(this);
+        } catch (JsonProcessingException e) {
+            throw new AssertionError("numbers can always be written", e);
         }
     }
 
-    private static List<Integer> numbers(Matcher line, int first) {
-        return List.of(
-                Integer.valueOf(line.group(first)),
-                Integer.valueOf(line.group(first + 1)),
-                Integer.valueOf(line.group(first + 2)),
-                Integer.valueOf(line.group(first + 3)));
-    }
-
-    /** The rows of characters alone. */
-    public static List<String> rows(String text) {
-        return text.lines().skip(of(text).isPresent() ? 1 : 0).toList();
-    }
-
-    /** Columns of the whole picture. */
-    public long width() {
-        return size(columns);
-    }
-
-    /** Rows of the whole picture. */
-    public long height() {
-        return size(rows);
-    }
-
-    private static long size(List<Integer> range) {
-        return (long) range.get(3) - range.get(2) + 1;
-    }
-
-    /** The line in words. */
-    public Message said() {
-        return Message.of("picture.part", Stream.concat(columns.stream(), rows.stream()).toArray());
+    /** What {@link #data} wrote; empty where it is nothing of that form. */
+    public static Optional<PicturePart> ofData(String data) {
+        try {
+            return Optional.ofNullable(MAPPER.readValue(data, PicturePart.class));
+        } catch (JsonProcessingException e) {
+            return Optional.empty();
+        }
     }
 }

@@ -1,5 +1,6 @@
 package rasterlab.exercises.score;
 
+import java.math.BigDecimal;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -37,19 +38,25 @@ public final class SpeedPoints {
                         .findFirst()
                         .map(band -> (int) Math.round(band.share() * of))
                         .orElse(0);
+        boolean worthless = points == 0 && of > 0;
         Message said =
                 Message.of(
-                        "speed.measured",
+                        worthless ? "speed.worthless" : "speed.measured",
                         twoPlaces(nanos),
                         twoPlaces(reference),
                         twoPlaces(ratio),
-                        BANDS.get(0).upTo());
+                        limit(BANDS.get(0)),
+                        limit(BANDS.get(BANDS.size() - 1)));
         boolean printingCost = printed && points < of;
         return report(
-                GradingVerdict.OK,
+                worthless ? GradingVerdict.TOO_SLOW : GradingVerdict.OK,
                 points,
                 of,
                 printingCost ? said.and(Message.of("speed.printing")) : said);
+    }
+
+    private static String limit(Band band) {
+        return BigDecimal.valueOf(band.upTo()).stripTrailingZeros().toPlainString();
     }
 
     private static String twoPlaces(double number) {

@@ -16,11 +16,13 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import rasterlab.contract.LineRasterizer;
 import rasterlab.engine.line.LineTopic;
 import rasterlab.engine.line.Segment;
+import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.study.LimitReached;
 import rasterlab.engine.study.Method;
@@ -33,6 +35,7 @@ import rasterlab.exercises.score.Answer;
 import rasterlab.exercises.score.CasePictures;
 import rasterlab.exercises.score.Finding;
 import rasterlab.exercises.score.GradingVerdict;
+import rasterlab.exercises.score.PicturePart;
 
 /** The exercise proves its own cases: faulty methods fail, right ones do not. */
 class LineExerciseTest {
@@ -301,6 +304,21 @@ class LineExerciseTest {
         for (int x = 0; x < 99; x++) again.plot(x, 0);
         again.plot(98, 0);
         assertMarked(new Segment(0, 0, 98, 0), again, Answer.Ending.RETURNED, false);
+    }
+
+    @ParameterizedTest(name = "the picture shows another place than the message names: {0}, {1}")
+    @CsvSource({"-2000000000, -2000000000", "2000000000, 2000000000", "0, -1"})
+    void thePictureShowsThePixelOfTheMessage(int x, int y) {
+        Segment segment = new Segment(0, 0, 500, 0);
+        PixelRecording drawn = new PixelRecording(501);
+        for (int i = 0; i <= 500; i++) drawn.plot(i == 300 ? x : i, i == 300 ? y : 0);
+        LineCase demand = new LineCase(List.of(segment), false, false, 1000, false);
+        Answer answer = new Answer(Answer.Ending.RETURNED, drawn, "", "", 0, "");
+        Finding finding = new LineJudge(demand, true).judge(segment, answer);
+        assertTrue(finding.said().toString().startsWith("pixel (300, 0) is missing"));
+        PicturePart part = finding.pictures().flatMap(CasePictures::part).orElseThrow();
+        assertTrue(part.shown().contains(300, 0), part::toString);
+        assertEquals(new Pixel(300, 0), part.pixel());
     }
 
     private static void assertMarked(

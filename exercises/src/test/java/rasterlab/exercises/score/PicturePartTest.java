@@ -1,10 +1,15 @@
 package rasterlab.exercises.score;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelRecording;
 import rasterlab.engine.raster.PixelSet;
@@ -13,24 +18,52 @@ class PicturePartTest {
     @Test
     @DisplayName("a cut picture is not called a part of one, or only in English")
     void aCutPictureTellsItsPlace() {
-        PicturePart part = PicturePart.of(line(1001)).orElseThrow();
-        assertEquals(1001, part.width());
-        assertEquals(1, part.height());
-        assertEquals("columns 0..79 of 0..1000, rows 0..0 of 0..0", part.said().in("en"));
-        assertEquals("столбцы 0..79 из 0..1000, строки 0..0 из 0..0", part.said().in("ru"));
-        assertEquals(List.of("#".repeat(80)), PicturePart.rows(line(1001)));
+        CasePictures pictures = line(1001, 500);
+        PicturePart part = pictures.cut().orElseThrow();
+        assertEquals("columns 460..539 of 0..1000, rows 0..0 of 0..0", part.said().in("en"));
+        assertEquals("столбцы 460..539 из 0..1000, строки 0..0 из 0..0", part.said().in("ru"));
+        assertEquals(part.said().in("en"), pictures.text().lines().findFirst().orElseThrow());
+        assertEquals(List.of("#".repeat(80)), pictures.rows());
     }
 
     @Test
     @DisplayName("a whole picture is called a part")
     void aWholePictureIsNone() {
-        assertEquals(true, PicturePart.of(line(80)).isEmpty());
-        assertEquals(List.of("#".repeat(80)), PicturePart.rows(line(80)));
+        assertTrue(line(80, 0).cut().isEmpty());
+        assertEquals(List.of("#".repeat(80)), line(80, 0).rows());
     }
 
-    private static String line(int pixels) {
+    @Test
+    @DisplayName("a part that is kept is another one when it is read")
+    void aPartIsReadAsItWasWritten() {
+        Optional<PicturePart> part = line(1001, 500).part();
+        assertEquals(part, PicturePart.ofData(part.orElseThrow().data()));
+        assertEquals(
+                "{\"shown\":{\"xmin\":460,\"ymin\":0,\"xmax\":539,\"ymax\":0},"
+                        + "\"whole\":{\"xmin\":0,\"ymin\":0,\"xmax\":1000,\"ymax\":0},"
+                        + "\"pixel\":{\"x\":500,\"y\":0}}",
+                part.orElseThrow().data());
+    }
+
+    @ParameterizedTest(name = "what is no part is read as one, or ends in an error: {0}")
+    @ValueSource(
+            strings = {
+                "",
+                "null",
+                "[]",
+                "{}",
+                "{\"shown\":{\"xmin\":9,\"ymin\":0,\"xmax\":0,\"ymax\":0},"
+                        + "\"whole\":{\"xmin\":0,\"ymin\":0,\"xmax\":9,\"ymax\":0},"
+                        + "\"pixel\":{\"x\":0,\"y\":0}}"
+            })
+    void whatIsNoPartIsNone(String data) {
+        assertEquals(Optional.empty(), PicturePart.ofData(data));
+    }
+
+    private static CasePictures line(int pixels, int around) {
         PixelRecording drawn = new PixelRecording(pixels);
         for (int x = 0; x < pixels; x++) drawn.plot(x, 0);
-        return PixelDifference.of(drawn, drawn).text(PixelSet.EMPTY);
+        PixelDifference same = PixelDifference.of(drawn, drawn);
+        return CasePictures.of(same, PixelSet.EMPTY, new Pixel(around, 0));
     }
 }

@@ -15,6 +15,7 @@ import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelDifference;
 import rasterlab.engine.raster.PixelMark;
 import rasterlab.engine.raster.PixelRecording;
@@ -23,7 +24,7 @@ import rasterlab.engine.raster.PixelSet;
 /** What a student is shown and what not. */
 class ReportTest {
     private static final CasePictures PICTURES =
-            new CasePictures("#", new byte[1], new byte[1], new byte[1]);
+            new CasePictures("#", Optional.empty(), new byte[1], new byte[1], new byte[1]);
 
     @ParameterizedTest
     @CsvSource({
@@ -68,10 +69,22 @@ class ReportTest {
         assertEquals(points, SpeedPoints.measured(2 * ratio, 2, false, 10).points());
     }
 
+    @ParameterizedTest(name = "a speed that earns nothing is called right: {0} of {1}")
+    @CsvSource({"9, 10, TOO_SLOW", "7.9, 10, OK", "9, 0, OK"})
+    void speedWithoutPointsIsTooSlow(double ratio, int of, GradingVerdict verdict) {
+        CaseReport speed = SpeedPoints.measured(ratio, 1, false, of);
+        assertEquals(verdict, speed.verdict());
+        var told = PublishedVerdict.of(verdict);
+        assertEquals("ok", told.code(), "scripts know no other");
+        assertEquals(verdict.code(), told.told(speed.points(), of));
+    }
+
     @ParameterizedTest(name = "times, ratio or what full points need are not told: {1}")
     @CsvSource({
         "en, 2.26, '2.26 ns per pixel, the reference 2.00 ns, ratio 1.13; full points up to 1.5'",
         "ru, 9.00, '9,00 нс на пиксель, у эталона 2,00 нс, отношение 4,50; все баллы — до 1,5'",
+        "en, 20, '20.00 ns per pixel, the reference 2.00 ns, ratio 10.00; full points up to 1.5,"
+                + " none above 8'",
     })
     void speedTellsWhatWasMeasured(String language, double nanos, String said) {
         assertEquals(said, SpeedPoints.measured(nanos, 2, false, 10).message(language));
@@ -86,10 +99,8 @@ class ReportTest {
 
     @Test
     void picturesTellMissingAndExtraByShape() throws IOException {
-        BufferedImage missing =
-                picture(CasePictures.of(difference("-"), PixelSet.EMPTY).orElseThrow());
-        BufferedImage extra =
-                picture(CasePictures.of(difference("+"), PixelSet.EMPTY).orElseThrow());
+        BufferedImage missing = picture(pictures("-"));
+        BufferedImage extra = picture(pictures("+"));
         assertEquals(33, missing.getWidth());
         assertEquals(PixelMark.ARGB, extra.getRGB(16, 16), "the cross has the colour of each lab");
         assertNotEquals(missing.getRGB(16, 16), extra.getRGB(16, 16), "ring is open, cross is not");
@@ -101,7 +112,7 @@ class ReportTest {
         PixelRecording again = new PixelRecording(1);
         again.plot(1, 0);
         CasePictures pictures =
-                CasePictures.of(difference("###"), PixelSet.of(again)).orElseThrow();
+                CasePictures.of(difference("###"), PixelSet.of(again), new Pixel(1, 0));
         BufferedImage picture = picture(pictures);
         assertEquals(PixelMark.ARGB, picture.getRGB(32 + 16, 16));
         assertNotEquals(PixelMark.ARGB, picture.getRGB(16, 16), "drawn once");
@@ -117,6 +128,11 @@ class ReportTest {
         return ImageIO.read(new ByteArrayInputStream(pictures.differencePng()));
     }
 
+    /** Around the last pixel. */
+    private static CasePictures pictures(String row) {
+        return CasePictures.of(difference(row), PixelSet.EMPTY, new Pixel(row.length() - 1, 0));
+    }
+
     /** One row of # right, + extra and - missing pixels. */
     private static PixelDifference difference(String row) {
         PixelRecording exact = new PixelRecording(99);
@@ -130,17 +146,16 @@ class ReportTest {
 
     @Test
     void expectedAndActualLeaveOutWhatTheOtherHas() {
-        CasePictures both = CasePictures.of(difference("#+-#"), PixelSet.EMPTY).orElseThrow();
-        CasePictures exact = CasePictures.of(difference("#.##"), PixelSet.EMPTY).orElseThrow();
-        CasePictures drawn = CasePictures.of(difference("##.#"), PixelSet.EMPTY).orElseThrow();
+        CasePictures both = pictures("#+-#");
+        CasePictures exact = pictures("#.##");
+        CasePictures drawn = pictures("##.#");
         assertArrayEquals(exact.differencePng(), both.expectedPng());
         assertArrayEquals(drawn.differencePng(), both.actualPng());
     }
 
     @Test
     void theBeginningOfALongPictureIsTheOneThatTheTextShows() throws IOException {
-        CasePictures pictures =
-                CasePictures.of(difference("#".repeat(90) + "-"), PixelSet.EMPTY).orElseThrow();
+        CasePictures pictures = pictures("#".repeat(90) + "-");
         BufferedImage picture = picture(pictures);
         assertEquals(80 * 8 + 1, picture.getWidth());
         assertTrue(pictures.text().endsWith("#-"), pictures::text);
@@ -152,10 +167,5 @@ class ReportTest {
         assertEquals(
                 "только ограничения процесса", Report.isolationIn("ru", "process limits only"));
         assertEquals("bubblewrap", Report.isolationIn("ru", "bubblewrap"));
-    }
-
-    @Test
-    void nothingIsDrawnWhereThereIsNoPixel() {
-        assertEquals(Optional.empty(), CasePictures.of(difference(""), PixelSet.EMPTY));
     }
 }

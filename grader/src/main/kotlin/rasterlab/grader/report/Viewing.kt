@@ -4,11 +4,15 @@
  */
 package rasterlab.grader.report
 
+import kotlinx.serialization.KSerializer
 import kotlinx.serialization.Serializable
+import kotlinx.serialization.encoding.Decoder
+import kotlinx.serialization.encoding.Encoder
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
 import rasterlab.exercises.score.CaseReport
-import rasterlab.exercises.score.GradingVerdict
+import rasterlab.exercises.score.PicturePart
+import rasterlab.exercises.score.PublishedVerdict
 import rasterlab.exercises.score.Report
 import rasterlab.grader.course.Identity
 import rasterlab.grader.storage.text
@@ -57,14 +61,33 @@ data class CaseView(
     val scene: JsonElement?,
 )
 
-/** Addresses of the pictures, and the difference as rows of characters. */
+/**
+ * Addresses of the pictures, and the difference as rows of characters.
+ *
+ * @param part which pixels these are; null where an older server drew them
+ */
 @Serializable
 data class PicturesView(
     val expected: String,
     val actual: String,
     val difference: String,
     val text: String,
+    @Serializable(with = PartAsJson::class) val part: PicturePart?,
 )
+
+/** As the part itself writes it. */
+private object PartAsJson : KSerializer<PicturePart> {
+    private val json = JsonElement.serializer()
+    override val descriptor = json.descriptor
+
+    override fun serialize(
+        encoder: Encoder,
+        value: PicturePart,
+    ) = encoder.encodeSerializableValue(json, Json.parseToJsonElement(value.data()))
+
+    override fun deserialize(decoder: Decoder): PicturePart =
+        PicturePart.ofData(decoder.decodeSerializableValue(json).toString()).orElseThrow()
+}
 
 @Serializable
 data class DiagnosticView(
@@ -118,15 +141,22 @@ fun CaseReport.view(
     val folder = "/api/v1/submissions/$submission/cases/${name()}"
     val pictures =
         pictures().getOrNull()?.let {
-            PicturesView("$folder/expected.png", "$folder/actual.png", "$folder/difference.png", it.text())
+            PicturesView(
+                "$folder/expected.png",
+                "$folder/actual.png",
+                "$folder/difference.png",
+                it.text(),
+                it.part().getOrNull(),
+            )
         }
+    val verdict = PublishedVerdict.of(verdict())
     val scene = scene().takeIf { it.isNotEmpty() }?.let(Json::parseToJsonElement)
     return CaseView(
         name(),
         title,
         visibility().code(),
-        verdict() != GradingVerdict.NOT_RUN,
-        verdict().published().code(),
+        verdict.run(),
+        verdict.code(),
         points(),
         of(),
         message(language),

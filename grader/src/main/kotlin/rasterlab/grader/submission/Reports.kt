@@ -7,6 +7,7 @@ import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
+import rasterlab.exercises.score.PicturePart
 import rasterlab.exercises.score.Points
 import rasterlab.exercises.score.Report
 import rasterlab.grader.storage.Database
@@ -99,9 +100,9 @@ class Reports(
         handle
             .createUpdate(
                 """INSERT INTO case_results (submission_id, revision, position, name, visibility, verdict, points, points_of,
-                       message, message_data, scene, picture_text, expected_png, actual_png, difference_png)
+                       message, message_data, scene, picture_text, picture_part, expected_png, actual_png, difference_png)
                    VALUES (:id, :revision, :position, :name, :visibility, :verdict, :points, :of,
-                       :message, :data, :scene, :text, :expected, :actual, :difference)""",
+                       :message, :data, :scene, :text, :part, :expected, :actual, :difference)""",
             ).bind("id", submission)
             .bind("revision", revision)
             .bind("position", position)
@@ -114,6 +115,7 @@ class Reports(
             .bind("data", case.said().data())
             .bind("scene", case.scene())
             .bind("text", pictures?.text())
+            .bind("part", pictures?.part()?.getOrNull()?.data())
             .bind("expected", pictures?.expectedPng())
             .bind("actual", pictures?.actualPng())
             .bind("difference", pictures?.differencePng())
@@ -156,6 +158,7 @@ class Reports(
                     row.getString("picture_text")?.let {
                         CasePictures(
                             it,
+                            PicturePart.ofData(row.getString("picture_part").orEmpty()),
                             row.getBytes("expected_png"),
                             row.getBytes("actual_png"),
                             row.getBytes("difference_png"),

@@ -22,15 +22,13 @@ import kotlinx.html.strong
 import kotlinx.html.summary
 import kotlinx.html.ul
 import rasterlab.exercises.score.Disclosure
-import rasterlab.exercises.score.GradingVerdict
-import rasterlab.exercises.score.PicturePart
+import rasterlab.exercises.score.PublishedVerdict
 import rasterlab.exercises.score.Report
 import rasterlab.grader.report.CaseView
 import rasterlab.grader.report.DiagnosticView
 import rasterlab.grader.report.PicturesView
 import rasterlab.grader.report.PointsView
 import rasterlab.grader.report.SubmissionView
-import kotlin.jvm.optionals.getOrNull
 
 /** Everything that is known of a submission by now. */
 fun DIV.result(
@@ -122,7 +120,7 @@ private fun FlowContent.case(
     case: CaseView,
 ) = article("case card") {
     div("row") {
-        status(texts, GradingVerdict.told(case.verdict, case.run), "")
+        status(texts, PublishedVerdict(case.verdict, case.run).told(case.points, case.of), "")
         h3 { +case.title }
         if (case.visibility != Disclosure.OPEN.code()) span("hidden-case") { +texts.say("result.hidden") }
         span("earned") { +texts.say("result.case.points", case.points, case.of) }
@@ -136,13 +134,9 @@ private fun FlowContent.pictures(
     case: String,
     pictures: PicturesView,
 ) {
-    val part =
-        PicturePart
-            .of(pictures.text)
-            .getOrNull()
-            ?.said()
-            ?.`in`(texts.language)
-    if (part != null) p("legend") { +texts.say("result.part", part) }
+    pictures.part?.takeIf { !it.isWhole }?.let { part ->
+        p("legend") { +texts.say("result.part", part.said().`in`(texts.language)) }
+    }
     div("pictures") {
         listOf(
             "expected" to pictures.expected,
@@ -157,7 +151,7 @@ private fun FlowContent.pictures(
     }
     details {
         summary { +texts.say("result.astext") }
-        pre("picture-text") { +PicturePart.rows(pictures.text).joinToString("\n") }
+        pre("picture-text") { +(pictures.part?.rows(pictures.text)?.joinToString("\n") ?: pictures.text) }
     }
 }
 

@@ -7,12 +7,15 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.junit.jupiter.params.ParameterizedTest
 import org.junit.jupiter.params.provider.EnumSource
+import rasterlab.engine.raster.Pixel
+import rasterlab.engine.raster.PixelWindow
 import rasterlab.exercises.score.CasePictures
 import rasterlab.exercises.score.CaseReport
 import rasterlab.exercises.score.Diagnostic
 import rasterlab.exercises.score.Disclosure
 import rasterlab.exercises.score.GradingVerdict
 import rasterlab.exercises.score.Message
+import rasterlab.exercises.score.PicturePart
 import rasterlab.exercises.score.Points
 import rasterlab.exercises.score.Report
 import rasterlab.grader.Classroom
@@ -89,7 +92,10 @@ class ReportsTest {
         Optional
             .of(number)
             .filter { it % 3 != 2 }
-            .map { CasePictures("#+-.$it", png(it, 1), png(it, 2), png(it, 3)) }
+            .map { CasePictures("#+-.$it", Optional.of(part(it)), png(it, 1), png(it, 2), png(it, 3)) }
+
+    private fun part(number: Int) =
+        PixelWindow(number, 0, number + 3, 0).let { PicturePart(it, PixelWindow(0, 0, 99, 99), Pixel(number, 0)) }
 
     private fun png(
         number: Int,
@@ -109,6 +115,7 @@ class ReportsTest {
             case.said(),
             case.scene(),
             pictures?.text(),
+            pictures?.part(),
         ) + images.map { it?.toList() }
     }
 

@@ -55,6 +55,8 @@ class PagesTest {
             assertFalse("<script>alert" in result || "<img src=x" in result, "the result has foreign markup: $result")
             assertTrue("secret of open-case &lt;img" in result, result)
             assertFalse("secret of hidden-case" in result, "a hidden case is told")
+            assertTrue("columns -2..1 of -2..99, rows 1..1 of 1..1" in result, "no part is told: $result")
+            assertTrue("""<pre class="picture-text">#+-.</pre>""" in result, "not the rows alone: $result")
         }
 
     @Test
@@ -63,6 +65,13 @@ class PagesTest {
         val view = case.view("s1", "en", "one pixel")
         assertEquals("no_result" to false, view.verdict to view.run)
         assertTrue(Classroom.case("open-case", Disclosure.OPEN, GradingVerdict.WRONG).view("s1", "en", "one").run)
+    }
+
+    @Test
+    fun tellsScriptsNoNewVerdictOfASpeedWithoutPoints() {
+        val case = Classroom.case("speed", Disclosure.OPEN, GradingVerdict.TOO_SLOW)
+        val view = case.view("s1", "en", "speed")
+        assertEquals("ok" to true, view.verdict to view.run)
     }
 
     @Test
