@@ -64,6 +64,7 @@ final class CourseServer {
      * @throws ServerRefusal if the server does not know it
      */
     Account known(String token) throws IOException, InterruptedException {
+        if (!token.matches("[!-~]+")) throw new ServerRefusal(401, "", "no header can hold it");
         get("/api/v1/exercises", token);
         return new Account(server, token, "");
     }

@@ -185,6 +185,7 @@ final class JoinForm extends JPanel {
     }
 
     private void join(ExerciseLabModel model) {
+        forget();
         if (known.isSelected())
             model.signIn(address.getText(), String.valueOf(token.getPassword()));
         else model.join(address.getText(), code.getText().strip(), student.getText().strip());
@@ -198,7 +199,19 @@ final class JoinForm extends JPanel {
         }
         enableFields();
         if (answer.joined()) question.setValue(join);
-        else if (!answer.problem().isEmpty()) tell(answer);
+        else if (!answer.problem().isEmpty() && !tells(answer)) tell(answer);
+        else if (answer.problem().isEmpty() && !state.joins()) forget();
+    }
+
+    private void forget() {
+        remove(problem);
+        revalidate();
+        repaint();
+    }
+
+    /** Whether that is said already, so that no other news takes the keyboard from its place. */
+    private boolean tells(JoinAnswer refused) {
+        return problem.getParent() == this && problem.getText().equals(refused.problem().in(texts));
     }
 
     /** Below the field that is to be typed anew, which gets the keyboard. */

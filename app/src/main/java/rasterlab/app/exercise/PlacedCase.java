@@ -34,11 +34,11 @@ record PlacedCase(Rectangle part, NamedPictures pictures, List<String> words) {
             CaseDrawing drawing, NamedPictures.Wanted whole, Function<PicturePart, String> said) {
         /** Empty where the names have no room. */
         Optional<PlacedCase> in(Dimension room) {
-            for (int lines = 0; lines <= MOST_LINES; lines++) {
+            for (int lines = 0; lines < MOST_LINES; lines++) {
                 Optional<PlacedCase> placed = above(lines, room);
                 if (placed.isEmpty() || placed.get().words().size() <= lines) return placed;
             }
-            return Optional.empty();
+            return above(MOST_LINES, room);
         }
 
         private Optional<PlacedCase> above(int lines, Dimension room) {

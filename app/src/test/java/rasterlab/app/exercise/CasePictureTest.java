@@ -21,6 +21,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
+import rasterlab.app.shell.LabTheme;
 import rasterlab.engine.raster.Pixel;
 import rasterlab.engine.raster.PixelWindow;
 import rasterlab.exercises.score.CasePictures;
@@ -130,6 +131,7 @@ class CasePictureTest {
     }
 
     private static CasePicture shown(Language language, CasePictures pictures) {
+        ShownResult.install(LabTheme.LIGHT, 14);
         var shown = new CasePicture(Texts.of("exercise", language), failure -> {});
         shown.setFont(UIManager.getFont("Label.font"));
         shown.show(Optional.of(pictures));

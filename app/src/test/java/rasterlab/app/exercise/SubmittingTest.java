@@ -199,6 +199,8 @@ class SubmittingTest {
             assertEquals("join.token", trial.awaitEnd().notice().key());
             assertEquals(Optional.of(before), trial.model.state().account());
             server.on("GET /api/v1/exercises", 200, "[]");
+            trial.model.signIn(server.address(), "ключ");
+            assertEquals("join.token", trial.awaitEnd().notice().key());
             trial.model.signIn(server.address(), " known ");
             assertEquals("joined", trial.awaitEnd().notice().key());
             assertEquals("known", trial.model.state().account().orElseThrow().token());
