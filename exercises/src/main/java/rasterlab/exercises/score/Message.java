@@ -27,9 +27,13 @@ public record Message(List<Sentence> sentences) {
     /** A number with a fraction. */
     private static final Pattern BROKEN = Pattern.compile("\\d+\\.\\d+");
 
-    /** Of other people's words, and of what stands in their files, which stay as they are. */
-    private static final Pattern VERBATIM =
-            Pattern.compile("quoted|printed|printed\\.case|field\\..*");
+    /**
+     * The texts whose places hold numbers and pixels of ours. In all others a number may be a name
+     * or stand in somebody's file or program, and stays as it is.
+     */
+    private static final Pattern NUMBERS =
+            Pattern.compile(
+                    "pixel\\..*|child\\.time|complex\\.time|formula\\.large|speed\\.(measured|slow)");
 
     private static final JsonMapper MAPPER = new JsonMapper();
 
@@ -43,7 +47,7 @@ public record Message(List<Sentence> sentences) {
         }
 
         private String in(ResourceBundle texts) {
-            boolean ours = !VERBATIM.matcher(key).matches();
+            boolean ours = NUMBERS.matcher(key).matches();
             Object[] said =
                     arguments.stream().map(one -> ours ? inForm(one, texts) : one).toArray();
             return new MessageFormat(texts.getString(key), Locale.ROOT).format(said);

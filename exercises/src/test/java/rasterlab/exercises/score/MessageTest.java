@@ -62,6 +62,39 @@ class MessageTest {
         assertTrue(typed.in("ru").contains("0.5"), typed.in("ru"));
     }
 
+    @ParameterizedTest(name = "a folder or field called 1.5 gets a Russian comma: {0}")
+    @ValueSource(
+            strings = {
+                "field",
+                "field.case",
+                "folder.at",
+                "folder.words",
+                "folder.name",
+                "folder.long",
+                "folder.utf",
+                "picture.elsewhere",
+                "picture.ending",
+                "picture.form",
+                "json.duplicate",
+                "json.expected.got",
+                "internal.exercise",
+                "known-fault",
+                "formula.unknown",
+                "creating"
+            })
+    void leavesNamesAsTheyAre(String key) {
+        String said = Message.of(key, "1.5", "1.5").in("ru");
+        assertTrue(said.contains("1.5") && !said.contains("1,5"), said);
+    }
+
+    @Test
+    @DisplayName("a measured time has a decimal point in Russian")
+    void writesMeasuredTimesInTheLanguageAskedFor() {
+        String said = Message.of("speed.measured", "3.1", "2.5", "1.24", "1.5").in("ru");
+        assertEquals(
+                "3,1 нс на пиксель, у эталона 2,5 нс, отношение 1,24; все баллы — до 1,5", said);
+    }
+
     @Test
     void aPhraseWithinAPhraseIsInTheSameLanguage() {
         Phrase place = Phrase.of("field", Phrase.quoted("a.json"), "to");
