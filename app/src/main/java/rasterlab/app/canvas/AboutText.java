@@ -125,7 +125,7 @@ public final class AboutText extends JEditorPane {
                     if (!text.isEmpty())
                         html.append("<p style='margin: 0 0 5 0'><b>")
                                 .append(escaped(labels.text("about." + part)))
-                                .append(".</b> ")
+                                .append(":</b> ")
                                 .append(escaped(text))
                                 .append("</p>");
                 });

@@ -43,9 +43,9 @@ class LightMethodsTest {
         var about = new AboutText("about", Language.ENGLISH);
         about.show(of(LightChoice.first(), Language.ENGLISH));
         String text = about.getDocument().getText(0, about.getDocument().getLength());
-        int flat = text.indexOf("Method. flat");
-        int gouraud = text.indexOf("Method. Gouraud");
-        assertTrue(flat >= 0 && flat < text.indexOf("Source."), text);
-        assertTrue(gouraud > text.indexOf("Source."), text);
+        int flat = text.indexOf("Method: flat");
+        int gouraud = text.indexOf("Method: Gouraud");
+        assertTrue(flat >= 0 && flat < text.indexOf("Source:"), text);
+        assertTrue(gouraud > text.indexOf("Source:"), text);
     }
 }

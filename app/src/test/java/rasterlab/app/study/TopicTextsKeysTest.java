@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import rasterlab.app.language.Language;
 import rasterlab.engine.Topics;
@@ -13,6 +16,9 @@ import rasterlab.engine.study.Topic;
 
 /** Which topics Speed &amp; accuracy explains in Russian. */
 class TopicTextsKeysTest {
+    private static final Pattern BEGINS_ANEW =
+            Pattern.compile("\\p{Lu}\\p{Ll}+ \\p{Ll}|[\\p{L} ]{1,25}: ");
+
     @Test
     void methodsOfEveryTopicHaveTexts() {
         var english = new TreeSet<String>();
@@ -46,6 +52,28 @@ class TopicTextsKeysTest {
                         && !failures.contains("ошибок не известно")) others.add(failures);
             }
         assertEquals(new TreeSet<>(), others);
+    }
+
+    @Test
+    @DisplayName("behind a label and its colon, words begin with a capital or end in a colon again")
+    void readsOnBehindALabel() {
+        var broken = new TreeSet<String>();
+        for (Topic<?, ?, ?> topic : Topics.all())
+            for (Method<?> method : topic.methods()) {
+                var said = TopicTexts.of(topic.name(), Language.RUSSIAN).orElseThrow();
+                String key = said.key(method);
+                Method.About about = method.about();
+                Stream.of(
+                                about.invariant(),
+                                about.cost(),
+                                about.failures(),
+                                said.texts().text(key + ".invariant"),
+                                said.texts().text(key + ".cost"),
+                                said.texts().text(key + ".failures"))
+                        .filter(text -> BEGINS_ANEW.matcher(text).lookingAt())
+                        .forEach(broken::add);
+            }
+        assertEquals(new TreeSet<>(), broken);
     }
 
     @Test

@@ -21,7 +21,7 @@ final class ColorMethods {
                         new About(
                                 "cmy = 1 − rgb; k = min(c, m, y), c' = (c − k)/(1 − k);"
                                         + " s = √(r² + g² + b² − v²) from the grey diagonal",
-                                "none: greys and black are not told apart from other colours",
+                                "none; greys and black are not told apart from other colours",
                                 "about 30 operations, 2 square roots and 1 arctangent",
                                 "grey has a hue, black is divided 0 by 0, half the digits of a"
                                         + " small saturation are lost, nothing is out of range",
@@ -33,7 +33,7 @@ final class ColorMethods {
                                 "the formulas, every number rounded to 1/255, hues to 1/256 turn",
                                 "each number fits a byte",
                                 "as the formulas, and a rounding for each number",
-                                "rounding: many colours do not come back from a hue in a byte",
+                                "rounding, by which many colours do not come back from a hue in a byte",
                                 SMITH),
                         new ByteColors()),
                 new Method<>(

@@ -21,7 +21,7 @@ final class FillMethods {
                 new About(
                         "fill the run; call itself for the runs of the next row that touch it, and"
                                 + " for those of the row before beyond the ends of the run there",
-                        "none: the loop back beyond the right end stops one column early",
+                        "none; the loop back beyond the right end stops one column early",
                         "one call and about three reads per pixel of a run",
                         "overflows the call stack on long regions; endless around a hole when the"
                                 + " colours are equal; leaves out what lies behind the last column;"

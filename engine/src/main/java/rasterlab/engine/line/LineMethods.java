@@ -118,7 +118,7 @@ final class LineMethods {
                 new About(
                         "clip the segment to the window in real numbers, round the new ends, draw"
                                 + " bresenham's line between them",
-                        "none: rounding moves an end off the line by up to half a pixel",
+                        "none; rounding moves an end off the line by up to half a pixel",
                         "a clipping, then one integer addition and one comparison per pixel",
                         "turned by the rounding, so other pixels than the whole line's; nothing"
                                 + " where the line passes less than half a pixel beside the window",

@@ -33,9 +33,9 @@ final class CurveMethods {
                 "blending-textbook",
                 new About(
                         "(1 − t³)·P1 + 3·t·(t − 1)²·P2 + 3·t²·(1 − t)·P3 + t³·P4, as printed",
-                        "should be: the four weights are not negative and add up to 1",
+                        "the four weights should not be negative and should add up to 1",
                         "the weights anew for each point",
-                        "the first weight is (1 − t)³: Bézier curves leave their hull between the"
+                        "the first weight is (1 − t)³, so Bézier curves leave their hull between the"
                                 + " ends; only Hermite's are right; other kinds and degrees are"
                                 + " refused",
                         "Kazantsev, course text on computer graphics, chapter 8"),

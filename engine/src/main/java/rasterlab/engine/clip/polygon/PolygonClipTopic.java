@@ -42,7 +42,7 @@ public final class PolygonClipTopic
         return new Method<>(
                 "sutherland-hodgman",
                 new About(
-                        "for each side: keep the corners on its left, add p + d/(d − e)·(q − p)"
+                        "for each side, keep the corners on its left and add p + d/(d − e)·(q − p)"
                                 + " where an edge passes its line",
                         "after each side the ring lies within the sides so far",
                         "a test for each side and corner left so far, a division for each crossing",

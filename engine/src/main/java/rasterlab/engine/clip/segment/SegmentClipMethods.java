@@ -56,7 +56,7 @@ final class SegmentClipMethods {
                 new About(
                         "above: x1 ← x1 + (x2 − x1)·(ymax − y1)/(y2 − y1); right: y1 ← x1 + (y2 −"
                                 + " y1)·(ymax − x1)/(x2 − x1), left with ymin",
-                        "none: only ends above the window are moved as they should be",
+                        "none; only ends above the window are moved as they should be",
                         "a multiplication and a division for each cut",
                         "endless for an end only below, only right or only left; x1 in place of"
                                 + " y1, ymax and ymin in place of xmax and xmin to the right and"
@@ -71,7 +71,7 @@ final class SegmentClipMethods {
                 new About(
                         "m = (y2 − y1)/(x2 − x1), once; above, below: x1 ← x1 + (side − y1)/m;"
                                 + " right, left: y1 ← y1 + m·(side − x1)",
-                        "none: the moved end is on a line of the rounded slope, not of the segment",
+                        "none; the moved end is on a line of the rounded slope, not of the segment",
                         "a division for the slope; for each cut a division, or a multiplication",
                         "endless where the other end lies at a corner that the rounded line passes"
                                 + " outside; corners missed by a rounding are drawn; NaN counts as inside",

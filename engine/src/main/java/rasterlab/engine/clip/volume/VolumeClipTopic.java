@@ -62,7 +62,7 @@ public final class VolumeClipTopic implements Topic<VolumeClipper, SegmentsInVol
                 new About(
                         "X = x/z, Y = y/z, Z = (z − zmin)/((1 − zmin)·z); −1 ≤ X ≤ 1, −1 ≤ Y ≤ 1,"
                                 + " 0 ≤ Z ≤ 1; back by z = zmin/(1 − (1 − zmin)·Z)",
-                        "none: the segment between the divided ends is the segment's picture only"
+                        "none; the segment between the divided ends is the segment's picture only"
                                 + " where both ends are in front of the eye",
                         "six divisions for both ends, one for each side between them, two to take"
                                 + " what is left back",

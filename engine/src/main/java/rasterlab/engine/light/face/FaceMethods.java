@@ -17,7 +17,7 @@ final class FaceMethods {
                 method(
                         "flat-textbook",
                         "one intensity by the normal of (x·D/z, y·D/z, z)",
-                        "none: the division turns the normal",
+                        "none; the division turns the normal",
                         "1 formula per face",
                         "faces close to the eye and slanted",
                         "student's coursework: three-dimensional model of a vase, section 2.2",
@@ -43,7 +43,7 @@ final class FaceMethods {
                 method(
                         "phong-textbook",
                         "n = a·n₁ + b·n₂ + c·n₃, not brought to length 1; the formula per pixel",
-                        "none: |n| < 1 between corners",
+                        "none; |n| < 1 between corners",
                         "1 formula per pixel",
                         "the farther the corners' normals diverge, the darker the middle",
                         ARTICLE,

@@ -14,7 +14,7 @@ final class NormalsMethods {
                 method(
                         "plain-textbook",
                         "n = (n₁ + … + n_k)/k, as described: not brought to length 1",
-                        "none: the mean of unit vectors is shorter than 1",
+                        "none; the mean of unit vectors is shorter than 1",
                         "1 square root per face",
                         "zero-area faces (0/0), curved surfaces (short normals), every cut of a"
                                 + " flat face",

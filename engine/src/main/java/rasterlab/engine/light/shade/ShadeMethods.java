@@ -34,7 +34,7 @@ final class ShadeMethods {
                 "phong-textbook",
                 new About(
                         "I = I_p·kₐ + I_p/(R + r²)·(k_d·(L, N) + k_m·(R, V)ⁿ), as printed",
-                        "none: lengths and signs are taken for granted",
+                        "none; lengths and signs are taken for granted",
                         "3 cosines, 1 power",
                         "interpolated normals, lights and eyes behind the surface, sums above 1,"
                                 + " zero-area faces",

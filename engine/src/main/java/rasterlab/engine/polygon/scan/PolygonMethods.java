@@ -20,7 +20,7 @@ final class PolygonMethods {
                         "the crossings of a row with all edges, both ends of an edge included, paired"
                                 + " from left to right; a pair is filled from rounded end to rounded"
                                 + " end",
-                        "none: a row through a corner has one crossing too many",
+                        "none; a row through a corner has one crossing too many",
                         "every edge is looked at in every row",
                         "wrong rows at corners, shared edges drawn twice, no non-zero rule",
                         "the even-odd rule written down without a rule for ties"),

@@ -40,7 +40,7 @@ final class TriangleMethods {
                         "the point stays at the origin, the triangle turns about it",
                         "arc tangent, sine and cosine of one angle, 6 multiplications and 9 additions"
                                 + " per corner, up to three",
-                        "rounded sines: a point on a side falls to either",
+                        "rounded sines, by which a point on a side falls to either",
                         "the course's text on analytic geometry, second method, 1991"),
                 new Rotation());
     }
@@ -52,7 +52,7 @@ final class TriangleMethods {
                         "(u v) = (x y)·M⁻¹; inside where u ≥ 0, v ≥ 0, u + v ≤ 1",
                         "the map takes the triangle to (0, 0), (1, 0), (0, 1)",
                         "4 multiplications, 8 additions and a division, or 6, up to 10 and 2",
-                        "no area: refused; points within rounding of a side",
+                        "no area, which is refused; points within rounding of a side",
                         "D. Chistyakov's suggestion of 1999, told in the course's text on analytic"
                                 + " geometry"),
                 new Simplex());

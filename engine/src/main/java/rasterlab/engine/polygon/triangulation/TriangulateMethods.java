@@ -38,9 +38,9 @@ final class TriangulateMethods {
                         "h = i − 1, then h = i + 1 where j = i + 1 is meant; cut i where D = (xi −"
                                 + " xh)·(yj − yh) − (xj − xh)·(yi − yh) > 10⁻⁶ and the diagonal"
                                 + " from h to j is shortest",
-                        "none: j is never set",
+                        "none; j is never set",
                         "nothing, since the first turn is never computed",
-                        "every polygon: the first turn asks for corner V(0), and corners count from"
+                        "every polygon, as the first turn asks for corner V(0), and corners count from"
                                 + " 1",
                         "the course's lecture text on triangulation, second listing as printed"),
                 new ShortestDiagonalPrintedTextbook());

@@ -20,7 +20,7 @@ final class AxisMethods {
                         "T · R_z(θ) · R_y(φ) · R_z(α) · R_y(−φ) · R_z(−θ) · T⁻¹, cos φ = d, sin φ"
                                 + " = n; the text prints sin θ = l/d, cos θ = m/d beside matrices"
                                 + " with cos θ = l/d, sin θ = m/d, which are taken",
-                        "none: after step 3 the axis is not on z, about which step 4 turns",
+                        "none; after step 3 the axis is not on z, about which step 4 turns",
                         "16 additions and 20 multiplications per point",
                         "moves the axis itself; divides 0 by 0 for an axis along z",
                         "Ponomarev, course text on computer graphics, rotation about a line"),

@@ -18,7 +18,7 @@ final class TransformMethods {
                         "divide-first-textbook",
                         new About(
                                 "[X Y Z H] = [x y z 1] · M, then [X/H Y/H Z/H 1], matrix by matrix",
-                                "none: H is 1 after every division, whatever it was",
+                                "none; H is 1 after every division, whatever it was",
                                 "16 additions, 12 multiplications and 3 divisions per matrix and"
                                         + " point",
                                 "H and its sign are gone, so that a point behind the eye passes for"

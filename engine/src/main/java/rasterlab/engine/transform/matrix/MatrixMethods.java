@@ -15,7 +15,7 @@ final class MatrixMethods {
                         "formula-textbook",
                         new About(
                                 "the cells as the appendix prints them",
-                                "none: SCALE3DY, SCALE3DZ, SCALE3D and TRANSL3D flatten space",
+                                "none; SCALE3DY, SCALE3DZ, SCALE3D and TRANSL3D flatten space",
                                 "at most two sines and cosines; no size to grow with but 3 or 4"
                                         + " rows",
                                 "zeros on the diagonal of scales and of the shift; DIMETRIC with"

@@ -31,7 +31,7 @@ final class RotateMethods {
                         "x' = x·cos θ − y·sin θ, y' = x·sin θ + y·cos θ",
                         "x² + y² stays, but for rounding",
                         "2 additions and 4 multiplications per turn",
-                        "drifts: n turns add up n roundings of radius and angle",
+                        "drifts, as n turns add up n roundings of radius and angle",
                         CHAPTER),
                 new DirectRotation());
     }
@@ -80,7 +80,7 @@ final class RotateMethods {
                                 + " signs are changed and θ − 180° is turned",
                         "|t| ≤ 1; three shears of area 1",
                         "3 additions and 3 multiplications per turn",
-                        "drifts: n turns add up n roundings of the angle",
+                        "drifts, as n turns add up n roundings of the angle",
                         "A. Paeth, A fast algorithm for general raster rotation, Graphics"
                                 + " Interface 1986"),
                 new BunemanRotation());
@@ -93,7 +93,7 @@ final class RotateMethods {
                         "M ← M·R, made orthonormal again by (3 − c² − s²)/2; p' = p·M at the end",
                         "c² + s² = 1",
                         "4 additions and 9 multiplications per further turn, however many points",
-                        "drifts in its angle: n turns add up n roundings of θ",
+                        "drifts in its angle, as n turns add up n roundings of θ",
                         "D. F. Rogers, J. A. Adams, Mathematical Elements for Computer Graphics,"
                                 + " 1976"),
                 new OrthonormalRotation());
@@ -106,7 +106,7 @@ final class RotateMethods {
                         "q ← q·r, normalised; cos = w² − z², sin = 2·w·z at the end",
                         "w² + z² = 1",
                         "4 additions and 9 multiplications per further turn, however many points",
-                        "drifts in its angle: n turns add up n roundings of θ/2",
+                        "drifts in its angle, as n turns add up n roundings of θ/2",
                         "K. Shoemake, Animating rotation with quaternion curves, SIGGRAPH 1985"),
                 new QuaternionRotation());
     }

@@ -27,7 +27,7 @@ final class DepthMethods {
                         WINDOW + " as a float",
                         "w from 0 to 1 grows with z",
                         "2 multiplications, 2 additions per pixel",
-                        "as 24 bits: far depths lie close to 1, where floats are 2⁻²⁴ apart",
+                        "as 24 bits; far depths lie close to 1, where floats are 2⁻²⁴ apart",
                         AKELEY,
                         new FloatDepth()),
                 method(
