@@ -13,6 +13,7 @@ import java.io.OutputStreamWriter
 import java.io.PrintStream
 import java.io.PrintWriter
 import java.nio.charset.StandardCharsets
+import java.nio.file.Path
 import kotlin.system.exitProcess
 
 private const val BAD_INPUT = 2
@@ -66,6 +67,7 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
     return words
         .wear(commands)
         .setUsageHelpWidth(HELP_WIDTH)
+        .registerConverter(Path::class.java, ::named)
         .setCaseInsensitiveEnumValuesAllowed(true)
         .setOut(utf8(System.out))
         .setErr(utf8(System.err))
@@ -80,6 +82,10 @@ internal fun commandLine(words: CommandWords = CommandWords.asked()): CommandLin
         }
 }
 
+/** An empty name would stand for the folder that the server is started in. */
+private fun named(path: String): Path =
+    if (path.isEmpty()) throw CommandLine.TypeConversionException("must not be empty") else Path.of(path)
+
 private fun giveUp(
     command: CommandLine,
     words: CommandWords,
@@ -93,10 +99,13 @@ private fun giveUp(
 
 private fun utf8(stream: PrintStream) = PrintWriter(OutputStreamWriter(stream, StandardCharsets.UTF_8), true)
 
+/** Also where the name of a file goes over several. */
+internal fun oneLine(message: String) = message.replace(Regex("\\p{Cntrl}+"), " ").trim()
+
 private fun refuse(
     command: CommandLine,
     message: String,
 ): Int {
-    command.err.println("${command.commandSpec.qualifiedName()}: ${message.lineSequence().first()}")
+    command.err.println("${command.commandSpec.qualifiedName()}: ${oneLine(message)}")
     return BAD_INPUT
 }

@@ -4,7 +4,11 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.condition.EnabledOnOs
+import org.junit.jupiter.api.condition.OS
 import org.junit.jupiter.api.io.TempDir
+import org.junit.jupiter.params.ParameterizedTest
+import org.junit.jupiter.params.provider.ValueSource
 import picocli.CommandLine.Model.CommandSpec
 import rasterlab.grader.storage.CannotStart
 import java.io.IOException
@@ -13,6 +17,7 @@ import java.io.StringWriter
 import java.nio.file.Path
 import java.util.concurrent.Callable
 import kotlin.io.path.createDirectory
+import kotlin.io.path.createFile
 import kotlin.io.path.writeText
 
 class StartFailureTest {
@@ -34,6 +39,53 @@ class StartFailureTest {
         val line = printed.toString().trim()
         assertTrue("failed: IOException: read-only folder; " in line, line)
         assertEquals(1, line.lines().size, line)
+    }
+
+    @ParameterizedTest(name = "{0} stands for the folder that the server is started in")
+    @ValueSource(strings = ["--data", "--exercises"])
+    fun `an empty name is refused`(option: String) {
+        assertEquals(
+            "./lab grader serve: Invalid value for option '$option': must not be empty",
+            said(option, ""),
+        )
+    }
+
+    @Test
+    fun `a name of two lines cuts off what is wrong with it`() {
+        val said = said("--data", "$folder/a", "--db", "sqlite:$folder/none\nx/a")
+        assertTrue("there is no folder $folder/none x" in said, said)
+    }
+
+    @Test
+    fun `a folder that cannot be made is answered with a bare exception`() {
+        val file = folder.resolve("a").createFile()
+        val below = file.resolve("b/c")
+        assertEquals("./lab grader serve: --data $below: $file is a file, expected a folder", said("--data", "$below"))
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    fun `a folder that the system refuses is answered with a bare exception`() {
+        val said = said("--data", "/proc/x")
+        assertTrue("--data /proc/x: no folder can be made in /proc; expected" in said, said)
+        val base = said("--data", "$folder/a", "--db", "sqlite:/proc/x")
+        assertTrue("/proc: the file x.lock cannot be made or written there; expected" in base, base)
+    }
+
+    private fun said(vararg options: String): String {
+        val printed = StringWriter()
+        val commands = commandLine().setErr(PrintWriter(printed, true))
+        assertEquals(2, commands.execute("serve", "--port", "0", *options), "$printed")
+        assertEquals(
+            1,
+            printed
+                .toString()
+                .trim()
+                .lines()
+                .size,
+            "$printed",
+        )
+        return printed.toString().trim()
     }
 
     @Test

@@ -27,9 +27,9 @@ public record Console(InputStream in, PrintStream out, PrintStream err, ReportLa
                 language);
     }
 
-    /** Says something to who waits, in the report's words. */
+    /** Says something to who waits, in the report's words and one line. */
     void tell(String key, Object... arguments) {
-        err.println(language.texts().text(key, arguments));
+        err.println(Failures.oneLine(language.texts().text(key, arguments)));
     }
 
     private static Charset charset(String property) {

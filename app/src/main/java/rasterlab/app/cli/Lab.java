@@ -3,11 +3,13 @@ package rasterlab.app.cli;
 import java.io.InputStream;
 import java.io.PrintStream;
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.TypeConversionException;
 import rasterlab.app.language.Language;
 
 /** The command line of Rasterlab. */
@@ -77,6 +79,12 @@ public final class Lab {
         return configured(lab, console);
     }
 
+    /** An empty name would stand for the folder that the command is called in. */
+    private static Path file(String name) {
+        if (name.isEmpty()) throw new TypeConversionException("must not be empty");
+        return Path.of(name);
+    }
+
     private static CommandLine configured(CommandLine lab, Console console) {
         var failures = new Failures(console.err(), console.language());
         console.language().help().ifPresent(lab::setResourceBundle);
@@ -89,6 +97,7 @@ public final class Lab {
                 .registerConverter(double.class, NumberText::number)
                 .registerConverter(Integer.class, NumberText::whole)
                 .registerConverter(int.class, NumberText::whole)
+                .registerConverter(Path.class, Lab::file)
                 .setAbbreviatedOptionsAllowed(false)
                 .setExpandAtFiles(false)
                 .setParameterExceptionHandler(failures::wrongArguments)

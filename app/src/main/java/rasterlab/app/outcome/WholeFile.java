@@ -38,6 +38,8 @@ public final class WholeFile {
      */
     public static void requireWritable(Path target) {
         Path folder = folder(target);
+        if (Files.isRegularFile(folder))
+            throw cannotWrite(target, folder + " is a file, a folder is wanted");
         if (!Files.isDirectory(folder)) throw cannotWrite(target, "no folder " + folder);
         if (Files.isDirectory(target)) throw cannotWrite(target, "it is a folder");
         if (Files.exists(target) && !Files.isRegularFile(target))

@@ -13,7 +13,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -203,6 +206,15 @@ class ChartCommandTest {
         Path png = folder.resolve(language + ".png");
         Ran.lab("chart", "perspective", "--lang", language, "--out", png.toString()).assertDone();
         return Files.readAllBytes(png);
+    }
+
+    @Test
+    @DisplayName("a name with a line break is told in two lines")
+    @DisabledOnOs(OS.WINDOWS)
+    void aNameIsToldInOneLine() {
+        Path file = folder.resolve("a\nb.csv");
+        Ran ran = Ran.lab("chart", "perspective", "--out", file.toString());
+        assertEquals("wrote " + folder.resolve("a b.csv") + "\n", ran.err());
     }
 
     @Test

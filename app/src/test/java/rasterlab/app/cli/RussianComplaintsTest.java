@@ -198,6 +198,33 @@ class RussianComplaintsTest {
         assertTrue(told.contains(said), told);
     }
 
+    @ParameterizedTest(name = "an empty name stands for the folder of the call: ./lab {0}")
+    @ValueSource(
+            strings = {
+                "render cube --out=",
+                "render cube --diff=",
+                "chart perspective --out=",
+                "study line --out=",
+                "opengl --out=",
+                "opengl --out a.png --image=",
+                "run bresenham --scene=",
+                "check line-bresenham a --out="
+            })
+    void anEmptyNameIsRefused(String call) {
+        Ran ran = Ran.lab((call + " --lang ru").split(" "));
+        assertEquals(2, ran.exitCode(), ran.err());
+        assertTrue(ran.err().contains("имя не может быть пустым"), ran.err());
+        assertRussian(ran.err());
+    }
+
+    @Test
+    @DisplayName("a file in the place of a folder is called a folder that is missing")
+    void aFileIsNoFolder() throws Exception {
+        Path file = Files.writeString(folder.resolve("a"), "");
+        Ran ran = Ran.lab("chart", "perspective", "--out", file + "/b.svg", "--lang", "ru");
+        assertTrue(ran.err().contains(file + " — это файл, а нужна папка"), ran.err());
+    }
+
     @Test
     @DisplayName("quotes that were typed are replaced")
     void typedQuotesStay() {

@@ -4,6 +4,8 @@ import rasterlab.grader.storage.CannotStart.Reason
 import java.io.IOException
 import java.nio.channels.FileChannel
 import java.nio.channels.OverlappingFileLockException
+import java.nio.file.AccessDeniedException
+import java.nio.file.FileSystemException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardOpenOption.CREATE
@@ -52,14 +54,21 @@ class DataFolder private constructor(
 
         private fun make(folder: Path) {
             if (folder.isDirectory()) return
-            if (Files.exists(folder)) throw CannotStart(Reason.DATA_FILE, folder)
+            val standing = generateSequence(folder) { it.parent }.first { Files.exists(it) }
+            if (!standing.isDirectory()) throw CannotStart(Reason.DATA_FILE, folder, standing)
             val views = folder.fileSystem.supportedFileAttributeViews()
             try {
                 Files.createDirectories(folder)
                 if ("posix" in views) folder.setPosixFilePermissions(OWNER_ONLY)
             } catch (failure: IOException) {
-                throw CannotStart(Reason.DATA_MADE, folder, failure.javaClass.simpleName, failure.message.orEmpty())
+                throw CannotStart(Reason.DATA_MADE, folder, standing, why(failure))
             }
+        }
+
+        /** In brackets what the system says beside the place; nothing where it only names that. */
+        private fun why(failure: IOException): String {
+            val said = if (failure is FileSystemException) failure.reason else failure.message
+            return if (failure is AccessDeniedException || said == null) "" else " ($said)"
         }
 
         private val OWNER_ONLY = PosixFilePermissions.fromString("rwx------")
@@ -72,7 +81,7 @@ class DataFolder private constructor(
             } catch (failure: OverlappingFileLockException) {
                 throw CannotStart(Reason.USED, file.parent)
             } catch (failure: IOException) {
-                throw CannotStart(Reason.WRITTEN, file.parent, failure.javaClass.simpleName, failure.message.orEmpty())
+                throw CannotStart(Reason.WRITTEN, file.parent, file.fileName, why(failure))
             }
             throw CannotStart(Reason.USED, file.parent)
         }

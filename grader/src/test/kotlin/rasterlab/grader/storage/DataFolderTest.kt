@@ -33,7 +33,7 @@ class DataFolderTest {
     fun saysWhatIsWrong() {
         val file = folder.resolve("file").apply { writeText("x") }
         refuses("is a file, expected a folder") { DataFolder.take(file, url = null) }
-        refuses("cannot be made") { DataFolder.take(file.resolve("below"), url = null) }
+        refuses("is a file, expected a folder") { DataFolder.take(file.resolve("below"), url = null) }
         refuses("PostgreSQL comes later") { DataFolder.take(folder, "postgresql://host/db") }
         refuses("plain file name") { DataFolder.take(folder, "sqlite::memory:") }
         refuses("there is no folder") { DataFolder.take(folder, "sqlite:$folder/none/x.db") }
