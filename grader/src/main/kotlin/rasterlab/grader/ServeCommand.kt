@@ -7,7 +7,9 @@ import io.ktor.server.engine.embeddedServer
 import kotlinx.coroutines.runBlocking
 import org.slf4j.LoggerFactory
 import picocli.CommandLine.Command
+import picocli.CommandLine.Model.CommandSpec
 import picocli.CommandLine.Option
+import picocli.CommandLine.Spec
 import rasterlab.exercises.CatalogueException
 import rasterlab.exercises.catalogue.Catalogue
 import rasterlab.exercises.runner.Judge
@@ -33,6 +35,9 @@ import java.util.concurrent.Callable
 internal class ServeCommand(
     private val words: CommandWords,
 ) : Callable<Int> {
+    @Spec
+    lateinit var spec: CommandSpec
+
     @Option(
         names = ["--data"],
         paramLabel = "DIR",
@@ -152,8 +157,13 @@ internal class ServeCommand(
 
     private fun catalogue(): Exercises {
         try {
-            val more = exercises ?: return Exercises(Catalogue.builtIn().all())
-            return Exercises(Catalogue.builtIn().withFolder(more).all())
+            val builtIn = Catalogue.builtIn()
+            val more = exercises ?: return Exercises(builtIn.all())
+            val all = builtIn.withFolder(more).all()
+            OwnExercises(more, all.filter { one -> builtIn.all().none { it === one } })
+                .told(words)
+                .forEach { spec.commandLine().err.println(oneLine(it)) }
+            return Exercises(all)
         } catch (failure: CatalogueException) {
             throw CannotStart(Reason.EXERCISES, failure)
         }

@@ -9,7 +9,6 @@ import rasterlab.exercises.formula.FormulaBlock
 import rasterlab.exercises.formula.Formulas
 import rasterlab.exercises.formula.InlineFormula
 import rasterlab.exercises.formula.Typeset
-import rasterlab.exercises.score.Message
 import java.awt.geom.PathIterator
 import kotlin.math.ceil
 import kotlin.math.roundToInt
@@ -41,7 +40,7 @@ class FormulaPictures(
     private fun displayed(block: FormulaBlock) {
         out.line()
         out.tag("p", mapOf("class" to "displayed"))
-        if (block.closed()) put(block.formula()) else note("$$ " + block.formula().tex(), Message.of("formula.end"))
+        if (block.closed()) put(block.formula()) else note(unclosed(block))
         out.tag("/p")
         out.line()
     }
@@ -49,7 +48,7 @@ class FormulaPictures(
     private fun put(formula: Formula) =
         when (val set = formulas.set(formula)) {
             is Typeset.Drawn -> picture(formula.tex(), set)
-            is Typeset.Mistaken -> note(formula.source(), set.message())
+            is Typeset.Mistaken -> note(FormulaFault(formula.source(), set.message()))
         }
 
     private fun picture(
@@ -78,16 +77,13 @@ class FormulaPictures(
         out.tag("/svg")
     }
 
-    private fun note(
-        source: String,
-        mistake: Message,
-    ) {
+    private fun note(fault: FormulaFault) {
         out.tag("code")
-        out.text(source)
+        out.text(fault.source)
         out.tag("/code")
         out.text(" ")
         out.tag("em", mapOf("class" to "mistake"))
-        out.text("(${mistake.`in`(language)})")
+        out.text("(${fault.mistake.`in`(language)})")
         out.tag("/em")
     }
 }

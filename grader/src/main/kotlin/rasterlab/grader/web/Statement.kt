@@ -2,6 +2,7 @@ package rasterlab.grader.web
 
 import org.commonmark.ext.gfm.tables.TablesExtension
 import org.commonmark.node.Image
+import org.commonmark.node.Node
 import org.commonmark.parser.Parser
 import org.commonmark.renderer.html.AttributeProvider
 import org.commonmark.renderer.html.HtmlRenderer
@@ -33,10 +34,11 @@ fun markdownAsHtml(
             }
         }.nodeRendererFactory { FormulaPictures(it, formulas, language) }
         .build()
-        .render(
-            Parser
-                .builder()
-                .extensions(EXTENSIONS)
-                .build()
-                .parse(markdown),
-        )
+        .render(statementTree(markdown))
+
+internal fun statementTree(markdown: String): Node =
+    Parser
+        .builder()
+        .extensions(EXTENSIONS)
+        .build()
+        .parse(markdown)

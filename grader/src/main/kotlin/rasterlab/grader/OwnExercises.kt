@@ -1,0 +1,40 @@
+package rasterlab.grader
+
+import rasterlab.exercises.Exercise
+import rasterlab.exercises.formula.Formulas
+import rasterlab.grader.web.formulaFaults
+import java.nio.file.Path
+
+/**
+ * What a folder of an instructor's own exercises holds, for who starts the server: a broken formula or an empty
+ * folder stops nothing, but would otherwise be found by a student.
+ *
+ * @param exercises of the folder
+ */
+internal class OwnExercises(
+    private val folder: Path,
+    private val exercises: List<Exercise>,
+) {
+    /** One line each. */
+    fun told(words: CommandWords): List<String> = listOf(count(words)) + exercises.flatMap { broken(it, words) }
+
+    private fun count(words: CommandWords) =
+        if (exercises.isEmpty()) {
+            words.say("exercises.none", "$folder")
+        } else {
+            words.say("exercises.found", "$folder", "${exercises.size}", exercises.joinToString { it.id() })
+        }
+
+    private fun broken(
+        exercise: Exercise,
+        words: CommandWords,
+    ): List<String> {
+        val formulas = Formulas()
+        return exercise.statement().toSortedMap().flatMap { (language, markdown) ->
+            val file = folder.resolve(exercise.id()).resolve("statement.$language.md")
+            formulaFaults(markdown, formulas).map {
+                words.say("exercises.formula", "$file", it.source, it.mistake.`in`(words.language.language))
+            }
+        }
+    }
+}

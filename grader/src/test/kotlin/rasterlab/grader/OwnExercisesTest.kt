@@ -1,0 +1,65 @@
+package rasterlab.grader
+
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import rasterlab.exercises.catalogue.Catalogue
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.createDirectory
+import kotlin.io.path.writeText
+
+class OwnExercisesTest {
+    @TempDir
+    lateinit var folder: Path
+
+    private fun told(language: String): List<String> {
+        val own =
+            Catalogue
+                .builtIn()
+                .withFolder(folder)
+                .all()
+                .filter { it.id() == ID }
+        return OwnExercises(folder, own).told(CommandWords.asked("--lang", language))
+    }
+
+    private fun exercise(statement: String) {
+        val sub = folder.resolve(ID).createDirectory()
+        for (file in FILES) {
+            val source = Catalogue::class.java.getResourceAsStream("/rasterlab/exercises/line-bresenham/$file")!!
+            source.use { Files.copy(it, sub.resolve(file)) }
+        }
+        sub.resolve("statement.ru.md").writeText(statement)
+    }
+
+    @Test
+    fun `an empty folder is taken in silence`() {
+        assertEquals(
+            listOf("--exercises $folder: no exercise is there; expected a sub-folder with an exercise.json for each"),
+            told("en"),
+        )
+    }
+
+    @Test
+    fun `what was found is not said, or sound formulas are complained of`() {
+        exercise("\$x_0\$\n\n\$\$\ny\n\$\$\n")
+        assertEquals(listOf("--exercises $folder: найдено заданий: 1 ($ID)"), told("ru"))
+    }
+
+    @Test
+    fun `only a student finds a broken formula`() {
+        exercise("in a table\n\n|a|\n|-|\n|\$\\nope\$|\n\n\$\$\nx\n")
+        val broken = told("en").drop(1)
+        assertEquals(2, broken.size, "$broken")
+        val file = folder.resolve("$ID/statement.ru.md")
+        assertEquals("$file: formula \$\\nope\$: \\nope is no command that is known here", broken[0])
+        assertTrue(broken[1].endsWith("the closing \$\$ is missing"), broken[1])
+    }
+
+    private companion object {
+        const val ID = "my-line"
+        val FILES =
+            listOf("exercise.json", "cases.json", "hidden-cases.json", "segment.svg", "Starter.java", "statement.en.md")
+    }
+}
