@@ -84,7 +84,9 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
         keptFile = new KeptFile<>(new LitSceneOpening(this), reader);
     }
 
-    /** Opens a scene file; what goes wrong, or is not shown of it, is told in the state. */
+    /**
+     * Opens a scene file or a model; what goes wrong, or is not shown of it, is told in the state.
+     */
     public void open(Path file) {
         keptFile.open(LitSceneOpening.reading(file, state.choice()));
     }
@@ -92,6 +94,11 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     /** Says why a file was not opened, or what of it is not shown. */
     void tellProblem(String problem) {
         publish(state.choice(), state.drawn(), problem);
+    }
+
+    /** Also where what is chosen was shown already: the user has gone on. */
+    private void forgetProblem() {
+        if (!state.problem().isEmpty()) tellProblem("");
     }
 
     /** Lights a scene of the user's. */
@@ -152,7 +159,10 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     /** Changes the light and remembers how it was. */
     void choose(UnaryOperator<LightChoice> change) {
         LightChoice next = change.apply(state.choice());
-        if (next.equals(state.choice())) return;
+        if (next.equals(state.choice())) {
+            forgetProblem();
+            return;
+        }
         history.remember();
         show(new Chosen(next, state.colours(), state.colour()));
     }
@@ -260,7 +270,10 @@ public final class LightLabModel implements Kept<LightLabModel.Chosen>, AutoClos
     /** Back to the first light and colour; can be undone. */
     void reset() {
         var first = new Chosen(LightChoice.first(), state.colours(), ColourChoice.first());
-        if (first.equals(chosen())) return;
+        if (first.equals(chosen())) {
+            forgetProblem();
+            return;
+        }
         history.remember();
         show(first);
     }

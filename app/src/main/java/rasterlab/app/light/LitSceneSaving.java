@@ -75,6 +75,7 @@ final class LitSceneSaving {
     void open() {
         var chooser = new SceneChooser(texts.language());
         chooser.setDialogTitle(texts.text("scene.open.title"));
-        chooser.toOpen(parent).ifPresent(model::open);
+        chooser.toOpen(parent, texts.text("files.opened"), OpenedLitScene.ENDINGS)
+                .ifPresent(model::open);
     }
 }

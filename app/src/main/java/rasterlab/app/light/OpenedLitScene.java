@@ -1,19 +1,26 @@
 package rasterlab.app.light;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import rasterlab.app.model.ModelFile;
 import rasterlab.app.model.SceneText;
 import rasterlab.app.outcome.Complaint;
+import rasterlab.app.outcome.FileKind;
+import rasterlab.app.outcome.FileToRead;
+import rasterlab.app.outcome.WholeFile;
 import rasterlab.engine.pipeline.Cull;
 import rasterlab.engine.pipeline.ShadingMethod;
 import rasterlab.engine.pipeline.paint.TextureMode;
 import rasterlab.engine.pipeline.wire.HiddenLines;
 import rasterlab.engine.scene.Scene;
+import rasterlab.engine.scene.obj.UpAxis;
 import rasterlab.engine.transform.Projection;
 import rasterlab.exercises.scene.SceneSource;
 import rasterlab.exercises.scene.SceneView;
@@ -21,10 +28,11 @@ import rasterlab.exercises.scene.Setting;
 import rasterlab.exercises.scene.Settings;
 
 /**
- * A scene file as the lab of light shows it.
+ * A scene file, or a model, as the lab of light shows it.
  *
- * <p>Light and material are the file's where lamps and substances of the lab make the same; else
- * those of the choice stay, and a note says so.
+ * <p>A model is a body in what light and material there are. Of a scene file, light and material
+ * are the file's where lamps and substances of the lab make the same; else those of the choice
+ * stay, and a note says so.
  *
  * @param choice what is shown
  * @param notes what of the file is not shown
@@ -45,6 +53,11 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
             return said.get(setting).filter(drawn.negate()).isPresent();
         }
     }
+
+    private static final String MODEL = ".obj";
+
+    /** What is opened by the ends of their names, lower-case. */
+    static final List<String> ENDINGS = List.of(MODEL, SceneText.EXTENSION);
 
     private static final List<Part<?>> PARTS =
             List.of(
@@ -74,7 +87,8 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
      * @throws Complaint naming the file and the place in it
      */
     static OpenedLitScene read(Path file, LightChoice before) {
-        SceneView view = SceneText.view(file);
+        if (isModel(file)) return again(file, before);
+        SceneView view = view(file);
         Settings said = view.settings();
         var notes = new ArrayList<String>();
         LightChoice next = before.with(body(file, view.source(), before.body().detail()));
@@ -97,8 +111,31 @@ record OpenedLitScene(LightChoice choice, List<String> notes, boolean whole) {
      * @throws Complaint naming the file and the place in it
      */
     static OpenedLitScene again(Path file, LightChoice before) {
-        Body body = body(file, SceneText.view(file).source(), before.body().detail());
+        Body body =
+                isModel(file)
+                        ? Body.opened(file, ModelFile.read(file, UpAxis.Z, note -> {}))
+                        : body(file, view(file).source(), before.body().detail());
         return new OpenedLitScene(before.with(body), List.of(), false);
+    }
+
+    private static boolean isModel(Path file) {
+        return lowerCase(file).endsWith(MODEL);
+    }
+
+    private static String lowerCase(Path file) {
+        return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT);
+    }
+
+    /** Of what is no scene by its name, only what stands in a scene's place is told. */
+    private static SceneView view(Path file) {
+        if (lowerCase(file).endsWith(".json")) return SceneText.view(file);
+        try {
+            FileToRead.requireNoPicture(file, FileKind.SCENE);
+        } catch (IOException e) {
+            throw Complaint.badInput(file + ": cannot be read: " + WholeFile.reason(e));
+        }
+        throw Complaint.badInput(
+                file + ": unknown extension; allowed are " + String.join(" and ", ENDINGS));
     }
 
     private static LightChoice zoomed(LightChoice choice, double zoom, List<String> notes) {

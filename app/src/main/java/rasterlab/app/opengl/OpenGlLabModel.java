@@ -190,6 +190,7 @@ public final class OpenGlLabModel implements Kept<GlChoice>, AutoCloseable {
 
     private void change(GlChoice next, Setting touched) {
         if (next.equals(state.choice())) {
+            if (state.problem().isPresent()) tellProblem(Optional.empty());
             touch(touched);
             return;
         }

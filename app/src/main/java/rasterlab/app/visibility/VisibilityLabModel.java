@@ -167,6 +167,7 @@ public final class VisibilityLabModel implements Kept<VisibilityChoice>, AutoClo
 
     private void change(UnaryOperator<VisibilityChoice> change, boolean counted) {
         VisibilityChoice next = change.apply(state.choice());
+        if (!state.problem().isEmpty()) tellProblem("");
         if (next.equals(state.choice())) return;
         next.plain(2, 1); // Refuses unknown names before anything is remembered.
         if (!next.comparison().isEmpty()) next.plain(next.comparison(), 2, 1);

@@ -84,6 +84,49 @@ class OpenedLitSceneTest {
                         .withTwoSides(false));
     }
 
+    @Test
+    @DisplayName("a Wavefront model is called no JSON, or it brings other lamps")
+    void opensAModel() throws Exception {
+        Path file = folder.resolve("Pyramid.OBJ");
+        Files.writeString(
+                file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+        LightChoice before = model.state().choice();
+        OpenedLitScene opened = OpenedLitScene.read(file, before);
+        assertEquals(before, opened.choice().with(before.body()));
+        assertEquals(4, opened.choice().body().scene().mesh().faceCount());
+        assertEquals(List.of(), opened.notes());
+        LightChoice again = OpenedLitScene.again(file, before).choice();
+        assertEquals("Pyramid.OBJ", again.body().name());
+    }
+
+    @ParameterizedTest(name = "it is not told what this tab opens instead of {0}")
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "notes.txt | unknown extension; allowed are .obj and .scene.json",
+                "empty | unknown extension; allowed are .obj and .scene.json",
+                "a.scene.json | the file is empty; a scene file is an object {…}",
+                "a.obj | no face with an area is in it",
+            })
+    void tellsWhatItOpens(String name, String why) throws Exception {
+        Path file = Files.writeString(folder.resolve(name), name.equals("notes.txt") ? "a" : "");
+        model.open(file);
+        thread.settle(model::settle);
+        String told = model.state().problem();
+        assertTrue(told.startsWith(file + ": ") && told.contains(why), told);
+    }
+
+    @Test
+    @DisplayName("why a file was not opened stays after the next choice")
+    void forgetsAProblemOnceTheUserGoesOn() {
+        model.tellProblem("a.txt: unknown extension");
+        model.choose(choice -> choice);
+        assertEquals("", model.state().problem());
+        model.tellProblem("a.txt: unknown extension");
+        model.reset();
+        assertEquals("", model.state().problem());
+    }
+
     private void assertOpened(LightChoice saved) {
         Path file = folder.resolve("lit.scene.json");
         LitSceneFile.write(saved, file);
