@@ -24,6 +24,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.canvas.LastChosen;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
 import rasterlab.app.shell.LabLook;
@@ -85,7 +86,8 @@ class StartedWindowTest {
                                 tab,
                                 Optional.empty(),
                                 false,
-                                true));
+                                true,
+                                LastChosen.NONE));
     }
 
     private Path settings() {

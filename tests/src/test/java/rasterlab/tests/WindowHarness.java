@@ -31,6 +31,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
+import rasterlab.app.canvas.LastChosen;
 import rasterlab.app.language.Language;
 import rasterlab.app.shell.LabFrame;
 import rasterlab.app.shell.LabLook;
@@ -73,7 +74,8 @@ abstract class WindowHarness {
                                             "line",
                                             Optional.empty(),
                                             false,
-                                            true),
+                                            true,
+                                            LastChosen.NONE),
                                     Language.ENGLISH,
                                     new SettingsFile(
                                             settings(), each -> problems.add(each.toString())),

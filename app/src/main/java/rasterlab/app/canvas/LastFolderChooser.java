@@ -8,7 +8,6 @@ import java.util.Optional;
 import javax.swing.JDialog;
 import javax.swing.JFileChooser;
 import javax.swing.JOptionPane;
-import javax.swing.UIManager;
 import rasterlab.app.language.Complaints;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Complaint;
@@ -20,12 +19,10 @@ import rasterlab.app.outcome.Complaint;
 public class LastFolderChooser extends JFileChooser {
     private static final long serialVersionUID = 1L;
 
-    private static final String FOLDER = "Rasterlab.lastFolder";
-
     private final Language language;
 
     public LastFolderChooser(Language language) {
-        super((File) UIManager.get(FOLDER));
+        super(LastChosen.now().standing().orElse(null));
         this.language = language;
     }
 
@@ -85,7 +82,8 @@ public class LastFolderChooser extends JFileChooser {
     @Override
     public void approveSelection() {
         if (!nameable()) return;
-        UIManager.put(FOLDER, getSelectedFile().getAbsoluteFile().getParentFile());
+        Optional.ofNullable(chosen().toAbsolutePath().getParent())
+                .ifPresent(folder -> LastChosen.now().in(folder).remember());
         super.approveSelection();
     }
 }

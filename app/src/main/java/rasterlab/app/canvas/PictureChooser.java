@@ -4,7 +4,6 @@ import java.awt.event.ActionEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Predicate;
-import javax.swing.UIManager;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import rasterlab.app.language.Language;
 import rasterlab.app.language.Texts;
@@ -16,8 +15,6 @@ import rasterlab.app.outcome.Complaint;
  */
 class PictureChooser extends SaveChooser {
     private static final long serialVersionUID = 1L;
-
-    private static final String FORM = "Rasterlab.lastPictureForm";
 
     PictureChooser(Language language) {
         super(language, file -> file);
@@ -40,15 +37,13 @@ class PictureChooser extends SaveChooser {
             addChoosableFileFilter(
                     new FileNameExtensionFilter(
                             texts.text("picture." + form.ending()), form.ending()));
-        PictureForm last = PictureForm.PNG;
-        if (UIManager.get(FORM) instanceof PictureForm form) last = form;
-        setFileFilter(getChoosableFileFilters()[last.ordinal()]);
+        setFileFilter(getChoosableFileFilters()[LastChosen.now().form().ordinal()]);
         addActionListener(this::keepForm);
     }
 
     private void keepForm(ActionEvent e) {
         if (e.getActionCommand().equals(APPROVE_SELECTION))
-            UIManager.put(FORM, PictureForm.of(named(chosen())));
+            LastChosen.now().as(PictureForm.of(named(chosen()))).remember();
     }
 
     /**

@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 import rasterlab.app.outcome.Complaint;
 
 /** The forms in which a picture is saved, told by the ending of its file in capitals or not. */
-enum PictureForm {
+public enum PictureForm {
     PNG,
     SVG;
 

@@ -20,6 +20,7 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.WindowConstants;
 import rasterlab.app.canvas.LabLayout;
+import rasterlab.app.canvas.LastChosen;
 import rasterlab.app.exercise.Closing;
 import rasterlab.app.exercise.ClosingDialog;
 import rasterlab.app.language.Language;
@@ -89,6 +90,7 @@ public final class LabFrame extends JFrame {
         this.settings = settings;
         this.nextLanguage = nextLanguage;
         LabLayout.showInspectors(settings.controls());
+        settings.chosen().remember();
         setName("lab");
         setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         setMinimumSize(windowPlace().least());
@@ -275,6 +277,7 @@ public final class LabFrame extends JFrame {
         boolean filled = (getExtendedState() & Frame.MAXIMIZED_BOTH) == Frame.MAXIMIZED_BOTH;
         return settings.with(look().with(nextLanguage))
                 .withControls(LabLayout.showsInspectors())
+                .with(LastChosen.now())
                 .at(content.shown(), filled ? unmaximised : getBounds(), filled);
     }
 

@@ -2,6 +2,7 @@ package rasterlab.app.shell;
 
 import java.awt.Rectangle;
 import java.util.Optional;
+import rasterlab.app.canvas.LastChosen;
 import rasterlab.app.language.Language;
 
 /**
@@ -11,27 +12,38 @@ import rasterlab.app.language.Language;
  * @param bounds where the window was on the screen, in view units; empty before the first run
  * @param maximised whether it filled the screen
  * @param controls whether the labs showed the column of controls beside their picture
+ * @param chosen with which dialogs for files begin
  */
 public record LabSettings(
-        LabLook look, String tab, Optional<Rectangle> bounds, boolean maximised, boolean controls) {
+        LabLook look,
+        String tab,
+        Optional<Rectangle> bounds,
+        boolean maximised,
+        boolean controls,
+        LastChosen chosen) {
     public LabSettings {
         bounds = bounds.map(Rectangle::new);
     }
 
     /** The settings of a first run. */
     public static LabSettings first(Language language) {
-        return new LabSettings(LabLook.first(language), "", Optional.empty(), false, true);
+        return new LabSettings(
+                LabLook.first(language), "", Optional.empty(), false, true, LastChosen.NONE);
     }
 
     public LabSettings with(LabLook other) {
-        return new LabSettings(other, tab, bounds, maximised, controls);
+        return new LabSettings(other, tab, bounds, maximised, controls, chosen);
     }
 
     public LabSettings at(String shownTab, Rectangle place, boolean filled) {
-        return new LabSettings(look, shownTab, Optional.of(place), filled, controls);
+        return new LabSettings(look, shownTab, Optional.of(place), filled, controls, chosen);
+    }
+
+    public LabSettings with(LastChosen other) {
+        return new LabSettings(look, tab, bounds, maximised, controls, other);
     }
 
     public LabSettings withControls(boolean shown) {
-        return new LabSettings(look, tab, bounds, maximised, shown);
+        return new LabSettings(look, tab, bounds, maximised, shown, chosen);
     }
 }

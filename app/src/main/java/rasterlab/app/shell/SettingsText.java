@@ -1,10 +1,13 @@
 package rasterlab.app.shell;
 
 import java.awt.Rectangle;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.stream.Stream;
+import rasterlab.app.canvas.LastChosen;
+import rasterlab.app.canvas.PictureForm;
 import rasterlab.app.language.Language;
 
 /** The window's settings as lines {@code key=value}. */
@@ -33,7 +36,18 @@ final class SettingsText {
                 settings.bounds()
                         .map(b -> b.x + " " + b.y + " " + b.width + " " + b.height)
                         .orElse("");
-        return "theme=%s%nlanguage=%s%ntext=%d%ntab=%s%nbounds=%s%nmaximised=%s%ncontrols=%s%n"
+        String folder = settings.chosen().folder().map(Path::toString).orElse("");
+        return """
+                theme=%s
+                language=%s
+                text=%d
+                tab=%s
+                bounds=%s
+                maximised=%s
+                controls=%s
+                folder=%s
+                picture=%s
+                """
                 .formatted(
                         settings.look().theme(),
                         settings.look().language(),
@@ -41,7 +55,18 @@ final class SettingsText {
                         settings.tab(),
                         bounds,
                         settings.maximised(),
-                        settings.controls());
+                        settings.controls(),
+                        escaped(folder),
+                        settings.chosen().form());
+    }
+
+    /** As Properties reads it: a folder may have any name. */
+    private static String escaped(String text) {
+        return text.replace("\\", "\\\\")
+                .replace("\n", "\\n")
+                .replace("\r", "\\r")
+                .replace("\f", "\\f")
+                .replace("\t", "\\t");
     }
 
     /**
@@ -60,7 +85,16 @@ final class SettingsText {
                 value(kept, "tab"),
                 bounds(value(kept, "bounds")),
                 one(kept, "maximised", YES_OR_NO).equals(true),
-                controls);
+                controls,
+                chosen(kept));
+    }
+
+    private static LastChosen chosen(Properties kept) throws Wrong {
+        PictureForm form = LastChosen.NONE.form();
+        if (kept.containsKey("picture")) form = one(kept, "picture", List.of(PictureForm.values()));
+        String folder = kept.getProperty("folder", "");
+        return new LastChosen(
+                Optional.of(folder).filter(name -> !name.isEmpty()).map(Path::of), form);
     }
 
     private static String value(Properties kept, String key) throws Wrong {

@@ -8,9 +8,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Predicate;
 import javax.swing.JFileChooser;
-import javax.swing.UIManager;
 import javax.swing.plaf.basic.BasicFileChooserUI;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -41,7 +41,7 @@ class PictureChooserTest {
 
     @BeforeEach
     void open() {
-        UIManager.put("Rasterlab.lastPictureForm", null);
+        LastChosen.NONE.remember();
         chooser = new Recording(asked::add);
         chooser.setDialogType(JFileChooser.SAVE_DIALOG);
         chooser.addActionListener(e -> commands.add(e.getActionCommand()));
@@ -131,6 +131,15 @@ class PictureChooserTest {
         choose(name);
         var next = new PictureChooser(Language.ENGLISH);
         assertEquals(folder.resolve("next." + ending), next.named(folder.resolve("next")));
+    }
+
+    @Test
+    void aFolderThatHasGoneIsForgotten() {
+        File usual = new LastFolderChooser(Language.ENGLISH).getCurrentDirectory();
+        new LastChosen(Optional.of(folder.resolve("gone")), PictureForm.SVG).remember();
+        var next = new PictureChooser(Language.ENGLISH);
+        assertEquals(usual, next.getCurrentDirectory());
+        assertEquals(folder.resolve("next.svg"), next.named(folder.resolve("next")));
     }
 
     @Test

@@ -18,6 +18,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import rasterlab.app.canvas.LastChosen;
+import rasterlab.app.canvas.PictureForm;
 import rasterlab.app.language.Language;
 import rasterlab.app.outcome.Pipe;
 
@@ -35,10 +37,25 @@ class SettingsFileTest {
                         "visibility",
                         Optional.of(new Rectangle(-5, 7, 1000, 700)),
                         true,
-                        false);
+                        false,
+                        new LastChosen(
+                                Optional.of(folder.resolve("a: = \\b\n é ")), PictureForm.SVG));
         Path place = folder.resolve("new").resolve("window.properties");
         file(place).save(settings);
         assertEquals(settings, file(place).load(FIRST));
+        assertEquals(List.of(), problems);
+    }
+
+    @Test
+    void whatAnOlderVersionDidNotKeepIsAsOnTheFirstRun() throws IOException {
+        Path place = folder.resolve("window.properties");
+        file(place).save(FIRST.with(new LastChosen(Optional.of(folder), PictureForm.SVG)));
+        List<String> older =
+                Files.readAllLines(place).stream()
+                        .filter(line -> !line.matches("(text|controls|folder|picture)=.*"))
+                        .toList();
+        Files.write(place, older);
+        assertEquals(FIRST, file(place).load(FIRST));
         assertEquals(List.of(), problems);
     }
 
@@ -88,6 +105,7 @@ class SettingsFileTest {
                 "text; 7; 75, 90, 100, 110, 125, 150, 175, 200",
                 "maximised; maybe; true, false",
                 "controls; 1; true, false",
+                "picture; GIF; PNG, SVG",
                 "bounds; 1 2 0 4; both sizes at least 1",
                 "bounds; 1 2 3; x y width height",
                 "bounds; 1 2 9999999999 4; whole numbers",
