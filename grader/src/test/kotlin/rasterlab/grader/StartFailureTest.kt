@@ -46,7 +46,7 @@ class StartFailureTest {
     fun `an empty name is refused`(option: String) {
         assertEquals(
             "./lab grader serve: Invalid value for option '$option': must not be empty",
-            said(option, ""),
+            said(option, "", "--workers", "0"),
         )
     }
 
