@@ -21,7 +21,6 @@ import java.util.function.Consumer;
 import javax.accessibility.AccessibleRole;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
-import org.knowm.xchart.XYChart;
 import rasterlab.app.canvas.KeyBinding;
 import rasterlab.app.canvas.LatestOnly;
 import rasterlab.app.canvas.SelfDrawn;
@@ -38,9 +37,6 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
 
     /** A chart that is smaller than this, in its own type, is painted so large and made smaller. */
     private static final Dimension LEAST = new Dimension(560, 400);
-
-    /** From this width on the axis of costs has room for a word on the sizes beside the points. */
-    private static final int ROOMY = 900;
 
     /**
      * @param width in the chart's own units, in which its type has always the same size
@@ -157,13 +153,7 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
 
     private Painted painted(Asked question) {
         var colours = question.colours();
-        XYChart chart =
-                StudyChart.chart(
-                        question.study(), new StudyWords(texts.language()), ChartLook.on(colours));
         var places = new PointPlaces(StudyChart.points(question.study()));
-        chart.addAnnotation(places);
-        if (question.width() < ROOMY)
-            chart.setXAxisTitle(new StudyWords(texts.language()).briefCostAxis(question.study()));
         var image =
                 new BufferedImage(
                         (int) Math.round(question.width() * question.dots()),
@@ -173,7 +163,13 @@ final class ChartStage extends SelfDrawn implements Settling, AutoCloseable {
         g.scale(question.dots(), question.dots());
         g.setColor(colours.ground());
         g.fillRect(0, 0, question.width() + 1, question.height() + 1);
-        chart.paint(g, question.width(), question.height());
+        StudyChart.paint(
+                question.study(),
+                new StudyWords(texts.language()),
+                ChartLook.on(colours),
+                new Dimension(question.width(), question.height()),
+                places,
+                g);
         g.dispose();
         return new Painted(question, image, places.all());
     }

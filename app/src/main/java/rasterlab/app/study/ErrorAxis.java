@@ -56,9 +56,9 @@ record ErrorAxis(int low, int high, List<String> lanes) {
         return border() * Math.pow(10, -band() * lane / (lanes.size() + 1));
     }
 
-    /** Height of the band of zero, in decades of the axis: 8 % to a quarter of the rest. */
+    /** Height of the band of zero, in decades of the axis: a tenth to three fifths of the rest. */
     private double band() {
-        return (high - low) * Math.min(0.25, 0.06 + 0.02 * lanes.size());
+        return (high - low) * Math.min(0.6, 0.06 + 0.04 * lanes.size());
     }
 
     double bottom() {

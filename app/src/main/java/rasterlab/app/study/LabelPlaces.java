@@ -26,7 +26,7 @@ final class LabelPlaces {
     private static final int[] CLOSE = {3, 8};
 
     /** Between a marker and a label with a leader, in pixels. */
-    private static final int[] FAR = {14, 24, 36, 50, 70, 95, 130, 170};
+    private static final int[] FAR = {14, 24, 36, 50, 70, 95, 130, 170, 220, 280};
 
     /** Directions around a point that are tried, at equal angles, clockwise from above it. */
     private static final int DIRECTIONS = 32;

@@ -1,11 +1,14 @@
 package rasterlab.app.study;
 
+import java.awt.Dimension;
+import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.knowm.xchart.XYChart;
@@ -19,6 +22,15 @@ import rasterlab.engine.study.Study;
 
 /** A study as a chart: cost to the right, error upwards, a line through each method's sizes. */
 public final class StudyChart {
+    /**
+     * From this width on there is room for the methods' names beside the plot, and on the axis of
+     * costs for a word on the sizes beside the points.
+     */
+    private static final int ROOMY = 900;
+
+    /** The most of a narrow chart's width that its title takes. */
+    private static final double TITLE = 0.75;
+
     private StudyChart() {}
 
     /** The chart as a picture. */
@@ -38,6 +50,43 @@ public final class StudyChart {
         note.paint(graphics, height);
     }
 
+    /**
+     * The chart on a stage, the methods' names below it where it is narrow.
+     *
+     * @param size of the stage, in the chart's own units
+     * @param places learns where the points are
+     */
+    static void paint(
+            Study study,
+            StudyWords words,
+            ChartLook paper,
+            Dimension size,
+            PointPlaces places,
+            Graphics2D graphics) {
+        XYChart chart = chart(study, words, paper);
+        chart.addAnnotation(places);
+        if (size.width >= ROOMY) {
+            chart.paint(graphics, size.width, size.height);
+            return;
+        }
+        chart.setXAxisTitle(words.briefCostAxis(study));
+        chart.getStyler().setLegendVisible(false);
+        fitTitle(chart, size.width, graphics);
+        var legend = new ChartLegend(looks(study, paper), paper.ink(), size.width, graphics);
+        int height = size.height - legend.height();
+        chart.paint(graphics, size.width, height);
+        legend.paint(graphics, height);
+    }
+
+    /** A title in the middle over the plot must not end outside the chart. */
+    private static void fitTitle(XYChart chart, int width, Graphics2D graphics) {
+        XYStyler styler = chart.getStyler();
+        Font font = styler.getChartTitleFont();
+        int wide = graphics.getFontMetrics(font).stringWidth(chart.getTitle());
+        float share = (float) Math.min(1, TITLE * width / wide);
+        styler.setChartTitleFont(font.deriveFont(share * font.getSize2D()));
+    }
+
     static XYChart chart(Study study, StudyWords words) {
         return chart(study, words, ChartLook.PAPER);
     }
@@ -51,21 +100,28 @@ public final class StudyChart {
         style(chart.getStyler());
         style(chart.getStyler(), costs, errors, words);
         chart.addAnnotation(new ChartGrid(costs, errors, paper.ink()));
-        List<String> methods =
-                study.measurements().stream().map(Measurement::method).distinct().toList();
-        MethodLook.of(methods)
+        looks(study, paper)
                 .forEach(
                         (method, look) -> {
                             for (List<Measurement> line : lines(method, points(study))) {
-                                MethodLook here = look.on(paper);
-                                add(chart, method, here, line, errors);
-                                label(sizes, here, line, errors, point -> words.size(study, point));
+                                add(chart, method, look, line, errors);
+                                label(sizes, look, line, errors, point -> words.size(study, point));
                             }
                         });
         sizes.avoidEdge(errors.border());
         sizes.avoidEdge(errors.bottom());
         chart.addAnnotation(sizes);
         return chart;
+    }
+
+    /** Of the methods that have a place on the chart, in teaching order. */
+    private static Map<String, MethodLook> looks(Study study, ChartLook paper) {
+        List<String> methods =
+                study.measurements().stream().map(Measurement::method).distinct().toList();
+        var looks = new LinkedHashMap<>(MethodLook.of(methods));
+        looks.keySet().retainAll(points(study).stream().map(Measurement::method).toList());
+        looks.replaceAll((method, look) -> look.on(paper));
+        return looks;
     }
 
     private static XYChart empty(Study study, StudyWords words) {
