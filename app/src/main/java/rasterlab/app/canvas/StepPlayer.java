@@ -33,7 +33,7 @@ public final class StepPlayer extends JPanel {
     private final JButton toEnd;
     private final JSlider position = new JSlider();
     private final JSlider speed = new JSlider(0, FASTEST, 3);
-    private final JLabel count = new JLabel();
+    private final SteadyLabel count = new SteadyLabel();
     private final Timer timer = new Timer(1000, this::advance);
     private boolean refreshing;
 
@@ -48,9 +48,9 @@ public final class StepPlayer extends JPanel {
         this.texts = texts;
         this.reading = reading;
         toStart = button("toStart", PlayerIcon.TO_START, () -> go(steps.first()));
-        back = button("back", PlayerIcon.BACK, () -> go(steps.step() - 1));
+        back = button("back", PlayerIcon.BACK, () -> go(steps.after(-1)));
         play = button("play", PlayerIcon.PLAY, this::togglePlaying);
-        forward = button("forward", PlayerIcon.FORWARD, () -> go(steps.step() + 1));
+        forward = button("forward", PlayerIcon.FORWARD, () -> go(steps.after(1)));
         toEnd = button("toEnd", PlayerIcon.TO_END, () -> go(steps.last()));
         add(buttons);
         addPosition();
@@ -68,20 +68,25 @@ public final class StepPlayer extends JPanel {
         refreshing = false;
         boolean any = steps.last() > steps.first();
         toStart.setEnabled(steps.step() > steps.first());
-        back.setEnabled(steps.step() > steps.first());
-        forward.setEnabled(steps.step() < steps.last());
+        back.setEnabled(steps.after(-1) != steps.step());
+        forward.setEnabled(steps.after(1) != steps.step());
         toEnd.setEnabled(steps.step() < steps.last());
         play.setEnabled(any);
         position.setEnabled(any);
-        count.setText(reading.get());
+        count.show(reading.get(), steps.last());
         if (!any) stop();
+    }
+
+    /** Keeps room beside the position for a text that may come to stand there. */
+    public void reserve(String longest) {
+        count.reserve(longest);
     }
 
     /** Lets the keys that the hints name work while that component has the focus. */
     public void bindKeys(JComponent stage) {
         KeyBinding.within(stage, KeyStroke.getKeyStroke("SPACE"), this::togglePlaying);
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("PAGE_UP"), () -> go(steps.step() - 1));
-        KeyBinding.within(stage, KeyStroke.getKeyStroke("PAGE_DOWN"), () -> go(steps.step() + 1));
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("PAGE_UP"), () -> go(steps.after(-1)));
+        KeyBinding.within(stage, KeyStroke.getKeyStroke("PAGE_DOWN"), () -> go(steps.after(1)));
         KeyBinding.within(stage, KeyStroke.getKeyStroke("HOME"), () -> go(steps.first()));
         KeyBinding.within(stage, KeyStroke.getKeyStroke("END"), () -> go(steps.last()));
     }
@@ -139,8 +144,7 @@ public final class StepPlayer extends JPanel {
     }
 
     private void advance(ActionEvent tick) {
-        if (steps.step() < steps.last()) steps.goTo(steps.step() + 1);
-        else if (steps.turnsRound()) steps.goTo(steps.first());
+        steps.goTo(steps.after(1));
         if (steps.step() == steps.last() && !steps.turnsRound()) stop();
     }
 

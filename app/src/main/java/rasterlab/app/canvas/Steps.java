@@ -18,9 +18,16 @@ public interface Steps {
         return Math.max(first(), Math.min(last(), step));
     }
 
+    /** The step so many further on, or back: round and round, or to the nearer end at most. */
+    default int after(int count) {
+        int to = step() + count;
+        if (!turnsRound()) return within(to);
+        return first() + Math.floorMod(to - first(), last() - first() + 1);
+    }
+
     /** Told when no other step follows at once: one was made alone, or playing has stopped. */
     default void rest() {}
 
-    /** Whether playing goes on at the first step after the last. */
+    /** Whether the first step comes after the last. */
     boolean turnsRound();
 }

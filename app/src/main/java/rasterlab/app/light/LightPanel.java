@@ -56,6 +56,8 @@ public final class LightPanel extends LabPanel {
         Texts canvas = Texts.of("canvas", language);
         orbit = new StepPlayer(canvas, new LampOrbit(model), this::orbitReading);
         turning = new StepPlayer(canvas, new CubeTurning(model), this::turningReading);
+        orbit.reserve(texts.text("orbit", "−180"));
+        turning.reserve("−359°");
         lightActions = actions(canvas, new ShownPicture("lighting", stage, stage::svg));
         colourActions = actions(canvas, new ShownPicture("colours", cube, cube::svg));
         var writing = new SceneWriting(this, language, lightActions::saved, onFailure);

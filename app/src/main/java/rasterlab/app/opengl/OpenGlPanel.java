@@ -36,6 +36,7 @@ public final class OpenGlPanel extends LabPanel {
         inspector = new OpenGlInspector(model, texts);
         stage = new OpenGlStage(model, texts, model::open);
         player = new StepPlayer(Texts.of("canvas", language), new Turntable(model), this::angle);
+        player.reserve(texts.text("turntable", "359"));
         actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());
         actions.add("reset", model::reset);

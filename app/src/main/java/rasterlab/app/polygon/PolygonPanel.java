@@ -37,6 +37,7 @@ public final class PolygonPanel extends LabPanel {
         inspector = new PolygonInspector(model, texts);
         stage = new PolygonStage(model, texts, onFailure);
         player = new StepPlayer(Texts.of("canvas", language), model, this::count);
+        player.reserve(texts.text("count.result"));
         actions = new Actions(Texts.of("canvas", language));
         actions.addUndo(model.history());
         actions.add("reset", model::reset);

@@ -10,6 +10,7 @@ import rasterlab.app.canvas.Chips;
 import rasterlab.app.canvas.LabLayout;
 import rasterlab.app.canvas.LabPanel;
 import rasterlab.app.canvas.SceneWriting;
+import rasterlab.app.canvas.Shown;
 import rasterlab.app.canvas.ShownPicture;
 import rasterlab.app.canvas.StepPlayer;
 import rasterlab.app.language.Language;
@@ -51,6 +52,7 @@ public final class VisibilityPanel extends LabPanel {
                         Texts.of("canvas", language),
                         new DrawingSteps(model),
                         () -> new VisibilityReadings(model, texts).timeline());
+        player.reserve(texts.text("turntable", Shown.number(1.99, texts.locale())));
         actions.addUndo(model.history());
         actions.add("reset", model::reset);
         actions.addPicture(new ShownPicture("hidden-surfaces", stage, stage::svg), onFailure);

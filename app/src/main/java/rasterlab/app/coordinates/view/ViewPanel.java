@@ -69,7 +69,12 @@ public final class ViewPanel extends LabCard {
                 new StepPlayer(
                         Texts.of("canvas", texts.language()),
                         model,
-                        () -> texts.text("space." + model.stage().space().code() + ".short"));
+                        () -> called(model.stage().space()));
+        for (ViewStage.Space each : ViewStage.Space.values()) stages.reserve(called(each));
+    }
+
+    private String called(ViewStage.Space space) {
+        return texts.text("space." + space.code() + ".short");
     }
 
     private void putTogether() {
