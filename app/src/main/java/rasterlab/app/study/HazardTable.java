@@ -46,6 +46,11 @@ final class HazardTable extends JTable {
     /** How many times as wide columns get where there is room. */
     private static final int WIDEST = 3;
 
+    /** How many times as high rows get likewise, and by what part of that their signs grow. */
+    private static final int HIGHEST = 2;
+
+    private static final float SIGN = 0.5f;
+
     private final transient StudyLabModel model;
     private final transient Texts texts;
     private final transient TopicNames called;
@@ -55,7 +60,8 @@ final class HazardTable extends JTable {
     private transient List<? extends Hazard<?>> hazards = List.of();
     private transient List<? extends Method<?>> methods = List.of();
     private boolean refreshing;
-    private int room;
+    private final int leastRow = getFontMetrics(getFont()).getHeight() + 8;
+    private Dimension room = new Dimension();
 
     /**
      * @param open brings the chosen cell's scene to its tab
@@ -75,7 +81,7 @@ final class HazardTable extends JTable {
         setFillsViewportHeight(true);
         getTableHeader().setReorderingAllowed(false);
         getTableHeader().setResizingAllowed(false);
-        setRowHeight(getFontMetrics(getFont()).getHeight() + 8);
+        setRowHeight(leastRow);
         getSelectionModel().addListSelectionListener(e -> choose());
         getColumnModel().getSelectionModel().addListSelectionListener(e -> choose());
         names = new HazardNames(this, texts.text("hazard"));
@@ -95,7 +101,7 @@ final class HazardTable extends JTable {
         scroll.setName("hazards.scroll");
         scroll.setRowHeaderView(names);
         scroll.setCorner(ScrollPaneConstants.UPPER_LEFT_CORNER, names.getTableHeader());
-        scroll.getViewport().addChangeListener(e -> spread(scroll.getViewport().getWidth()));
+        scroll.getViewport().addChangeListener(e -> spread(scroll.getViewport().getSize()));
         return scroll;
     }
 
@@ -167,22 +173,33 @@ final class HazardTable extends JTable {
     private void shape() {
         for (int i = 0; i < getColumnCount(); i++)
             getColumnModel().getColumn(i).setHeaderRenderer(new UprightHeader(false));
-        widen();
+        fill();
         names.show(shown, hazards, called);
     }
 
-    private void spread(int width) {
-        if (width == room) return;
-        room = width;
-        widen();
+    private void spread(Dimension size) {
+        if (size.equals(room)) return;
+        room = size;
+        fill();
     }
 
-    /** Shares the room out among the methods. */
-    private void widen() {
-        int least = Math.max(COLUMN, 2 * getFont().getSize());
-        int share = room / Math.max(1, getColumnCount());
-        int width = Math.max(least, Math.min(WIDEST * least, share));
+    /** Shares the room out among the methods and among the hazards. */
+    private void fill() {
+        int width =
+                share(
+                        room.width,
+                        getColumnCount(),
+                        Math.max(COLUMN, 2 * getFont().getSize()),
+                        WIDEST);
         for (int i = 0; i < getColumnCount(); i++) width(i, width);
+        int height = share(room.height, getRowCount(), leastRow, HIGHEST);
+        if (height == getRowHeight()) return;
+        setRowHeight(height);
+        names.setRowHeight(height);
+    }
+
+    private static int share(int room, int count, int least, int most) {
+        return Math.max(least, Math.min(most * least, room / Math.max(1, count)));
     }
 
     private void width(int column, int width) {
@@ -218,7 +235,12 @@ final class HazardTable extends JTable {
                     fresh.map(cell -> cell.verdict().kind()).orElse(recorded(row, column));
             setHorizontalAlignment(CENTER);
             if (!on) setForeground(fresh.isPresent() ? VerdictSign.of(kind).ink() : pale());
-            if (fresh.isPresent()) setFont(getFont().deriveFont(Font.BOLD));
+            float larger = 1 + SIGN * (getRowHeight() - leastRow) / leastRow;
+            setFont(
+                    getFont()
+                            .deriveFont(
+                                    fresh.isPresent() ? Font.BOLD : Font.PLAIN,
+                                    larger * getFont().getSize2D()));
             setToolTipText(
                     texts.text(
                             fresh.isPresent() ? "cell.fresh" : "cell.recorded",

@@ -72,6 +72,32 @@ class HazardTableTest {
     }
 
     @Test
+    @DisplayName("two fifths of a high window stay empty below the hazards")
+    void rowsFillTheRoom() throws Exception {
+        try (var model =
+                new StudyLabModel(
+                        List.of(new LineTopic()),
+                        Runnable::run,
+                        failure -> {
+                            throw new AssertionError(failure);
+                        })) {
+            var table = new HazardTable(model, Texts.of("study", Language.ENGLISH), () -> {});
+            var scroll = table.scroll();
+            table.refresh();
+            int least = table.getRowHeight();
+            int rows = table.getRowCount();
+            scroll.getViewport().setSize(500, (least + 9) * rows + 5);
+            var names = (JTable) scroll.getRowHeader().getView();
+            assertEquals(least + 9, table.getRowHeight());
+            assertEquals(least + 9, names.getRowHeight());
+            scroll.getViewport().setSize(500, 10 * least * rows);
+            assertEquals(2 * least, table.getRowHeight());
+            scroll.getViewport().setSize(500, rows);
+            assertEquals(least, table.getRowHeight());
+        }
+    }
+
+    @Test
     @DisplayName("the drawing of the table lacks a method, a hazard or the verdicts")
     void svgHasTheWholeTable() {
         List<Throwable> failures = new ArrayList<>();
