@@ -66,7 +66,8 @@ final class ChartCommand implements Callable<Integer> {
             extension(file);
             WholeFile.requireWritable(file);
         }
-        chart.table().apply(console.language().texts()).lines().forEach(console.out()::println);
+        var tables = new ChartTables(console.language().texts());
+        chart.table().apply(tables).lines().forEach(console.out()::println);
         for (Path file : files) {
             WholeFile.write(file, chart.content(extension(file), console.language().inWindow()));
             console.tell("wrote", file.toString());

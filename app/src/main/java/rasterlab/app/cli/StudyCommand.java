@@ -58,9 +58,8 @@ final class StudyCommand implements Callable<Integer> {
             WholeFile.requireWritable(file);
         }
         Study study = measured(chosen);
-        ReportLanguage language = console.language();
-        (wide ? StudyTable.wide(study, language) : StudyTable.narrow(study, language))
-                .forEach(console.out()::println);
+        var table = new StudyTable(study, console.language());
+        (wide ? table.wide() : table.narrow()).forEach(console.out()::println);
         for (Path file : files) {
             StudyFile.write(study, file, console.language().inWindow());
             console.tell("wrote", file.toString());

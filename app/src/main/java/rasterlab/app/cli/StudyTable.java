@@ -20,26 +20,24 @@ final class StudyTable {
     /** What a method that did not end or crashed has instead of numbers. */
     private static final String NOT_TIMED = "–";
 
-    private StudyTable() {}
+    private final Study study;
+    private final Texts texts;
+    private final StudyWords words;
+
+    StudyTable(Study study, ReportLanguage language) {
+        this.study = study;
+        texts = language.texts();
+        words = new StudyWords(language.inWindow());
+    }
 
     /** Times and errors, under a line with their units; what it leaves out is named below. */
-    static List<String> narrow(Study study, ReportLanguage language) {
-        Texts texts = language.texts();
-        var words = new StudyWords(language.inWindow());
+    List<String> narrow() {
         var table =
                 new TextTable(
-                        heads(
-                                texts,
-                                "method",
-                                "workload",
-                                "ns",
-                                "spread",
-                                "error",
-                                "wrong",
-                                "verdict"));
+                        heads("method", "workload", "ns", "spread", "error", "wrong", "verdict"));
         for (Measurement each : study.measurements())
             table.add(
-                    Stream.of(named(each), times(each, texts), errors(each, words, texts))
+                    Stream.of(named(each), times(each), errors(each))
                             .flatMap(List::stream)
                             .toList());
         var lines = new ArrayList<String>();
@@ -56,30 +54,28 @@ final class StudyTable {
     }
 
     /** All columns, the units in their heads. */
-    static List<String> wide(Study study, ReportLanguage language) {
+    List<String> wide() {
         StudyCounts counts = StudyCounts.of(study);
-        Texts texts = language.texts();
-        var words = new StudyWords(language.inWindow());
         String item = words.item(study);
-        var heads = new ArrayList<String>(heads(texts, "method", "workload", "size"));
+        var heads = new ArrayList<String>(heads("method", "workload", "size"));
         heads.add(texts.text("study.ns-per", item));
-        heads.addAll(heads(texts, "spread"));
+        heads.addAll(heads("spread"));
         counts.names().forEach(name -> heads.add(texts.text("study.per", name, item)));
         heads.add(texts.text("study.error-in", words.errorUnit(study)));
-        heads.addAll(heads(texts, "wrong", "verdict"));
+        heads.addAll(heads("wrong", "verdict"));
         var table = new TextTable(heads);
         for (Measurement each : study.measurements()) {
             var row = new ArrayList<String>(named(each));
             row.add(String.valueOf(each.size()));
-            row.addAll(times(each, texts));
-            counts.cells(each).forEach(cell -> row.add(shortened(cell, texts)));
-            row.addAll(errors(each, words, texts));
+            row.addAll(times(each));
+            counts.cells(each).forEach(cell -> row.add(shortened(cell)));
+            row.addAll(errors(each));
             table.add(row);
         }
         return table.lines();
     }
 
-    private static List<String> heads(Texts texts, String... keys) {
+    private List<String> heads(String... keys) {
         return Stream.of(keys).map(key -> texts.text("study." + key)).toList();
     }
 
@@ -87,36 +83,34 @@ final class StudyTable {
         return List.of(measured.method(), measured.workload());
     }
 
-    private static List<String> times(Measurement measured, Texts texts) {
+    private List<String> times(Measurement measured) {
         Cost cost = measured.cost();
         if (!cost.timed()) return List.of(NOT_TIMED, NOT_TIMED);
         return List.of(
-                number(cost.medianNanos(), texts),
-                number(cost.lowNanos(), texts) + "–" + number(cost.highNanos(), texts));
+                number(cost.medianNanos()),
+                number(cost.lowNanos()) + "–" + number(cost.highNanos()));
     }
 
-    private static List<String> errors(Measurement measured, StudyWords words, Texts texts) {
+    private List<String> errors(Measurement measured) {
         Deviation error = measured.error();
         String verdict = words.verdict(measured.kind());
         if (!measured.cost().timed()) return List.of(NOT_TIMED, NOT_TIMED, verdict);
         return List.of(
-                rounded(error.worst(), texts),
-                String.valueOf(error.missing() + error.extra()),
-                verdict);
+                rounded(error.worst()), String.valueOf(error.missing() + error.extra()), verdict);
     }
 
-    private static String shortened(String count, Texts texts) {
-        return count.contains(".") ? number(Double.parseDouble(count), texts) : count;
+    private String shortened(String count) {
+        return count.contains(".") ? number(Double.parseDouble(count)) : count;
     }
 
     /** Two places, none from 1,000 on, or two digits where two places would be 0. */
-    private static String number(double value, Texts texts) {
+    private String number(double value) {
         String form = value >= 1_000 ? "%.0f" : value == 0 || value >= 0.01 ? "%.2f" : "%.1e";
         return String.format(texts.locale(), form, value);
     }
 
     /** Three digits; the files have all. */
-    private static String rounded(double error, Texts texts) {
+    private String rounded(double error) {
         if (error == 0) return "0";
         String form = error >= 0.001 && error < 1000 ? "%.3f" : "%.2e";
         return Double.isFinite(error)

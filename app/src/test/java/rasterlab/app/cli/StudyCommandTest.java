@@ -79,14 +79,19 @@ class StudyCommandTest {
         var study = new Study("line", "pixel", "pixels", List.of(endless));
         assertEquals(
                 List.of("naive-textbook", "w", "–", "–", "–", "–", "endless"),
-                List.of(StudyTable.narrow(study, ReportLanguage.EN).get(2).trim().split(" +")));
+                List.of(
+                        new StudyTable(study, ReportLanguage.EN)
+                                .narrow()
+                                .get(2)
+                                .trim()
+                                .split(" +")));
         assertEquals(
                 List.of("naive-textbook", "w", "16", "–", "–", "–", "–", "endless"),
-                List.of(StudyTable.wide(study, ReportLanguage.EN).get(1).trim().split(" +")));
+                List.of(new StudyTable(study, ReportLanguage.EN).wide().get(1).trim().split(" +")));
         for (List<String> lines :
                 List.of(
-                        StudyTable.narrow(study, ReportLanguage.RU),
-                        StudyTable.wide(study, ReportLanguage.RU)))
+                        new StudyTable(study, ReportLanguage.RU).narrow(),
+                        new StudyTable(study, ReportLanguage.RU).wide()))
             assertTrue(lines.stream().anyMatch(line -> line.endsWith("не кончается")), "" + lines);
     }
 
@@ -99,7 +104,9 @@ class StudyCommandTest {
         var study = new Study("line", "pixel", "pixels", List.of(each));
         String wrong = language == ReportLanguage.RU ? "\\d\\.\\d" : "\\d,\\d";
         for (List<String> lines :
-                List.of(StudyTable.narrow(study, language), StudyTable.wide(study, language))) {
+                List.of(
+                        new StudyTable(study, language).narrow(),
+                        new StudyTable(study, language).wide())) {
             String row =
                     lines.stream().filter(line -> line.contains("dda")).findAny().orElseThrow();
             assertFalse(Pattern.compile(wrong).matcher(row).find(), row);
@@ -126,9 +133,10 @@ class StudyCommandTest {
                                 Verdict.Kind.DEGRADED,
                                 ""));
         var lines =
-                StudyTable.narrow(
-                        new Study(topic.name(), topic.item(), topic.errorUnit(), measured),
-                        ReportLanguage.EN);
+                new StudyTable(
+                                new Study(topic.name(), topic.item(), topic.errorUnit(), measured),
+                                ReportLanguage.EN)
+                        .narrow();
         for (String line : lines) assertTrue(line.length() <= StudyTable.WIDTH, line);
         assertEquals("--wide adds what was counted: comparisons", lines.get(lines.size() - 1));
     }
