@@ -22,6 +22,9 @@ import rasterlab.app.canvas.StageColours;
 record BrightnessPicture(
         SlopeFigure figure, List<String> methods, List<List<Double>> light, String even)
         implements PlanePicture {
+    /** The least contrast of lines so wide, each of which has its name and its own dashes too. */
+    private static final double SEEN = 2;
+
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
         Color faint = MethodColours.mix(colours.axis(), colours.ink(), 0.3);
@@ -64,8 +67,11 @@ record BrightnessPicture(
                         3, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {9, 7}, 0);
     }
 
+    /** The method's own colour where it can be seen: darkened, sky blue would be taken for blue. */
     private Color ink(StageColours colours, int method) {
-        return MethodColours.edgeOn(colours.ground(), MethodColours.of(methods.get(method)));
+        Color own = MethodColours.of(methods.get(method));
+        boolean seen = MethodColours.contrast(own, colours.ground()) >= SEEN;
+        return seen ? own : MethodColours.edgeOn(colours.ground(), own);
     }
 
     /** The methods' names below each other in the lower left corner. */

@@ -8,6 +8,7 @@ import java.awt.Color;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
@@ -91,6 +92,30 @@ class MethodColoursTest {
                     assertTrue(light >= LEAST, pair + " are " + light + " apart on white");
                     assertTrue(dark >= Math.min(ENOUGH, light), pair + " are " + dark + " apart");
                 }
+        }
+    }
+
+    @Test
+    @DisplayName("a colour for a dark ground is too dark, or is taken for another of the palette")
+    void coloursOfThePaletteDifferOnTheDarkStage() {
+        List<String> names = IntStream.range(0, 17).mapToObj(i -> "method " + i).toList();
+        Color ground = StageColours.DARK.ground();
+        for (String one : names) {
+            Color line = MethodLook.of(names).get(one).on(ChartLook.on(StageColours.DARK)).colour();
+            assertTrue(MethodColours.contrast(line, ground) >= 3, line.toString());
+            for (String two : names.subList(0, names.indexOf(one))) {
+                double light = apart(names, one, two, StageColours.LIGHT);
+                double dark = apart(names, one, two, StageColours.DARK);
+                assertTrue(
+                        dark >= Math.min(ENOUGH, light),
+                        () ->
+                                MethodColours.among(names).get(one)
+                                        + ", "
+                                        + MethodColours.among(names).get(two)
+                                        + " are "
+                                        + dark
+                                        + " apart");
+            }
         }
     }
 
