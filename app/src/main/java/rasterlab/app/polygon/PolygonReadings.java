@@ -105,7 +105,7 @@ final class PolygonReadings {
      */
     static String value(double value, Locale locale) {
         boolean negativeZero = value == 0 && Math.copySign(1, value) < 0;
-        return negativeZero ? "−0.0" : Shown.number(value, locale);
+        return negativeZero ? "−0" : Shown.number(value, locale);
     }
 
     /** What is said of the first point, by the method and exactly. */
