@@ -2,9 +2,16 @@ package rasterlab.app.polygon;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.geom.Line2D;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import rasterlab.app.canvas.MethodColours;
+import rasterlab.app.canvas.PathLines;
 import rasterlab.app.canvas.PlaneMap;
 import rasterlab.app.canvas.PlanePicture;
 import rasterlab.app.canvas.StageColours;
@@ -19,6 +26,7 @@ import rasterlab.engine.raster.PixelMark;
  *     its own
  * @param otherMethod its name, "" for none
  * @param step as {@link PolygonLabState#step}
+ * @param taken places of handles and labels, where no number stands if there is room elsewhere
  */
 record CutPicture(
         CutFigure figure,
@@ -26,9 +34,23 @@ record CutPicture(
         CutAnswer answer,
         List<Cut> other,
         String otherMethod,
-        int step)
+        int step,
+        List<Rectangle> taken)
         implements PlanePicture {
     private static final double MARK = 20;
+
+    /** Where numbers may stand on the way from the middle of a triangle to a corner or a side. */
+    private static final double[] PARTS = {0.25, 0.4, 0.55, 0.7};
+
+    @Override
+    public PlanePicture leaving(List<Rectangle> labels) {
+        return new CutPicture(figure, method, answer, other, otherMethod, step, labels);
+    }
+
+    @Override
+    public List<Line2D> lines(PlaneMap map, Rectangle view) {
+        return PathLines.of(Strokes.ring(figure.corners(), map), view);
+    }
 
     @Override
     public void paint(Graphics2D g, PlaneMap map, StageColours colours, BooleanSupplier cancelled) {
@@ -74,22 +96,50 @@ record CutPicture(
                 g, map.viewX(middle.x()) - MARK / 2, map.viewY(middle.y()) - MARK / 2, MARK);
     }
 
+    /** Each in its triangle, and clear of labels and of the numbers before it where it can be. */
     private void number(Strokes strokes, List<Cut> made) {
-        for (int i = 0; i < made.size(); i++)
-            strokes.words(
-                    String.valueOf(i + 1),
-                    middle(made.get(i)),
-                    0,
-                    made.get(i).fault() == Fault.NONE ? 0 : MARK);
+        var full = new ArrayList<Rectangle>(taken);
+        for (int i = 0; i < made.size(); i++) {
+            Cut cut = made.get(i);
+            String number = String.valueOf(i + 1);
+            double down = cut.fault() == Fault.NONE ? 0 : MARK;
+            Place at =
+                    places(cut)
+                            .filter(
+                                    place ->
+                                            full.stream()
+                                                    .noneMatch(
+                                                            strokes.plate(number, place, 0, down)
+                                                                    ::intersects))
+                            .findFirst()
+                            .orElse(middle(cut));
+            full.add(strokes.plate(number, at, 0, down));
+            strokes.words(number, at, 0, down);
+        }
+    }
+
+    /** In the triangle: its middle first, then towards its sides, then towards its corners. */
+    private Stream<Place> places(Cut cut) {
+        List<Place> corners = corners(cut);
+        Place middle = middle(cut);
+        Stream<Place> sides =
+                IntStream.range(0, 3)
+                        .mapToObj(i -> between(corners.get(i), corners.get((i + 1) % 3), 0.5));
+        List<Place> ends = Stream.concat(sides, corners.stream()).toList();
+        return Stream.concat(
+                Stream.of(middle),
+                DoubleStream.of(PARTS)
+                        .boxed()
+                        .flatMap(part -> ends.stream().map(end -> between(middle, end, part))));
+    }
+
+    private static Place between(Place from, Place to, double part) {
+        return new Place(
+                from.x() + part * (to.x() - from.x()), from.y() + part * (to.y() - from.y()));
     }
 
     private Place middle(Cut cut) {
-        double x = 0;
-        double y = 0;
-        for (Place corner : corners(cut)) {
-            x += corner.x() / 3;
-            y += corner.y() / 3;
-        }
-        return new Place(x, y);
+        List<Place> corners = corners(cut);
+        return between(corners.get(0), between(corners.get(1), corners.get(2), 0.5), 2 / 3.0);
     }
 }

@@ -14,7 +14,8 @@ record PolygonPictures(PolygonTopics topics, Texts texts) {
         if (outcome.answer() instanceof InsideAnswer inside)
             return judged(scene, outcome.method(), inside, "", step);
         if (outcome.answer() instanceof CutAnswer cut)
-            return new CutPicture((CutFigure) figure, outcome.method(), cut, List.of(), "", step);
+            return new CutPicture(
+                    (CutFigure) figure, outcome.method(), cut, List.of(), "", step, List.of());
         var pixels = (PixelAnswer) outcome.answer();
         return new PixelsPicture(
                 figure,
@@ -38,7 +39,8 @@ record PolygonPictures(PolygonTopics topics, Texts texts) {
                     cut,
                     ((CutAnswer) second.answer()).cuts(),
                     second.method(),
-                    step);
+                    step,
+                    List.of());
         var pixels = (PixelAnswer) first.answer();
         PixelDifference difference =
                 PixelDifference.of(

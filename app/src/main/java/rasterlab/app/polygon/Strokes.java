@@ -2,7 +2,9 @@ package rasterlab.app.polygon;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.List;
@@ -84,6 +86,18 @@ final class Strokes {
     void area(List<Place> places, Color colour, int alpha) {
         g.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha));
         g.fill(closed(places));
+    }
+
+    /** Where the plate of such words lies, in view units. */
+    Rectangle plate(String words, Place at, double right, double down) {
+        FontMetrics metrics = g.getFontMetrics();
+        int wide = metrics.stringWidth(words) + 8;
+        int high = metrics.getHeight() + 1;
+        return new Rectangle(
+                (int) (x(at) + right - wide / 2.0),
+                (int) (y(at) + down - metrics.getAscent() / 2.0) - 1,
+                wide,
+                high);
     }
 
     /** Words with their middle at a place, moved by so many view units. */
