@@ -20,7 +20,7 @@ public final class Actions extends JPanel {
     private static final long serialVersionUID = 1L;
 
     /** Narrower than usual, so that the longest Russian text fits half the inspector. */
-    private static final Insets MARGIN = new Insets(2, 4, 2, 4);
+    public static final Insets NARROW = new Insets(2, 4, 2, 4);
 
     private static final List<String> REDO_KEYS = List.of("ctrl Y", "ctrl shift Z");
 
@@ -55,7 +55,7 @@ public final class Actions extends JPanel {
         button.setName(key);
         button.setMnemonic(texts.mnemonic("action." + key));
         button.setDisplayedMnemonicIndex(texts.mnemonicIndex("action." + key));
-        button.setMargin(MARGIN);
+        button.setMargin(NARROW);
         button.setToolTipText(texts.text("action." + key + ".hint"));
         button.addActionListener(
                 e -> {

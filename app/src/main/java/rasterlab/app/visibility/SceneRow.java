@@ -1,10 +1,10 @@
 package rasterlab.app.visibility;
 
-import java.awt.Insets;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.FileDrop;
 import rasterlab.app.canvas.SceneChooser;
 import rasterlab.app.language.Language;
@@ -13,9 +13,6 @@ import rasterlab.app.language.Texts;
 /** The buttons that open and save scenes; a file may also be dropped on the lab. */
 final class SceneRow extends JPanel {
     private static final long serialVersionUID = 1L;
-
-    /** As of the buttons below the inspector. */
-    private static final Insets MARGIN = new Insets(2, 4, 2, 4);
 
     private final transient VisibilityLabModel model;
     private final transient Texts texts;
@@ -33,7 +30,7 @@ final class SceneRow extends JPanel {
         button.setName(key);
         button.setMnemonic(texts.mnemonic(key));
         button.setDisplayedMnemonicIndex(texts.mnemonicIndex(key));
-        button.setMargin(MARGIN);
+        button.setMargin(Actions.NARROW);
         button.setToolTipText(texts.text(key + ".hint"));
         button.addActionListener(e -> action.run());
         return button;

@@ -1,6 +1,5 @@
 package rasterlab.app.coordinates.stack;
 
-import java.awt.Insets;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
@@ -15,6 +14,7 @@ import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 import javax.swing.ScrollPaneConstants;
 import net.miginfocom.swing.MigLayout;
+import rasterlab.app.canvas.Actions;
 import rasterlab.app.canvas.FormulaView;
 import rasterlab.app.canvas.Inspector;
 import rasterlab.app.canvas.NameChooser;
@@ -29,9 +29,6 @@ final class StackInspector {
     private final StackLabModel model;
     private final Texts texts;
     private final Inspector column;
-
-    /** Leaves the longest Russian command the room it needs. */
-    private static final Insets NARROW = new Insets(2, 4, 2, 4);
 
     private final NameChooser command;
     private final JList<String> program = new JList<>(new DefaultListModel<>());
@@ -102,7 +99,7 @@ final class StackInspector {
     private JPanel adding(JButton button) {
         var row = new JPanel(new MigLayout("insets 0, gap 6, wrap 1", "[grow,fill]"));
         row.add(command, "wmin 0");
-        button.setMargin(NARROW);
+        button.setMargin(Actions.NARROW);
         row.add(button);
         return row;
     }
