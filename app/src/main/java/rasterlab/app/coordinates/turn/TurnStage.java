@@ -33,6 +33,9 @@ final class TurnStage extends JPanel implements AutoCloseable {
     /** The least side of the way beside the chart, in sizes of the type. */
     private static final int WAY = 10;
 
+    /** The least part of the stage's width that the way has beside the chart. */
+    private static final double WAY_BESIDE = 0.4;
+
     private final transient TurnLabModel model;
     private final transient Texts texts;
     private final PlaneView way;
@@ -78,7 +81,8 @@ final class TurnStage extends JPanel implements AutoCloseable {
         int height = getHeight();
         int least = WAY * UIManager.getFont("Label.font").getSize();
         Dimension needed = chart.getMinimumSize();
-        boolean beside = width - GAP - needed.width >= least && height >= needed.height;
+        double wide = Math.max(least, WAY_BESIDE * width);
+        boolean beside = width - GAP - needed.width >= wide && height >= needed.height;
         boolean above = height - GAP >= 2 * Math.max(least, needed.height) && width >= needed.width;
         boolean inTurn = !beside && !above;
         turns.setVisible(inTurn);
