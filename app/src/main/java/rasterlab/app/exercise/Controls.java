@@ -1,6 +1,7 @@
 package rasterlab.app.exercise;
 
 import java.awt.Insets;
+import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -52,7 +53,8 @@ final class Controls {
         words.setLineWrap(true);
         words.setWrapStyleWord(true);
         words.setFont(UIManager.getFont("Label.font"));
-        words.setBorder(null);
+        // The foot of a J begins left of its place.
+        words.setBorder(BorderFactory.createEmptyBorder(0, 2, 0, 0));
         return words;
     }
 }

@@ -94,7 +94,7 @@ final class JoinForm extends JPanel {
      * @param joined where the student is already
      */
     JoinForm(Texts texts, Optional<Account> joined, Typed before) {
-        super(new MigLayout("insets 0, gap 8 8, wrap 2, hidemode 3", "[][grow,fill]"));
+        super(new MigLayout("insets 0, gap 8 8, wrap 2", "[][grow,fill]"));
         this.texts = texts;
         join = new JButton(texts.text("join.ok"));
         join.setName("join.ok");

@@ -67,7 +67,7 @@ class TourSectionsTest {
                                     "total": 59, "of": 100}}
                         """);
         assertEquals(
-                List.of("Неверное решение", "ошибка выполнения", "59/100", "40", "12", "7", "1,3"),
+                List.of("Неверное решение", "исключение", "59/100", "40", "12", "7", "1,3"),
                 graded.row(Texts.of("tour", Language.RUSSIAN)));
         assertEquals(
                 List.of("A wrong solution", "runtime error", "59/100", "40", "12", "7", "1.3"),

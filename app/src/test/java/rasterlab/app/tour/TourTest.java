@@ -93,7 +93,7 @@ class TourTest {
     void studyAndExerciseAreShownWithWhatCameOfThem() throws Exception {
         var tour = new Tour(folder, Language.RUSSIAN, System.err);
         assertTrue(tour.make(List.of(new LabPictures(List.of("chart", "checked")::contains))));
-        assertTrue(pixels("chart", MethodColours.ORANGE) > 100, "no chart");
+        assertTrue(pixels("chart", MethodColours.SKY_BLUE) > 200, "no chart");
         assertTrue(pixels("checked", MethodColours.VERMILLION) > 100, "no wrong pixel is marked");
     }
 
