@@ -112,6 +112,8 @@ class WindowCourseTest extends ExercisesHarness {
             await("the code is refused", () -> tells(form, "no course with this code"));
             var field = form.textBox("join.code").target();
             await("the code has the keyboard", field::isFocusOwner);
+            form.textBox("join.code").pressAndReleaseKeys(KeyEvent.VK_TAB);
+            await("Tab goes on to the name", form.textBox("join.name").target()::isFocusOwner);
             int told = GuiActionRunner.execute(() -> form.textBox("join.problem").target().getY());
             assertTrue(told > field.getY(), "told above the code");
             assertTrue(told < form.textBox("join.name").target().getY(), "told below the name");

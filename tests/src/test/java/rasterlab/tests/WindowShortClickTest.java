@@ -1,10 +1,13 @@
 package rasterlab.tests;
 
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
 import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.KeyboardFocusManager;
 import java.awt.Toolkit;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.DisplayName;
@@ -12,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Clicks so short that the keyboard comes to a button after what it does has disabled it. */
 @Timeout(120)
@@ -36,6 +40,22 @@ class WindowShortClickTest extends WindowHarness {
         await("it can be given up", () -> "cancel".equals(focused()));
         clickShortly("cancel");
         await("it can be begun again", () -> "measure".equals(focused()));
+    }
+
+    @ParameterizedTest(name = "the last undo, by {0}, hands the keyboard to redo")
+    @ValueSource(strings = {"a short click", "the space bar"})
+    void keyboardGoesFromTheLastUndoToThePicture(String way) {
+        show("line");
+        focus("end.A");
+        press(KeyEvent.VK_RIGHT);
+        if (way.equals("the space bar")) {
+            focus("undo");
+            press(KeyEvent.VK_SPACE);
+        } else {
+            clickShortly("undo");
+        }
+        await("the keyboard is in the picture", () -> "end.A".equals(focused()));
+        assertFalse(window.button("undo").isEnabled());
     }
 
     private void clickShortly(String name) {

@@ -12,6 +12,7 @@ import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import net.miginfocom.swing.MigLayout;
 import rasterlab.app.language.Texts;
 
@@ -152,7 +153,13 @@ public final class Actions extends JPanel {
         buttons.get(key).setToolTipText(text);
     }
 
+    /** A button that is disabled leaves the keyboard to the picture, not to the next button. */
     public void enable(String key, boolean enabled) {
-        buttons.get(key).setEnabled(enabled);
+        JButton button = buttons.get(key);
+        boolean leaves = !enabled && (button.isFocusOwner() || button.getModel().isArmed());
+        button.setEnabled(enabled);
+        if (leaves
+                && SwingUtilities.getAncestorOfClass(LabPanel.class, this) instanceof LabPanel lab)
+            lab.focusPicture();
     }
 }

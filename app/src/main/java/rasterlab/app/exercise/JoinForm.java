@@ -37,7 +37,7 @@ final class JoinForm extends JPanel {
     private final JPasswordField token = new JPasswordField(24);
     private final JButton join;
     private final JButton cancel;
-    private final JTextArea problem = Controls.words("join.problem");
+    private final JTextArea problem = words("join.problem");
     private final Map<JTextField, JLabel> labels = new HashMap<>();
 
     /** Whether a server is asked, so that nothing can be typed. */
@@ -122,11 +122,18 @@ final class JoinForm extends JPanel {
      * @param width of the form, in which the words wrap: what they need is known before it is shown
      */
     private JTextArea said(Account account, int width) {
-        JTextArea words = Controls.words("join.joined");
+        JTextArea words = words("join.joined");
         String key = account.student().isEmpty() ? "join.joined" : "join.joinedAs";
         words.setText(texts.text(key, account.toString(), account.student()));
         words.setSize(width, Short.MAX_VALUE);
         words.getAccessibleContext().setAccessibleName(texts.text("join.title"));
+        return words;
+    }
+
+    /** Tab goes from field to field. */
+    private static JTextArea words(String name) {
+        JTextArea words = Controls.words(name);
+        words.setFocusable(false);
         return words;
     }
 

@@ -1,6 +1,7 @@
 package rasterlab.app.shell;
 
 import java.awt.Rectangle;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -92,9 +93,16 @@ final class SettingsText {
     private static LastChosen chosen(Properties kept) throws Wrong {
         PictureForm form = LastChosen.NONE.form();
         if (kept.containsKey("picture")) form = one(kept, "picture", List.of(PictureForm.values()));
-        String folder = kept.getProperty("folder", "");
-        return new LastChosen(
-                Optional.of(folder).filter(name -> !name.isEmpty()).map(Path::of), form);
+        return new LastChosen(folder(kept.getProperty("folder", "")), form);
+    }
+
+    /** Empty also where its name cannot be written in the encoding of this run. */
+    private static Optional<Path> folder(String name) {
+        try {
+            return Optional.of(name).filter(some -> !some.isEmpty()).map(Path::of);
+        } catch (InvalidPathException unwritable) {
+            return Optional.empty();
+        }
     }
 
     private static String value(Properties kept, String key) throws Wrong {

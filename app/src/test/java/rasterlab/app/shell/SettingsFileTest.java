@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
+import org.junit.jupiter.api.DisplayName;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -56,6 +57,19 @@ class SettingsFileTest {
                         .toList();
         Files.write(place, older);
         assertEquals(FIRST, file(place).load(FIRST));
+        assertEquals(List.of(), problems);
+    }
+
+    @Test
+    @DisplayName("a folder that this run cannot name takes all other settings with it")
+    void folderThatCannotBeNamedIsForgottenAlone() throws IOException {
+        var kept = FIRST.with(new LastChosen(Optional.of(folder), PictureForm.SVG));
+        Path place = folder.resolve("window.properties");
+        file(place).save(kept);
+        String text = Files.readString(place);
+        Files.writeString(place, text.replaceFirst("folder=.*", "folder=\\\\u0000"));
+        var forgotten = new LastChosen(Optional.empty(), PictureForm.SVG);
+        assertEquals(FIRST.with(forgotten), file(place).load(FIRST));
         assertEquals(List.of(), problems);
     }
 

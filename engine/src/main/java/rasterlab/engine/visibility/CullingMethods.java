@@ -31,7 +31,7 @@ final class CullingMethods {
                                         + " eye",
                                 "no face is drawn that turns its inner side to the eye",
                                 "one test per face, about half of all pixels are written",
-                                "all but one convex body, as open ones, hollows, bodies before bodies",
+                                "all but one convex body; open ones, hollows, bodies before bodies",
                                 SUTHERLAND),
                         new BackFaceCulling()),
                 new Method<>(

@@ -47,6 +47,8 @@ class MessageTest {
         Message extra = Message.of("pixel.extra", "(-3, -40)");
         assertTrue(extra.in("en").contains("(-3, -40)"), extra.in("en"));
         assertTrue(extra.in("ru").contains("(−3; −40)"), extra.in("ru"));
+        Message part = Message.of("picture.part", -5, -1, -9, 0, 0, 1, 0, 1);
+        assertTrue(part.in("ru").contains("−5..−1"), part.in("ru"));
     }
 
     @Test
