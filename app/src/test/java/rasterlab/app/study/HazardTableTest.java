@@ -27,17 +27,20 @@ class HazardTableTest {
         EventQueue.invokeAndWait(LabTheme.LIGHT::install);
     }
 
+    private static StudyLabModel lines() {
+        return new StudyLabModel(
+                List.of(new LineTopic()),
+                Runnable::run,
+                failure -> {
+                    throw new AssertionError(failure);
+                });
+    }
+
     @Test
     @DisplayName("the projector's largest signs are dots")
     void columnsAreAsWideAsTheirSigns() throws Exception {
         EventQueue.invokeAndWait(() -> LabTheme.PROJECTOR.install(200));
-        try (var model =
-                new StudyLabModel(
-                        List.of(new LineTopic()),
-                        Runnable::run,
-                        failure -> {
-                            throw new AssertionError(failure);
-                        })) {
+        try (var model = lines()) {
             var table = new HazardTable(model, Texts.of("study", Language.ENGLISH), () -> {});
             table.scroll();
             table.refresh();
@@ -53,13 +56,7 @@ class HazardTableTest {
     @DisplayName("a third of a wide window stays empty beside the methods")
     void columnsFillTheRoom() throws Exception {
         EventQueue.invokeAndWait(LabTheme.LIGHT::install);
-        try (var model =
-                new StudyLabModel(
-                        List.of(new LineTopic()),
-                        Runnable::run,
-                        failure -> {
-                            throw new AssertionError(failure);
-                        })) {
+        try (var model = lines()) {
             var table = new HazardTable(model, Texts.of("study", Language.ENGLISH), () -> {});
             var viewport = table.scroll().getViewport();
             table.refresh();
@@ -74,13 +71,7 @@ class HazardTableTest {
     @Test
     @DisplayName("two fifths of a high window stay empty below the hazards")
     void rowsFillTheRoom() throws Exception {
-        try (var model =
-                new StudyLabModel(
-                        List.of(new LineTopic()),
-                        Runnable::run,
-                        failure -> {
-                            throw new AssertionError(failure);
-                        })) {
+        try (var model = lines()) {
             var table = new HazardTable(model, Texts.of("study", Language.ENGLISH), () -> {});
             var scroll = table.scroll();
             table.refresh();
