@@ -13,6 +13,12 @@ import rasterlab.engine.scene.VertexQuantity;
  */
 final class VertexStage {
     private final VertexBlock block = new VertexBlock();
+
+    /** Of the block's vertices what is transformed: world positions or normals. */
+    private final float[] x = new float[VertexBlock.SIZE];
+
+    private final float[] y = new float[VertexBlock.SIZE];
+    private final float[] z = new float[VertexBlock.SIZE];
     private final float[] clipX = new float[VertexBlock.SIZE];
     private final float[] clipY = new float[VertexBlock.SIZE];
     private final float[] clipZ = new float[VertexBlock.SIZE];
@@ -52,6 +58,7 @@ final class VertexStage {
 
     private void fill(Frame frame, int from, int end) {
         block.count = end - from;
+        take(frame.mesh, VertexQuantity.X, from);
         putDepths(frame, from);
         toEye(frame, from);
         putPlaces(frame, from);
@@ -59,32 +66,43 @@ final class VertexStage {
     }
 
     private void project(Frame frame, int from) {
-        float[] x = frame.mesh.values(VertexQuantity.X);
-        float[] y = frame.mesh.values(VertexQuantity.Y);
-        float[] z = frame.mesh.values(VertexQuantity.Z);
+        take(frame.mesh, VertexQuantity.X, from);
         float[] matrix = frame.view.toClip();
-        transform(matrix, 0, x, y, z, from, clipX);
-        transform(matrix, 1, x, y, z, from, clipY);
-        transform(matrix, 2, x, y, z, from, clipZ);
-        transform(matrix, 3, x, y, z, from, clipW);
+        transform(matrix, 0, clipX);
+        transform(matrix, 1, clipY);
+        transform(matrix, 2, clipZ);
+        transform(matrix, 3, clipW);
         ScreenVertices out = frame.vertices;
         int any = divide(from, frame.subpixels, out);
         double[][] planes = frame.view.worldPlanes();
         if (planes.length > 0)
-            for (int i = from; i < from + block.count; i++)
-                any |= out.code[i] |= (short) ClipCode.ofUser(planes, x[i], y[i], z[i]);
+            for (int i = 0; i < block.count; i++)
+                any |= out.code[from + i] |= (short) ClipCode.ofUser(planes, x[i], y[i], z[i]);
         if (any != 0) frame.anyBeyond = true;
         if (ClipCode.mustClip(any)) frame.clips = true;
     }
 
-    private void transform(
-            float[] matrix, int column, float[] x, float[] y, float[] z, int from, float[] out) {
+    /**
+     * Copies three quantities of the block's vertices to where {@link #transform} finds them.
+     *
+     * @param first of the three
+     * @param from the block's first vertex
+     */
+    private void take(TriangleMesh mesh, VertexQuantity first, int from) {
+        int k = first.ordinal();
+        System.arraycopy(mesh.values(Frame.QUANTITIES[k]), from, x, 0, block.count);
+        System.arraycopy(mesh.values(Frame.QUANTITIES[k + 1]), from, y, 0, block.count);
+        System.arraycopy(mesh.values(Frame.QUANTITIES[k + 2]), from, z, 0, block.count);
+    }
+
+    /** All arrays have one index: of others the compiler would make no vector instructions. */
+    private void transform(float[] matrix, int column, float[] out) {
         float perX = matrix[column];
         float perY = matrix[4 + column];
         float perZ = matrix[8 + column];
         float shift = matrix[12 + column];
         for (int i = 0; i < block.count; i++)
-            out[i] = x[from + i] * perX + y[from + i] * perY + z[from + i] * perZ + shift;
+            out[i] = x[i] * perX + y[i] * perY + z[i] * perZ + shift;
     }
 
     /** Returns what some vertex has of a {@link ClipCode}. */
@@ -111,11 +129,8 @@ final class VertexStage {
 
     /** Found again, so that of vertices out of sight nothing is written. */
     private void putDepths(Frame frame, int from) {
-        float[] x = frame.mesh.values(VertexQuantity.X);
-        float[] y = frame.mesh.values(VertexQuantity.Y);
-        float[] z = frame.mesh.values(VertexQuantity.Z);
-        transform(frame.view.toClip(), 2, x, y, z, from, clipZ);
-        transform(frame.view.toClip(), 3, x, y, z, from, clipW);
+        transform(frame.view.toClip(), 2, clipZ);
+        transform(frame.view.toClip(), 3, clipW);
         for (int i = 0; i < block.count; i++) {
             double nearness = 1.0 / clipW[i];
             frame.vertices.put(
@@ -125,26 +140,21 @@ final class VertexStage {
 
     private void toEye(Frame frame, int from) {
         TriangleMesh mesh = frame.mesh;
-        float[] x = mesh.values(VertexQuantity.X);
-        float[] y = mesh.values(VertexQuantity.Y);
-        float[] z = mesh.values(VertexQuantity.Z);
         float[] matrix = frame.view.toEye();
-        transform(matrix, 0, x, y, z, from, block.x);
-        transform(matrix, 1, x, y, z, from, block.y);
-        transform(matrix, 2, x, y, z, from, block.z);
+        transform(matrix, 0, block.x);
+        transform(matrix, 1, block.y);
+        transform(matrix, 2, block.z);
         if (!mesh.hasNormals()) {
             Arrays.fill(block.nx, 0);
             Arrays.fill(block.ny, 0);
             Arrays.fill(block.nz, 0);
             return;
         }
-        float[] nx = mesh.values(VertexQuantity.NORMAL_X);
-        float[] ny = mesh.values(VertexQuantity.NORMAL_Y);
-        float[] nz = mesh.values(VertexQuantity.NORMAL_Z);
+        take(mesh, VertexQuantity.NORMAL_X, from);
         float[] turn = frame.view.normalToEye();
-        transform(turn, 0, nx, ny, nz, from, block.nx);
-        transform(turn, 1, nx, ny, nz, from, block.ny);
-        transform(turn, 2, nx, ny, nz, from, block.nz);
+        transform(turn, 0, block.nx);
+        transform(turn, 1, block.ny);
+        transform(turn, 2, block.nz);
     }
 
     /** What is no colour, before the colours are made of it. */
