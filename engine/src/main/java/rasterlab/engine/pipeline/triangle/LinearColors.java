@@ -60,22 +60,36 @@ final class LinearColors {
     int blue;
 
     boolean fits(TriangleScan scan, ScreenVertices v) {
-        float qa = v.nearness(scan.a);
-        float qb = v.nearness(scan.b);
-        float qc = v.nearness(scan.c);
-        float least = Math.min(qa, Math.min(qb, qc));
-        float spread = Math.max(qa, Math.max(qb, qc)) - least;
-        float most = TOLERANCE * 4 * least;
-        if (255 * spread <= most) return true;
-        float range = Math.max(range(v, 0, scan), Math.max(range(v, 1, scan), range(v, 2, scan)));
-        return range * spread <= most;
+        int qa = order(v.nearness(scan.a));
+        int qb = order(v.nearness(scan.b));
+        int qc = order(v.nearness(scan.c));
+        float least = Float.intBitsToFloat(least(qa, qb, qc));
+        float spread = Float.intBitsToFloat(most(qa, qb, qc)) - least;
+        float allowed = TOLERANCE * 4 * least;
+        if (255 * spread <= allowed) return true;
+        return range(v, 0, scan) * spread <= allowed
+                && range(v, 1, scan) * spread <= allowed
+                && range(v, 2, scan) * spread <= allowed;
     }
 
     private static float range(ScreenVertices v, int channel, TriangleScan scan) {
-        float a = v.attribute(channel, scan.a);
-        float b = v.attribute(channel, scan.b);
-        float c = v.attribute(channel, scan.c);
-        return Math.max(a, Math.max(b, c)) - Math.min(a, Math.min(b, c));
+        int a = order(v.attribute(channel, scan.a));
+        int b = order(v.attribute(channel, scan.b));
+        int c = order(v.attribute(channel, scan.c));
+        return Float.intBitsToFloat(most(a, b, c)) - Float.intBitsToFloat(least(a, b, c));
+    }
+
+    /** Bits of numbers that are not negative have the numbers' order, and are compared faster. */
+    private static int order(float notNegative) {
+        return Float.floatToRawIntBits(notNegative);
+    }
+
+    private static int least(int a, int b, int c) {
+        return Math.min(a, Math.min(b, c));
+    }
+
+    private static int most(int a, int b, int c) {
+        return Math.max(a, Math.max(b, c));
     }
 
     void load(TriangleScan scan, ScreenVertices v) {
