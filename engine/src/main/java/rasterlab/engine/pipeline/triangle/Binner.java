@@ -87,8 +87,8 @@ final class Binner {
         corners[3 * kept] = a;
         corners[3 * kept + 1] = b;
         corners[3 * kept + 2] = c;
-        int first = firstRow / TriangleScan.ROWS;
-        int last = lastRow / TriangleScan.ROWS;
+        int first = firstRow >> TriangleScan.ROW_BITS;
+        int last = lastRow >> TriangleScan.ROW_BITS;
         firstBand[kept] = first;
         lastBand[kept++] = last;
         for (int band = first; band <= last; band++) chunk.start[band + 1]++;

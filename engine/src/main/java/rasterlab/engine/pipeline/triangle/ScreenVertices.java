@@ -4,11 +4,15 @@ import java.util.Arrays;
 
 /** Vertices on the picture: what is read together lies together. Grows and never shrinks. */
 final class ScreenVertices {
-    /** Successive vertices whose attributes are needed together or not at all. */
-    static final int GROUP = 32;
+    private static final int GROUP_BITS = 5;
 
-    /** Of each vertex x and y, in steps of 1/256 pixel; see {@link Subpixels}. */
-    private int[] places = new int[0];
+    /** Successive vertices whose attributes are needed together or not at all. */
+    static final int GROUP = 1 << GROUP_BITS;
+
+    /**
+     * Of each vertex y and, in the lower half, x, in steps of 1/256 pixel: see {@link Subpixels}.
+     */
+    private long[] places = new long[0];
 
     /** See {@link ClipCode}. */
     short[] code = new short[0];
@@ -28,17 +32,17 @@ final class ScreenVertices {
     boolean[] needed = new boolean[0];
 
     void need(int a, int b, int c) {
-        needed[a / GROUP] = true;
-        needed[b / GROUP] = true;
-        needed[c / GROUP] = true;
+        needed[a >> GROUP_BITS] = true;
+        needed[b >> GROUP_BITS] = true;
+        needed[c >> GROUP_BITS] = true;
     }
 
     int x(int vertex) {
-        return places[2 * vertex];
+        return (int) places[vertex];
     }
 
     int y(int vertex) {
-        return places[2 * vertex + 1];
+        return (int) (places[vertex] >> 32);
     }
 
     float depth(int vertex) {
@@ -63,8 +67,7 @@ final class ScreenVertices {
     }
 
     void place(int vertex, int x, int y) {
-        places[2 * vertex] = x;
-        places[2 * vertex + 1] = y;
+        places[vertex] = (long) y << 32 | x & 0xFFFFFFFFL;
     }
 
     void put(int vertex, float depth, float nearness) {
@@ -89,7 +92,7 @@ final class ScreenVertices {
         if (room < vertices) room = Math.max(vertices, room + (room >> 1));
         if (values.length < vertices * stride) values = Arrays.copyOf(values, room * stride);
         if (room == code.length) return;
-        places = Arrays.copyOf(places, 2 * room);
+        places = Arrays.copyOf(places, room);
         code = Arrays.copyOf(code, room);
         needed = new boolean[room / GROUP + 1];
     }

@@ -12,8 +12,10 @@ package rasterlab.engine.pipeline.triangle;
  * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, 1988.
  */
 final class TriangleScan extends Scan {
+    static final int ROW_BITS = 5;
+
     /** Rows of a band. */
-    static final int ROWS = 32;
+    static final int ROWS = 1 << ROW_BITS;
 
     /** The first row and the number of rows. */
     int top;
