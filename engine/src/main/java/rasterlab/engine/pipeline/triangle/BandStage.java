@@ -5,7 +5,7 @@ import rasterlab.engine.lanes.Lanes;
 /** One band of rows after the other: cleared, then drawn in the mesh's order. One per thread. */
 final class BandStage {
     /** The most pixels of a box that are asked one by one. */
-    private static final int FEW = 4;
+    static final int FEW = 4;
 
     private final Band band = new Band();
     private final TriangleScan scan = new TriangleScan();
@@ -75,9 +75,11 @@ final class BandStage {
             else loops.smooth(band, tiny, vertices);
             return;
         }
+        if (frame.surface instanceof Surface.PerPixel) {
+            pixels.fill(tiny, vertices, third);
+            return;
+        }
         tiny.look(band.width);
-        if (tiny.count == 0) return;
-        if (frame.surface instanceof Surface.PerPixel) pixels.fill(tiny, vertices, third);
-        else TinyFill.flat(band, tiny, vertices, FlatFill.argb(vertices, third));
+        if (tiny.count > 0) TinyFill.flat(band, tiny, vertices, FlatFill.argb(vertices, third));
     }
 }

@@ -92,9 +92,9 @@ final class PixelFill {
      * @param third the vertex that has the colour of a flat triangle
      */
     void fill(TinyScan scan, ScreenVertices v, int third) {
-        if (batch.count + scan.count > PixelBatch.SIZE) flush();
+        if (batch.count + scan.columns * scan.rows > PixelBatch.SIZE) flush();
         int first = batch.count;
-        collect(scan, v);
+        loops.collect(testedDepth(), band.depthStart, band.width, scan, v, blending.early(), batch);
         interpolate(scan, v, third, first);
     }
 
@@ -106,29 +106,6 @@ final class PixelFill {
             Arrays.fill(nothing, Float.POSITIVE_INFINITY);
         }
         return nothing;
-    }
-
-    private void collect(TinyScan scan, ScreenVertices v) {
-        boolean early = blending.early();
-        float[] depth = testedDepth();
-        int start = band.depthStart;
-        float za = v.depth(scan.a);
-        float zb = v.depth(scan.b) - za;
-        float zc = v.depth(scan.c) - za;
-        int kept = batch.count;
-        for (int k = 0; k < scan.count; k++) {
-            int cell = scan.cell[k];
-            float atB = scan.edgeB[k] * scan.inverseArea;
-            float atC = scan.edgeC[k] * scan.inverseArea;
-            float here = za + atB * zb + atC * zc;
-            if (!(here < depth[cell - start])) continue;
-            if (early) depth[cell - start] = here;
-            else batch.depth[kept] = here;
-            batch.cell[kept] = cell;
-            batch.weightB[kept] = atB;
-            batch.weightC[kept++] = atC;
-        }
-        batch.count = kept;
     }
 
     /** Values divided by w are linear on the picture: for the batch's pixels from {@code first}. */

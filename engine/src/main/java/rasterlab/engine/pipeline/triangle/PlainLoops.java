@@ -30,6 +30,11 @@ final class PlainLoops implements RowLoops {
     @Override
     public void linear(Band band, TriangleScan scan, LinearColors colors) {
         scan.scan();
+        rows(band, scan, colors);
+    }
+
+    /** The rows that {@link TriangleScan#scan} has found. */
+    static void rows(Band band, TriangleScan scan, LinearColors colors) {
         for (int row = 0; row < scan.rows; row++) {
             int n = scan.count[row];
             if (n == 0) continue;
@@ -110,6 +115,35 @@ final class PlainLoops implements RowLoops {
             batch.cell[kept] = cell;
             batch.weightB[kept] = weights.rowB + k * weights.toB;
             batch.weightC[kept++] = weights.rowC + k * weights.toC;
+        }
+        batch.count = kept;
+    }
+
+    @Override
+    public void collect(
+            float[] depth,
+            int depthStart,
+            int width,
+            TinyScan scan,
+            ScreenVertices v,
+            boolean early,
+            PixelBatch batch) {
+        scan.look(width);
+        float za = v.depth(scan.a);
+        float zb = v.depth(scan.b) - za;
+        float zc = v.depth(scan.c) - za;
+        int kept = batch.count;
+        for (int k = 0; k < scan.count; k++) {
+            int cell = scan.cell[k];
+            float atB = scan.edgeB[k] * scan.inverseArea;
+            float atC = scan.edgeC[k] * scan.inverseArea;
+            float here = za + atB * zb + atC * zc;
+            if (!(here < depth[cell - depthStart])) continue;
+            if (early) depth[cell - depthStart] = here;
+            else batch.depth[kept] = here;
+            batch.cell[kept] = cell;
+            batch.weightB[kept] = atB;
+            batch.weightC[kept++] = atC;
         }
         batch.count = kept;
     }

@@ -9,7 +9,7 @@ package rasterlab.engine.pipeline.triangle;
  */
 final class RowDepth {
     /** The widest box, in pixels, from whose corner all may be counted. */
-    static final int WIDEST = 24;
+    static final int WIDEST = 32;
 
     /** By how much weights may change within such a box: depths there keep 20 of 24 bits. */
     private static final int STEEPEST = 16;

@@ -47,6 +47,23 @@ interface RowLoops {
             PixelBatch batch);
 
     /**
+     * Adds those pixels of a small triangle to a batch that are nearer than what is there.
+     *
+     * @param depthStart the cell whose depth is {@code depth[0]}
+     * @param width of the picture
+     * @param early whether their depth is written at once
+     * @param batch with room for the whole box
+     */
+    void collect(
+            float[] depth,
+            int depthStart,
+            int width,
+            TinyScan scan,
+            ScreenVertices v,
+            boolean early,
+            PixelBatch batch);
+
+    /**
      * Writes {@code a + weightB·b + weightC·c} for the batch's pixels from {@code first} on, to
      * each of n arrays.
      *

@@ -103,15 +103,46 @@ class RowLoopsTest {
             loops.collect(depth, 0, scan, weights, early, batch);
             boolean further = weights.row > row || weights.done > done;
             assertTrue(first > 0 || further, "an empty batch takes nothing");
-            for (int i = first; i < batch.count; i++)
-                pixels.add(
-                        new Pixel(
-                                batch.cell[i],
-                                batch.weightB[i],
-                                batch.weightC[i],
-                                early ? 0 : batch.depth[i]));
+            pixels.addAll(pixels(batch, first, early));
         }
         return pixels;
+    }
+
+    private static List<Pixel> pixels(PixelBatch batch, int first, boolean early) {
+        var pixels = new ArrayList<Pixel>();
+        for (int i = first; i < batch.count; i++)
+            pixels.add(
+                    new Pixel(
+                            batch.cell[i],
+                            batch.weightB[i],
+                            batch.weightC[i],
+                            early ? 0 : batch.depth[i]));
+        return pixels;
+    }
+
+    /** Small triangles across the picture's sides and the band's, nearer than some pixels. */
+    @RepeatedTest(40)
+    void collectTheSamePixelsOfSmallTriangles() {
+        float[] depth = shares(WIDTH * TriangleScan.ROWS);
+        float[] depthOfOne = depth.clone();
+        var tiny = new TinyScan();
+        Band band = Bands.of(new DepthRaster(WIDTH, TriangleScan.ROWS), 0);
+        for (int round = 0; round < 200; round++) {
+            boolean early = random.nextInt(4) > 0;
+            var v = triangle(WIDTH, TriangleScan.ROWS, TinyScan.SIDE, TinyScan.SIDE);
+            if (!tiny.load(v, 0, 1, 2, band)) continue;
+            var expected = batch(one);
+            var actual = batch(eight);
+            int waiting = random.nextInt(PixelBatch.SIZE - TinyScan.MOST + 1);
+            expected.count = actual.count = waiting;
+            one.collect(depthOfOne, 0, WIDTH, tiny, v, early, expected);
+            eight.collect(depth, 0, WIDTH, tiny, v, early, actual);
+            assertEquals(
+                    pixels(expected, waiting, early),
+                    pixels(actual, waiting, early),
+                    "seed %d, round %d".formatted(seed, round));
+        }
+        assertArrayEquals(depthOfOne, depth, "seed " + seed);
     }
 
     /** Triangles whose lowest rows end at the picture's end, which is the band's. */
@@ -126,8 +157,8 @@ class RowLoopsTest {
             scan.scan();
             var colors = new LinearColors();
             colors.load(scan, v);
-            one.linear(Bands.of(expected, 0), scan, colors);
             eight.linear(Bands.of(actual, 0), scan, colors);
+            one.linear(Bands.of(expected, 0), scan, colors);
             EightLanes.assertSame(expected, actual, "seed %d, %d after".formatted(seed, after));
         }
     }
@@ -169,8 +200,8 @@ class RowLoopsTest {
             if (scan.rows <= 0 || scan.boxLeft >= scan.boxRight) continue;
             colors.load(scan, v);
             if (colors.depth.compact) compact++;
-            one.linear(band, scan, colors);
             eight.linear(Bands.of(actual, middle), scan, colors);
+            one.linear(band, scan, colors);
         }
         assertTrue(compact > 20, compact + " compact triangles of seed " + seed);
         EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));

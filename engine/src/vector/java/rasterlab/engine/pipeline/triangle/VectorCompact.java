@@ -2,27 +2,38 @@ package rasterlab.engine.pipeline.triangle;
 
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
-import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
 /**
- * Eight columns of the box of a {@linkplain RowDepth compact} triangle, row by row: to ask each
- * pixel costs less than to find where rows begin and end. One per thread.
+ * Eight or sixteen columns of the box of a {@linkplain RowDepth compact} triangle, row by row: to
+ * ask each pixel costs less than to find where rows begin and end. One per thread.
  *
- * <p>Depths and colours have a loop each, as {@link VectorLoops} explains.
+ * <p>Depths and colours have a loop each, as {@link VectorLoops} explains. Sixteen columns share
+ * what a row begins with; their loop for depths holds as many operations as a loop may.
  */
 final class VectorCompact {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
     private static final int LANES = FLOATS.length();
-    private static final FloatVector NUMBERS =
-            FloatVector.fromArray(FLOATS, new float[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
+    private static final int SIGN = Integer.SIZE - 1;
     private static final IntVector WHOLE_NUMBERS =
             IntVector.fromArray(INTS, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
 
-    /** Negative where a pixel is owned and nearer than what was there. */
-    private final int[] drawn = new int[TriangleScan.ROWS * LANES];
+    /** The numbers of a box's columns. */
+    private static final float[] COLUMNS = columns();
+
+    /** An opaque colour's highest bits, above those of its red. */
+    private static final int OPAQUE = 0xFF000000;
+
+    /** −1 where a pixel is owned and nearer than what was there, else 0. */
+    private final int[] drawn = new int[2 * TriangleScan.ROWS * LANES];
+
+    private static float[] columns() {
+        float[] columns = new float[RowDepth.WIDEST];
+        for (int k = 0; k < columns.length; k++) columns[k] = k;
+        return columns;
+    }
 
     /**
      * @param column of the box, the first of eight that are in the picture
@@ -31,6 +42,17 @@ final class VectorCompact {
         int cell = scan.top * band.width + scan.boxLeft + column;
         depthsInLanes(band, cell - band.depthStart, scan, colors, column);
         colorsInLanes(band, cell, scan.rows, colors, column);
+    }
+
+    /**
+     * The same with sixteen columns.
+     *
+     * @param column of the box, the first of sixteen that are in the picture
+     */
+    void drawPair(Band band, TriangleScan scan, LinearColors colors, int column) {
+        int cell = scan.top * band.width + scan.boxLeft + column;
+        depthsOfPairInLanes(band, cell - band.depthStart, scan, colors, column);
+        colorsOfPairInLanes(band, cell, scan.rows, colors, column);
     }
 
     /** In a box of {@value RowDepth#WIDEST} columns edge functions fit an int. */
@@ -42,7 +64,7 @@ final class VectorCompact {
         IntVector edgesA = columns.mul((int) scan.stepA).add((int) scan.rowA);
         IntVector edgesB = columns.mul((int) scan.stepB).add((int) scan.rowB);
         IntVector edgesC = columns.mul((int) scan.stepC).add((int) scan.rowC);
-        FloatVector depths = NUMBERS.add(column).mul(colors.depth.stepZ);
+        FloatVector depths = FloatVector.fromArray(FLOATS, COLUMNS, column).mul(colors.depth.stepZ);
         int downA = (int) scan.downA;
         int downB = (int) scan.downB;
         int downC = (int) scan.downC;
@@ -57,10 +79,13 @@ final class VectorCompact {
                             .or(edgesB.add(row * downB))
                             .or(edgesC.add(row * downC))
                             .not()
-                            .and(here.sub(there).reinterpretAsInts());
+                            .and(here.sub(there).reinterpretAsInts())
+                            .lanewise(VectorOperators.ASHR, SIGN);
             nearer.intoArray(drawn, row * LANES);
-            there.reinterpretAsInts()
-                    .blend(here.reinterpretAsInts(), nearer.compare(VectorOperators.LT, 0))
+            IntVector before = there.reinterpretAsInts();
+            before.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
+                    .and(nearer)
+                    .lanewise(VectorOperators.XOR, before)
                     .reinterpretAsFloats()
                     .intoArray(depth, cell);
         }
@@ -70,7 +95,7 @@ final class VectorCompact {
         int[] argb = band.argb;
         int width = band.width;
         IntVector columns = WHOLE_NUMBERS.add(column);
-        IntVector reds = columns.mul(colors.stepRed).add(colors.cornerRed);
+        IntVector reds = columns.mul(colors.stepRed).add(colors.cornerRed + OPAQUE);
         IntVector greens = columns.mul(colors.stepGreen).add(colors.cornerGreen);
         IntVector blues = columns.mul(colors.stepBlue).add(colors.cornerBlue);
         int downRed = colors.downRed;
@@ -81,14 +106,107 @@ final class VectorCompact {
             IntVector green = greens.add(row * downGreen).lanewise(VectorOperators.LSHR, 8);
             IntVector blue = blues.add(row * downBlue).lanewise(VectorOperators.LSHR, 16);
             IntVector color =
-                    reds.add(row * downRed)
-                            .and(0xFF0000)
-                            .or(green.and(0xFF00))
-                            .or(blue)
-                            .or(0xFF000000);
-            VectorMask<Integer> nearer =
-                    IntVector.fromArray(INTS, drawn, row * LANES).compare(VectorOperators.LT, 0);
-            IntVector.fromArray(INTS, argb, cell).blend(color, nearer).intoArray(argb, cell);
+                    reds.add(row * downRed).and(0xFFFF0000).or(green.and(0xFF00)).or(blue);
+            IntVector before = IntVector.fromArray(INTS, argb, cell);
+            before.lanewise(VectorOperators.XOR, color)
+                    .and(IntVector.fromArray(INTS, drawn, row * LANES))
+                    .lanewise(VectorOperators.XOR, before)
+                    .intoArray(argb, cell);
+        }
+    }
+
+    private void depthsOfPairInLanes(
+            Band band, int first, TriangleScan scan, LinearColors colors, int column) {
+        float[] depth = band.depth;
+        int width = band.width;
+        int stepA = (int) scan.stepA;
+        int stepB = (int) scan.stepB;
+        int stepC = (int) scan.stepC;
+        IntVector edgesA = WHOLE_NUMBERS.mul(stepA).add((int) scan.rowA + column * stepA);
+        IntVector edgesB = WHOLE_NUMBERS.mul(stepB).add((int) scan.rowB + column * stepB);
+        IntVector edgesC = WHOLE_NUMBERS.mul(stepC).add((int) scan.rowC + column * stepC);
+        IntVector nextA = edgesA.add(LANES * stepA);
+        IntVector nextB = edgesB.add(LANES * stepB);
+        IntVector nextC = edgesC.add(LANES * stepC);
+        FloatVector depths = FloatVector.fromArray(FLOATS, COLUMNS, column).mul(colors.depth.stepZ);
+        FloatVector nextDepths =
+                FloatVector.fromArray(FLOATS, COLUMNS, column + LANES).mul(colors.depth.stepZ);
+        int downA = (int) scan.downA;
+        int downB = (int) scan.downB;
+        int downC = (int) scan.downC;
+        double cornerZ = colors.depth.cornerZ;
+        double downZ = colors.depth.downZ;
+        for (int row = 0; row < scan.rows; row++) {
+            int cell = first + row * width;
+            float z = (float) (cornerZ + row * downZ);
+            FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
+            FloatVector here = depths.add(z);
+            IntVector nearer =
+                    edgesA.add(row * downA)
+                            .or(edgesB.add(row * downB))
+                            .or(edgesC.add(row * downC))
+                            .not()
+                            .and(here.sub(there).reinterpretAsInts())
+                            .lanewise(VectorOperators.ASHR, SIGN);
+            nearer.intoArray(drawn, 2 * row * LANES);
+            IntVector before = there.reinterpretAsInts();
+            before.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
+                    .and(nearer)
+                    .lanewise(VectorOperators.XOR, before)
+                    .reinterpretAsFloats()
+                    .intoArray(depth, cell);
+            there = FloatVector.fromArray(FLOATS, depth, cell + LANES);
+            here = nextDepths.add(z);
+            nearer =
+                    nextA.add(row * downA)
+                            .or(nextB.add(row * downB))
+                            .or(nextC.add(row * downC))
+                            .not()
+                            .and(here.sub(there).reinterpretAsInts())
+                            .lanewise(VectorOperators.ASHR, SIGN);
+            nearer.intoArray(drawn, 2 * row * LANES + LANES);
+            before = there.reinterpretAsInts();
+            before.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
+                    .and(nearer)
+                    .lanewise(VectorOperators.XOR, before)
+                    .reinterpretAsFloats()
+                    .intoArray(depth, cell + LANES);
+        }
+    }
+
+    private void colorsOfPairInLanes(
+            Band band, int first, int rows, LinearColors colors, int column) {
+        int[] argb = band.argb;
+        int width = band.width;
+        IntVector columns = WHOLE_NUMBERS.add(column);
+        IntVector reds = columns.mul(colors.stepRed).add(colors.cornerRed + OPAQUE);
+        IntVector greens = columns.mul(colors.stepGreen).add(colors.cornerGreen);
+        IntVector blues = columns.mul(colors.stepBlue).add(colors.cornerBlue);
+        IntVector nextReds = reds.add(LANES * colors.stepRed);
+        IntVector nextGreens = greens.add(LANES * colors.stepGreen);
+        IntVector nextBlues = blues.add(LANES * colors.stepBlue);
+        int downRed = colors.downRed;
+        int downGreen = colors.downGreen;
+        int downBlue = colors.downBlue;
+        for (int row = 0; row < rows; row++) {
+            int cell = first + row * width;
+            IntVector green = greens.add(row * downGreen).lanewise(VectorOperators.LSHR, 8);
+            IntVector blue = blues.add(row * downBlue).lanewise(VectorOperators.LSHR, 16);
+            IntVector color =
+                    reds.add(row * downRed).and(0xFFFF0000).or(green.and(0xFF00)).or(blue);
+            IntVector before = IntVector.fromArray(INTS, argb, cell);
+            before.lanewise(VectorOperators.XOR, color)
+                    .and(IntVector.fromArray(INTS, drawn, 2 * row * LANES))
+                    .lanewise(VectorOperators.XOR, before)
+                    .intoArray(argb, cell);
+            green = nextGreens.add(row * downGreen).lanewise(VectorOperators.LSHR, 8);
+            blue = nextBlues.add(row * downBlue).lanewise(VectorOperators.LSHR, 16);
+            color = nextReds.add(row * downRed).and(0xFFFF0000).or(green.and(0xFF00)).or(blue);
+            before = IntVector.fromArray(INTS, argb, cell + LANES);
+            before.lanewise(VectorOperators.XOR, color)
+                    .and(IntVector.fromArray(INTS, drawn, 2 * row * LANES + LANES))
+                    .lanewise(VectorOperators.XOR, before)
+                    .intoArray(argb, cell + LANES);
         }
     }
 }

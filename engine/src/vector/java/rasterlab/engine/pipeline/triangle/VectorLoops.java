@@ -21,7 +21,10 @@ import rasterlab.engine.lanes.Lanes;
  * of what comes then. So each loop has at most fifty, in a method whose name ends in {@code
  * InLanes} and which is compiled on its own (see {@code vector-options}), and numbers go from one
  * to the next in arrays. No vector goes from one turn of a loop to the next: those that began as
- * constants would be made objects.
+ * constants would be made objects; nor to a method of our own that uses it twice.
+ *
+ * <p>What is drawn and what stays is chosen by bits, {@code before ^ (before ^ now) & drawn}: of a
+ * mask Java 17 makes three slow instructions where that is one.
  */
 final class VectorLoops implements RowLoops {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -53,18 +56,21 @@ final class VectorLoops implements RowLoops {
         else tiny.draw(band, scan, v);
     }
 
-    /** Slivers are so few that their loops in lanes would hardly ever be compiled well. */
     @Override
     public void linear(Band band, TriangleScan scan, LinearColors colors) {
         int blocks = (scan.boxRight - scan.boxLeft + LANES - 1) / LANES;
-        if (colors.depth.compact && scan.boxLeft + blocks * LANES <= band.width)
-            for (int block = 0; block < blocks; block++)
-                compact.draw(band, scan, colors, block * LANES);
-        else if (blocks * LANES > RowDepth.WIDEST) {
-            rows.scan(scan);
+        if (colors.depth.compact && scan.boxLeft + blocks * LANES <= band.width) {
+            int block = 0;
+            for (; block + 2 <= blocks; block += 2)
+                compact.drawPair(band, scan, colors, block * LANES);
+            if (block < blocks) compact.draw(band, scan, colors, block * LANES);
+            return;
+        }
+        rows.scan(scan);
+        if (blocks * LANES > RowDepth.WIDEST) {
             rows.startInLanes(scan, colors);
             drawRowsInLanes(band, scan, rows, colors);
-        } else plain.linear(band, scan, colors);
+        } else PlainLoops.rows(band, scan, colors);
     }
 
     private static void drawRowsInLanes(
@@ -120,6 +126,21 @@ final class VectorLoops implements RowLoops {
             boolean early,
             PixelBatch batch) {
         collectInLanes(depth, depthStart, scan, weights, early, batch);
+    }
+
+    @Override
+    public void collect(
+            float[] depth,
+            int depthStart,
+            int width,
+            TinyScan scan,
+            ScreenVertices v,
+            boolean early,
+            PixelBatch batch) {
+        boolean few = scan.columns * scan.rows <= BandStage.FEW;
+        if (few || !early || scan.left + LANES > width)
+            plain.collect(depth, depthStart, width, scan, v, early, batch);
+        else tiny.collect(depth, depthStart, width, scan, v, batch);
     }
 
     /** One loop over the eights of all rows, since most rows are short. */

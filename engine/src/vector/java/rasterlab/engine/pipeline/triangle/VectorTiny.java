@@ -2,7 +2,6 @@ package rasterlab.engine.pipeline.triangle;
 
 import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.IntVector;
-import jdk.incubator.vector.VectorMask;
 import jdk.incubator.vector.VectorOperators;
 import jdk.incubator.vector.VectorSpecies;
 
@@ -10,7 +9,7 @@ import jdk.incubator.vector.VectorSpecies;
  * What {@link TinyScan#look} and {@link TinyFill#smooth} do, a row of the box at a time. One per
  * thread.
  *
- * <p>Depths, divisions and colours have a loop each, as {@link VectorLoops} explains.
+ * <p>Depths and colours have a loop each, as {@link VectorLoops} explains.
  */
 final class VectorTiny {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -26,65 +25,100 @@ final class VectorTiny {
 
     private final float[] weightsC = new float[TinyScan.MOST];
 
-    /** Negative where a pixel is owned and nearer than what was there. */
+    /** −1 where a pixel is owned and nearer than what was there, else 0. */
     private final int[] drawn = new int[TinyScan.MOST];
 
     void draw(Band band, TinyScan scan, ScreenVertices v) {
         corners.load(scan, v);
-        depthsInLanes(band.depth, scan.at - band.depthStart, band.width, scan, corners);
-        sharesInLanes(scan.rows, corners);
+        findDepths(band.depth, band.depthStart, band.width, scan, v);
         colorsInLanes(band.argb, band.width, scan, corners);
+    }
+
+    /** Writes each place of the box to the batch, and counts it only where its pixel is drawn. */
+    void collect(
+            float[] depth,
+            int depthStart,
+            int width,
+            TinyScan scan,
+            ScreenVertices v,
+            PixelBatch batch) {
+        findDepths(depth, depthStart, width, scan, v);
+        int kept = batch.count;
+        for (int row = 0; row < scan.rows; row++) {
+            int cell = scan.at + row * width;
+            for (int k = row * LANES; k < row * LANES + scan.columns; k++) {
+                batch.cell[kept] = cell++;
+                batch.weightB[kept] = weightsB[k];
+                batch.weightC[kept] = weightsC[k];
+                kept -= drawn[k];
+            }
+        }
+        batch.count = kept;
+    }
+
+    private void findDepths(
+            float[] depth, int depthStart, int width, TinyScan scan, ScreenVertices v) {
+        float za = v.depth(scan.a);
+        float zb = v.depth(scan.b) - za;
+        float zc = v.depth(scan.c) - za;
+        depthsInLanes(depth, scan.at - depthStart, width, scan, za, zb, zc);
     }
 
     /** Half a unit more makes a number of every edge function that has a sign. */
     private void depthsInLanes(
-            float[] depth, int first, int width, TinyScan scan, SmoothCorners at) {
+            float[] depth, int first, int width, TinyScan scan, float za, float zb, float zc) {
         FloatVector columnsA = NUMBERS.mul(scan.stepA).add(0.5f);
         FloatVector columnsB = NUMBERS.mul(scan.stepB);
         FloatVector columnsC = NUMBERS.mul(scan.stepC);
-        int downB = (int) scan.downB;
-        int downC = (int) scan.downC;
-        for (int row = 0; row < scan.rows; row++) {
+        float ownB = scan.ownB + 0.5f;
+        float ownC = scan.ownC + 0.5f;
+        float rowA = scan.rowA;
+        float rowB = scan.rowB;
+        float rowC = scan.rowC;
+        float downA = scan.downA;
+        float downB = scan.downB;
+        float downC = scan.downC;
+        int rows = scan.rows;
+        float down = 0;
+        for (int row = 0; row < rows; row++) {
             int cell = first + row * width;
-            FloatVector eA = columnsA.add(scan.rowA + row * scan.downA);
-            FloatVector eB = columnsB.add(scan.rowB + row * downB);
-            FloatVector eC = columnsC.add(scan.rowC + row * downC);
+            FloatVector eA = columnsA.add(rowA + down * downA);
+            FloatVector eB = columnsB.add(rowB + down * downB);
+            FloatVector eC = columnsC.add(rowC + down * downC);
+            down += 1;
             IntVector beyond =
                     eA.reinterpretAsInts()
-                            .or(eB.add(scan.ownB + 0.5f).reinterpretAsInts())
-                            .or(eC.add(scan.ownC + 0.5f).reinterpretAsInts());
-            FloatVector weightB = eB.mul(at.inverseArea);
-            FloatVector weightC = eC.mul(at.inverseArea);
+                            .or(eB.add(ownB).reinterpretAsInts())
+                            .or(eC.add(ownC).reinterpretAsInts());
+            FloatVector weightB = eB.mul(scan.inverseArea);
+            FloatVector weightC = eC.mul(scan.inverseArea);
             weightB.intoArray(weightsB, row * LANES);
             weightC.intoArray(weightsC, row * LANES);
             FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
-            FloatVector here = weightB.mul(at.zb).add(at.za).add(weightC.mul(at.zc));
-            IntVector nearer = beyond.not().and(here.sub(there).reinterpretAsInts());
+            FloatVector here = weightB.mul(zb).add(za).add(weightC.mul(zc));
+            IntVector nearer =
+                    beyond.not()
+                            .and(here.sub(there).reinterpretAsInts())
+                            .lanewise(VectorOperators.ASHR, Integer.SIZE - 1);
             nearer.intoArray(drawn, row * LANES);
-            there.reinterpretAsInts()
-                    .blend(here.reinterpretAsInts(), nearer.compare(VectorOperators.LT, 0))
+            IntVector before = there.reinterpretAsInts();
+            before.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
+                    .and(nearer)
+                    .lanewise(VectorOperators.XOR, before)
                     .reinterpretAsFloats()
                     .intoArray(depth, cell);
-        }
-    }
-
-    /** Makes weights those in space, each pixel's by a division. */
-    private void sharesInLanes(int rows, SmoothCorners at) {
-        for (int i = 0; i < rows * LANES; i += LANES) {
-            FloatVector weightB = FloatVector.fromArray(FLOATS, weightsB, i);
-            FloatVector weightC = FloatVector.fromArray(FLOATS, weightsC, i);
-            FloatVector q = weightB.mul(at.qb).add(at.qa).add(weightC.mul(at.qc));
-            FloatVector w = FloatVector.broadcast(FLOATS, 1).div(q);
-            weightB.mul(at.ofB).mul(w).intoArray(weightsB, i);
-            weightC.mul(at.ofC).mul(w).intoArray(weightsC, i);
         }
     }
 
     private void colorsInLanes(int[] argb, int width, TinyScan scan, SmoothCorners at) {
         for (int row = 0; row < scan.rows; row++) {
             int cell = scan.at + row * width;
-            FloatVector shareB = FloatVector.fromArray(FLOATS, weightsB, row * LANES);
-            FloatVector shareC = FloatVector.fromArray(FLOATS, weightsC, row * LANES);
+            FloatVector weightB = FloatVector.fromArray(FLOATS, weightsB, row * LANES);
+            FloatVector weightC = FloatVector.fromArray(FLOATS, weightsC, row * LANES);
+            FloatVector q = weightB.mul(at.qb).add(at.qa).add(weightC.mul(at.qc));
+            FloatVector w = FloatVector.broadcast(FLOATS, 1).div(q);
+            FloatVector shareB = weightB.mul(at.ofB).mul(w);
+            FloatVector shareC = weightC.mul(at.ofC).mul(w);
             FloatVector red = shareB.mul(at.rb).add(at.ra).add(shareC.mul(at.rc));
             FloatVector green = shareB.mul(at.gb).add(at.ga).add(shareC.mul(at.gc));
             FloatVector blue = shareB.mul(at.bb).add(at.ba).add(shareC.mul(at.bc));
@@ -95,9 +129,11 @@ final class VectorTiny {
                             .or(greens.lanewise(VectorOperators.LSHL, 8))
                             .or(blue.add(SmoothFill.ROUND).reinterpretAsInts())
                             .or(0xFF000000);
-            VectorMask<Integer> nearer =
-                    IntVector.fromArray(INTS, drawn, row * LANES).compare(VectorOperators.LT, 0);
-            IntVector.fromArray(INTS, argb, cell).blend(color, nearer).intoArray(argb, cell);
+            IntVector before = IntVector.fromArray(INTS, argb, cell);
+            before.lanewise(VectorOperators.XOR, color)
+                    .and(IntVector.fromArray(INTS, drawn, row * LANES))
+                    .lanewise(VectorOperators.XOR, before)
+                    .intoArray(argb, cell);
         }
     }
 }
