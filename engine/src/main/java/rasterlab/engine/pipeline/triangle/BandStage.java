@@ -50,9 +50,12 @@ final class BandStage {
             fillSmooth(vertices);
             return;
         }
+        if (frame.surface instanceof Surface.PerPixel) {
+            pixels.fill(scan, vertices, third);
+            return;
+        }
         loops.scan(scan);
-        if (frame.surface instanceof Surface.PerPixel) pixels.fill(scan, vertices, third);
-        else fillFlat(vertices, FlatFill.argb(vertices, third));
+        fillFlat(vertices, FlatFill.argb(vertices, third));
     }
 
     private void fillFlat(ScreenVertices vertices, int argb) {

@@ -80,6 +80,8 @@ final class PixelFill {
     void fill(TriangleScan scan, ScreenVertices v, int third) {
         float[] depth = testedDepth();
         weights.load(scan, v);
+        if (blending.early() && addBox(depth, scan, v, third)) return;
+        loops.scan(scan);
         while (weights.row < scan.rows) {
             if (batch.count > PixelBatch.SIZE - RowLoops.MOST_LANES) flush();
             int first = batch.count;
@@ -96,6 +98,17 @@ final class PixelFill {
         int first = batch.count;
         loops.collect(testedDepth(), band.depthStart, band.width, scan, v, blending.early(), batch);
         interpolate(scan, v, third, first);
+    }
+
+    /** Returns false, and does nothing, where the triangle's rows have to be found. */
+    private boolean addBox(float[] depth, TriangleScan scan, ScreenVertices v, int third) {
+        int found = loops.findInBox(depth, band.depthStart, band.width, scan, weights.depth);
+        if (found == RowLoops.NOT_SOUGHT) return false;
+        if (batch.count + found > PixelBatch.SIZE) flush();
+        int first = batch.count;
+        loops.addFound(band.width, scan, weights, batch);
+        interpolate(scan, v, third, first);
+        return true;
     }
 
     /** The depths that pixels are tested against: where none is, of something infinitely far. */

@@ -105,10 +105,10 @@ final class PlainLoops implements RowLoops {
         float z = weights.depth.z;
         float stepZ = weights.depth.stepZ;
         float start = weights.depth.first;
-        float k = first - 1;
+        float k = start + first - 1;
         for (int cell = from; cell < from + n; cell++) {
             k += 1;
-            float here = z + (start + k) * stepZ;
+            float here = z + k * stepZ;
             if (!(here < depth[cell - depthStart])) continue;
             if (early) depth[cell - depthStart] = here;
             else batch.depth[kept] = here;
@@ -117,6 +117,16 @@ final class PlainLoops implements RowLoops {
             batch.weightC[kept++] = weights.rowC + k * weights.toC;
         }
         batch.count = kept;
+    }
+
+    @Override
+    public int findInBox(float[] depth, int depthStart, int width, TriangleScan scan, RowDepth at) {
+        return NOT_SOUGHT;
+    }
+
+    @Override
+    public void addFound(int width, TriangleScan scan, RowWeights weights, PixelBatch batch) {
+        throw new IllegalStateException("nothing is sought in boxes");
     }
 
     @Override

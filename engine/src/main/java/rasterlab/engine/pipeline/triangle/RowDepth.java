@@ -48,13 +48,17 @@ final class RowDepth {
         double downB = scan.downB * inverseArea;
         double downC = scan.downC * inverseArea;
         stepZ = (float) (toB * zb + toC * zc);
-        // Eight columns at a time may go beyond the box.
-        int columns = scan.boxRight - scan.boxLeft + 7 & ~7;
+        int columns = columns(scan);
         double across = (Math.abs(toB) + Math.abs(toC)) * columns;
         double along = (Math.abs(downB) + Math.abs(downC)) * scan.rows;
         compact = columns <= WIDEST && across + along <= STEEPEST && inverseArea >= 1 / LARGEST;
         cornerZ = scan.cornerB() * inverseArea * zb + za + scan.cornerC() * inverseArea * zc;
         downZ = downB * zb + downC * zc;
+    }
+
+    /** How many columns are looked at, eight at a time: they may go beyond the box. */
+    static int columns(TriangleScan scan) {
+        return scan.boxRight - scan.boxLeft + 7 & ~7;
     }
 
     /** Finds the depth where a row begins. */

@@ -46,6 +46,26 @@ interface RowLoops {
             boolean early,
             PixelBatch batch);
 
+    /** What {@link #findInBox} returns where it does nothing. */
+    int NOT_SOUGHT = -1;
+
+    /**
+     * Finds those pixels of a {@linkplain RowDepth compact} triangle that are nearer than what is
+     * there, and writes their depth; its rows need not have been found. Returns how many there are,
+     * at most as many as a batch has, or {@link #NOT_SOUGHT} where {@link #collect} has to do it.
+     *
+     * @param depthStart the cell whose depth is {@code depth[0]}
+     * @param width of the picture
+     */
+    int findInBox(float[] depth, int depthStart, int width, TriangleScan scan, RowDepth at);
+
+    /**
+     * Adds the pixels that were found last to a batch that has room for them, in any order.
+     *
+     * @param width of the picture
+     */
+    void addFound(int width, TriangleScan scan, RowWeights weights, PixelBatch batch);
+
     /**
      * Adds those pixels of a small triangle to a batch that are nearer than what is there.
      *

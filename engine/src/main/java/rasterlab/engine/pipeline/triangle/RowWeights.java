@@ -9,7 +9,10 @@ final class RowWeights {
 
     float toC;
 
-    /** At the first pixel of the row. */
+    /** Where the triangle is compact. */
+    final BoxWeights box = new BoxWeights();
+
+    /** Where {@link RowDepth#first} counts pixels from, in the row. */
     float rowB;
 
     float rowC;
@@ -25,11 +28,17 @@ final class RowWeights {
         depth.load(scan, v);
         toB = scan.stepB * scan.inverseArea;
         toC = scan.stepC * scan.inverseArea;
+        if (depth.compact) box.load(scan);
     }
 
     void at(TriangleScan scan, int row) {
         depth.at(scan, row);
-        rowB = (float) (scan.edgeB[row] * scan.inverseArea);
-        rowC = (float) (scan.edgeC[row] * scan.inverseArea);
+        if (depth.compact) {
+            rowB = row * box.downB + box.cornerB;
+            rowC = row * box.downC + box.cornerC;
+        } else {
+            rowB = (float) (scan.edgeB[row] * scan.inverseArea);
+            rowC = (float) (scan.edgeC[row] * scan.inverseArea);
+        }
     }
 }

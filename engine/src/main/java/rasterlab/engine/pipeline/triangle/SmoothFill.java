@@ -40,11 +40,12 @@ final class SmoothFill {
             float rowC = weights.rowC;
             int from = scan.cell(row);
             for (int k = 0; k < scan.count[row]; k++) {
-                float here = z + (first + k) * stepZ;
+                float column = first + k;
+                float here = z + column * stepZ;
                 if (!(here < depth[from + k - start])) continue;
                 depth[from + k - start] = here;
-                float weightB = rowB + k * toB;
-                float weightC = rowC + k * toC;
+                float weightB = rowB + column * toB;
+                float weightC = rowC + column * toC;
                 float w = 1 / (qa + weightB * qb + weightC * qc);
                 argb[from + k] =
                         argb(

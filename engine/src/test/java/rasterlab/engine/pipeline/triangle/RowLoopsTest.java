@@ -120,6 +120,38 @@ class RowLoopsTest {
         return pixels;
     }
 
+    /** What is found in boxes is what rows have; which triangles are sought so is counted. */
+    @RepeatedTest(40)
+    void findTheSamePixelsInBoxes() {
+        float[] depth = shares(WIDTH * TriangleScan.ROWS);
+        float[] depthOfOne = depth.clone();
+        var scan = new TriangleScan();
+        var weights = new RowWeights();
+        Band band = Bands.of(new DepthRaster(WIDTH, TriangleScan.ROWS), 0);
+        int sought = 0;
+        for (int round = 0; round < 200; round++) {
+            var v = triangle(WIDTH, TriangleScan.ROWS, RowDepth.WIDEST, TriangleScan.ROWS);
+            scan.load(v, 0, 1, 2, band);
+            if (scan.rows <= 0 || scan.boxLeft >= scan.boxRight) continue;
+            weights.load(scan, v);
+            int found = eight.findInBox(depth, 0, WIDTH, scan, weights.depth);
+            if (found == RowLoops.NOT_SOUGHT) continue;
+            sought++;
+            var actual = batch(eight);
+            int waiting = actual.count = random.nextInt(PixelBatch.SIZE - found + 1);
+            eight.addFound(WIDTH, scan, weights, actual);
+            assertEquals(found, actual.count - waiting, "seed %d, round %d".formatted(seed, round));
+            scan.scan();
+            var ofRows = collected(one, depthOfOne, scan, v, true, 0);
+            assertEquals(
+                    Set.copyOf(ofRows),
+                    Set.copyOf(pixels(actual, waiting, true)),
+                    "seed %d, round %d".formatted(seed, round));
+        }
+        assertTrue(sought > 20, sought + " triangles of seed " + seed);
+        assertArrayEquals(depthOfOne, depth, "seed " + seed);
+    }
+
     /** Small triangles across the picture's sides and the band's, nearer than some pixels. */
     @RepeatedTest(40)
     void collectTheSamePixelsOfSmallTriangles() {

@@ -16,6 +16,7 @@ final class VectorCompact {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
     private static final int LANES = FLOATS.length();
+    private static final int PAIR = 2 * LANES;
     private static final int SIGN = Integer.SIZE - 1;
     private static final IntVector WHOLE_NUMBERS =
             IntVector.fromArray(INTS, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
@@ -27,7 +28,9 @@ final class VectorCompact {
     private static final int OPAQUE = 0xFF000000;
 
     /** −1 where a pixel is owned and nearer than what was there, else 0. */
-    private final int[] drawn = new int[2 * TriangleScan.ROWS * LANES];
+    private final int[] drawn = new int[TriangleScan.ROWS * PAIR];
+
+    private final VectorPlaces places = new VectorPlaces();
 
     private static float[] columns() {
         float[] columns = new float[RowDepth.WIDEST];
@@ -40,7 +43,7 @@ final class VectorCompact {
      */
     void draw(Band band, TriangleScan scan, LinearColors colors, int column) {
         int cell = scan.top * band.width + scan.boxLeft + column;
-        depthsInLanes(band, cell - band.depthStart, scan, colors, column);
+        depthsInLanes(band.depth, band.width, cell - band.depthStart, scan, colors.depth, column);
         colorsInLanes(band, cell, scan.rows, colors, column);
     }
 
@@ -51,25 +54,46 @@ final class VectorCompact {
      */
     void drawPair(Band band, TriangleScan scan, LinearColors colors, int column) {
         int cell = scan.top * band.width + scan.boxLeft + column;
-        depthsOfPairInLanes(band, cell - band.depthStart, scan, colors, column);
+        depthsOfPairInLanes(
+                band.depth, band.width, cell - band.depthStart, scan, colors.depth, column);
         colorsOfPairInLanes(band, cell, scan.rows, colors, column);
+    }
+
+    /** As {@link RowLoops#findInBox} does, where all columns that are asked are in the picture. */
+    int find(float[] depth, int depthStart, int width, TriangleScan scan, RowDepth at) {
+        int first = scan.top * width + scan.boxLeft - depthStart;
+        int columns = RowDepth.columns(scan);
+        places.count = 0;
+        int column = 0;
+        for (; column + PAIR <= columns; column += PAIR) {
+            depthsOfPairInLanes(depth, width, first + column, scan, at, column);
+            places.listInLanes(drawn, 0, PAIR, scan.rows, column);
+            places.listInLanes(drawn, LANES, PAIR, scan.rows, column + LANES);
+        }
+        if (column < columns) {
+            depthsInLanes(depth, width, first + column, scan, at, column);
+            places.listInLanes(drawn, 0, LANES, scan.rows, column);
+        }
+        return places.count;
+    }
+
+    void addFound(int width, TriangleScan scan, RowWeights weights, PixelBatch batch) {
+        places.addInLanes(scan.top * width + scan.boxLeft, width, weights.box, batch);
     }
 
     /** In a box of {@value RowDepth#WIDEST} columns edge functions fit an int. */
     private void depthsInLanes(
-            Band band, int first, TriangleScan scan, LinearColors colors, int column) {
-        float[] depth = band.depth;
-        int width = band.width;
+            float[] depth, int width, int first, TriangleScan scan, RowDepth at, int column) {
         IntVector columns = WHOLE_NUMBERS.add(column);
         IntVector edgesA = columns.mul((int) scan.stepA).add((int) scan.rowA);
         IntVector edgesB = columns.mul((int) scan.stepB).add((int) scan.rowB);
         IntVector edgesC = columns.mul((int) scan.stepC).add((int) scan.rowC);
-        FloatVector depths = FloatVector.fromArray(FLOATS, COLUMNS, column).mul(colors.depth.stepZ);
+        FloatVector depths = FloatVector.fromArray(FLOATS, COLUMNS, column).mul(at.stepZ);
         int downA = (int) scan.downA;
         int downB = (int) scan.downB;
         int downC = (int) scan.downC;
-        double cornerZ = colors.depth.cornerZ;
-        double downZ = colors.depth.downZ;
+        double cornerZ = at.cornerZ;
+        double downZ = at.downZ;
         for (int row = 0; row < scan.rows; row++) {
             int cell = first + row * width;
             FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
@@ -116,9 +140,7 @@ final class VectorCompact {
     }
 
     private void depthsOfPairInLanes(
-            Band band, int first, TriangleScan scan, LinearColors colors, int column) {
-        float[] depth = band.depth;
-        int width = band.width;
+            float[] depth, int width, int first, TriangleScan scan, RowDepth at, int column) {
         int stepA = (int) scan.stepA;
         int stepB = (int) scan.stepB;
         int stepC = (int) scan.stepC;
@@ -128,14 +150,14 @@ final class VectorCompact {
         IntVector nextA = edgesA.add(LANES * stepA);
         IntVector nextB = edgesB.add(LANES * stepB);
         IntVector nextC = edgesC.add(LANES * stepC);
-        FloatVector depths = FloatVector.fromArray(FLOATS, COLUMNS, column).mul(colors.depth.stepZ);
+        FloatVector depths = FloatVector.fromArray(FLOATS, COLUMNS, column).mul(at.stepZ);
         FloatVector nextDepths =
-                FloatVector.fromArray(FLOATS, COLUMNS, column + LANES).mul(colors.depth.stepZ);
+                FloatVector.fromArray(FLOATS, COLUMNS, column + LANES).mul(at.stepZ);
         int downA = (int) scan.downA;
         int downB = (int) scan.downB;
         int downC = (int) scan.downC;
-        double cornerZ = colors.depth.cornerZ;
-        double downZ = colors.depth.downZ;
+        double cornerZ = at.cornerZ;
+        double downZ = at.downZ;
         for (int row = 0; row < scan.rows; row++) {
             int cell = first + row * width;
             float z = (float) (cornerZ + row * downZ);
@@ -148,7 +170,7 @@ final class VectorCompact {
                             .not()
                             .and(here.sub(there).reinterpretAsInts())
                             .lanewise(VectorOperators.ASHR, SIGN);
-            nearer.intoArray(drawn, 2 * row * LANES);
+            nearer.intoArray(drawn, row * PAIR);
             IntVector before = there.reinterpretAsInts();
             before.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
                     .and(nearer)
@@ -164,7 +186,7 @@ final class VectorCompact {
                             .not()
                             .and(here.sub(there).reinterpretAsInts())
                             .lanewise(VectorOperators.ASHR, SIGN);
-            nearer.intoArray(drawn, 2 * row * LANES + LANES);
+            nearer.intoArray(drawn, row * PAIR + LANES);
             before = there.reinterpretAsInts();
             before.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
                     .and(nearer)
@@ -196,7 +218,7 @@ final class VectorCompact {
                     reds.add(row * downRed).and(0xFFFF0000).or(green.and(0xFF00)).or(blue);
             IntVector before = IntVector.fromArray(INTS, argb, cell);
             before.lanewise(VectorOperators.XOR, color)
-                    .and(IntVector.fromArray(INTS, drawn, 2 * row * LANES))
+                    .and(IntVector.fromArray(INTS, drawn, row * PAIR))
                     .lanewise(VectorOperators.XOR, before)
                     .intoArray(argb, cell);
             green = nextGreens.add(row * downGreen).lanewise(VectorOperators.LSHR, 8);
@@ -204,7 +226,7 @@ final class VectorCompact {
             color = nextReds.add(row * downRed).and(0xFFFF0000).or(green.and(0xFF00)).or(blue);
             before = IntVector.fromArray(INTS, argb, cell + LANES);
             before.lanewise(VectorOperators.XOR, color)
-                    .and(IntVector.fromArray(INTS, drawn, 2 * row * LANES + LANES))
+                    .and(IntVector.fromArray(INTS, drawn, row * PAIR + LANES))
                     .lanewise(VectorOperators.XOR, before)
                     .intoArray(argb, cell + LANES);
         }

@@ -129,6 +129,19 @@ final class VectorLoops implements RowLoops {
     }
 
     @Override
+    public int findInBox(float[] depth, int depthStart, int width, TriangleScan scan, RowDepth at) {
+        int columns = RowDepth.columns(scan);
+        boolean fits = columns * scan.rows <= PixelBatch.SIZE && scan.boxLeft + columns <= width;
+        if (!at.compact || !fits) return NOT_SOUGHT;
+        return compact.find(depth, depthStart, width, scan, at);
+    }
+
+    @Override
+    public void addFound(int width, TriangleScan scan, RowWeights weights, PixelBatch batch) {
+        compact.addFound(width, scan, weights, batch);
+    }
+
+    @Override
     public void collect(
             float[] depth,
             int depthStart,
@@ -167,9 +180,8 @@ final class VectorLoops implements RowLoops {
                 boolean all = false;
                 boolean any = true;
                 if (cell + LANES <= scan.end) {
-                    FloatVector k = NUMBERS.add((float) done);
-                    FloatVector here =
-                            k.add((float) weights.depth.first).mul(stepZ).add(weights.depth.z);
+                    FloatVector k = NUMBERS.add((float) (weights.depth.first + done));
+                    FloatVector here = k.mul(stepZ).add(weights.depth.z);
                     FloatVector there = FloatVector.fromArray(FLOATS, depth, cell - depthStart);
                     VectorMask<Float> nearer = here.compare(VectorOperators.LT, there);
                     VectorMask<Float> beyond = NUMBERS.compare(VectorOperators.GE, (float) left);

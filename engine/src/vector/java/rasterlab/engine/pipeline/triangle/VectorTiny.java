@@ -18,6 +18,8 @@ final class VectorTiny {
     private static final FloatVector NUMBERS =
             FloatVector.fromArray(FLOATS, new float[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
 
+    private final VectorPlaces places = new VectorPlaces();
+    private final BoxWeights weights = new BoxWeights();
     private final SmoothCorners corners = new SmoothCorners();
 
     /** Of each pixel of the box. */
@@ -34,7 +36,6 @@ final class VectorTiny {
         colorsInLanes(band.argb, band.width, scan, corners);
     }
 
-    /** Writes each place of the box to the batch, and counts it only where its pixel is drawn. */
     void collect(
             float[] depth,
             int depthStart,
@@ -43,17 +44,10 @@ final class VectorTiny {
             ScreenVertices v,
             PixelBatch batch) {
         findDepths(depth, depthStart, width, scan, v);
-        int kept = batch.count;
-        for (int row = 0; row < scan.rows; row++) {
-            int cell = scan.at + row * width;
-            for (int k = row * LANES; k < row * LANES + scan.columns; k++) {
-                batch.cell[kept] = cell++;
-                batch.weightB[kept] = weightsB[k];
-                batch.weightC[kept] = weightsC[k];
-                kept -= drawn[k];
-            }
-        }
-        batch.count = kept;
+        places.count = 0;
+        places.listInLanes(drawn, 0, LANES, scan.rows, 0);
+        weights.load(scan);
+        places.addInLanes(scan.at, width, weights, batch);
     }
 
     private void findDepths(

@@ -1,0 +1,98 @@
+package rasterlab.engine.pipeline.triangle;
+
+import jdk.incubator.vector.FloatVector;
+import jdk.incubator.vector.IntVector;
+import jdk.incubator.vector.VectorOperators;
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * The places in a triangle's box whose pixels are drawn, listed without a branch, which nobody
+ * could foresee, and added to a batch. One per thread.
+ */
+final class VectorPlaces {
+    private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
+    private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
+    private static final int LANES = INTS.length();
+    private static final int COLUMN_BITS = Integer.numberOfTrailingZeros(RowDepth.WIDEST);
+
+    /** A bit for each lane. */
+    private static final IntVector BITS =
+            IntVector.fromArray(INTS, new int[] {1, 2, 4, 8, 16, 32, 64, 128}, 0);
+
+    /** For each set of lanes, as such bits, the numbers of its lanes, then zeros. */
+    private static final int[] LANES_OF = lanesOf();
+
+    /** Whole numbers below 2²³ are the lowest bits of a float that this is added to. */
+    private static final float ROUND = SmoothFill.ROUND;
+
+    private static final int ROUND_BITS = Float.floatToRawIntBits(ROUND);
+
+    /** Of each place its row and column, {@code row · WIDEST + column}. */
+    private final int[] places = new int[PixelBatch.ROOM];
+
+    /** How many are listed. */
+    int count;
+
+    private static int[] lanesOf() {
+        int[] lanes = new int[LANES << LANES];
+        for (int set = 0; set < 1 << LANES; set++) {
+            int at = set * LANES;
+            for (int lane = 0; lane < LANES; lane++) if ((set >> lane & 1) != 0) lanes[at++] = lane;
+        }
+        return lanes;
+    }
+
+    /**
+     * Lists places of eight columns.
+     *
+     * @param drawn row by row −1 or 0, {@code stride} numbers for a row
+     * @param from where the first row's begin
+     * @param column the first one
+     */
+    void listInLanes(int[] drawn, int from, int stride, int rows, int column) {
+        int listed = count;
+        for (int row = 0; row < rows; row++) {
+            int set =
+                    IntVector.fromArray(INTS, drawn, from + row * stride)
+                            .and(BITS)
+                            .reduceLanes(VectorOperators.ADD);
+            IntVector.fromArray(INTS, LANES_OF, set * LANES)
+                    .add(row * RowDepth.WIDEST + column)
+                    .intoArray(places, listed);
+            listed += Integer.bitCount(set);
+        }
+        count = listed;
+    }
+
+    /**
+     * Adds the cells and weights of all places to a batch that has room for them.
+     *
+     * @param first the cell of the box's first pixel
+     * @param width of the picture
+     */
+    void addInLanes(int first, int width, BoxWeights at, PixelBatch batch) {
+        int before = batch.count;
+        int[] cells = batch.cell;
+        float[] weightsB = batch.weightB;
+        float[] weightsC = batch.weightC;
+        for (int i = 0; i < count; i += LANES) {
+            IntVector place = IntVector.fromArray(INTS, places, i);
+            IntVector column = place.and(RowDepth.WIDEST - 1);
+            IntVector row = place.lanewise(VectorOperators.LSHR, COLUMN_BITS);
+            row.mul(width).add(column).add(first).intoArray(cells, before + i);
+            FloatVector right = column.or(ROUND_BITS).reinterpretAsFloats().sub(ROUND);
+            FloatVector down = row.or(ROUND_BITS).reinterpretAsFloats().sub(ROUND);
+            down.mul(at.downB)
+                    .add(at.cornerB)
+                    .add(right.mul(at.rightB))
+                    .mul(at.scale)
+                    .intoArray(weightsB, before + i);
+            down.mul(at.downC)
+                    .add(at.cornerC)
+                    .add(right.mul(at.rightC))
+                    .mul(at.scale)
+                    .intoArray(weightsC, before + i);
+        }
+        batch.count = before + count;
+    }
+}
