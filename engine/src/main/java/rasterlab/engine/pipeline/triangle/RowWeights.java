@@ -12,7 +12,7 @@ final class RowWeights {
     /** Where the triangle is compact. */
     final BoxWeights box = new BoxWeights();
 
-    /** Where {@link RowDepth#first} counts pixels from, in the row. */
+    /** Where {@link RowDepth#first} counts the row's pixels from. */
     float rowB;
 
     float rowC;

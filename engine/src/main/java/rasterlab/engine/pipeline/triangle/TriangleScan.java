@@ -12,6 +12,7 @@ package rasterlab.engine.pipeline.triangle;
  * <p>Source: J. Pineda, A parallel algorithm for polygon rasterization, 1988.
  */
 final class TriangleScan extends Scan {
+    /** A row's band is its number without so many lowest bits. */
     static final int ROW_BITS = 5;
 
     /** Rows of a band. */

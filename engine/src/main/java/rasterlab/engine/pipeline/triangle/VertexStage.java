@@ -15,10 +15,10 @@ final class VertexStage {
     private final VertexBlock block = new VertexBlock();
 
     /** Of the block's vertices what is transformed: world positions or normals. */
-    private final float[] x = new float[VertexBlock.SIZE];
+    private final float[] worldX = new float[VertexBlock.SIZE];
 
-    private final float[] y = new float[VertexBlock.SIZE];
-    private final float[] z = new float[VertexBlock.SIZE];
+    private final float[] worldY = new float[VertexBlock.SIZE];
+    private final float[] worldZ = new float[VertexBlock.SIZE];
     private final float[] clipX = new float[VertexBlock.SIZE];
     private final float[] clipY = new float[VertexBlock.SIZE];
     private final float[] clipZ = new float[VertexBlock.SIZE];
@@ -76,8 +76,10 @@ final class VertexStage {
         int any = divide(from, frame.subpixels, out);
         double[][] planes = frame.view.worldPlanes();
         if (planes.length > 0)
-            for (int i = 0; i < block.count; i++)
-                any |= out.code[from + i] |= (short) ClipCode.ofUser(planes, x[i], y[i], z[i]);
+            for (int i = 0; i < block.count; i++) {
+                int user = ClipCode.ofUser(planes, worldX[i], worldY[i], worldZ[i]);
+                any |= out.code[from + i] |= (short) user;
+            }
         if (any != 0) frame.anyBeyond = true;
         if (ClipCode.mustClip(any)) frame.clips = true;
     }
@@ -90,9 +92,9 @@ final class VertexStage {
      */
     private void take(TriangleMesh mesh, VertexQuantity first, int from) {
         int k = first.ordinal();
-        System.arraycopy(mesh.values(Frame.QUANTITIES[k]), from, x, 0, block.count);
-        System.arraycopy(mesh.values(Frame.QUANTITIES[k + 1]), from, y, 0, block.count);
-        System.arraycopy(mesh.values(Frame.QUANTITIES[k + 2]), from, z, 0, block.count);
+        System.arraycopy(mesh.values(Frame.QUANTITIES[k]), from, worldX, 0, block.count);
+        System.arraycopy(mesh.values(Frame.QUANTITIES[k + 1]), from, worldY, 0, block.count);
+        System.arraycopy(mesh.values(Frame.QUANTITIES[k + 2]), from, worldZ, 0, block.count);
     }
 
     /** All arrays have one index: of others the compiler would make no vector instructions. */
@@ -102,7 +104,7 @@ final class VertexStage {
         float perZ = matrix[8 + column];
         float shift = matrix[12 + column];
         for (int i = 0; i < block.count; i++)
-            out[i] = x[i] * perX + y[i] * perY + z[i] * perZ + shift;
+            out[i] = worldX[i] * perX + worldY[i] * perY + worldZ[i] * perZ + shift;
     }
 
     /** Returns what some vertex has of a {@link ClipCode}. */

@@ -36,6 +36,7 @@ final class VectorTiny {
         colorsInLanes(band.argb, band.width, scan, corners);
     }
 
+    /** As {@link RowLoops#collect} does, where depths are written at once. */
     void collect(
             float[] depth,
             int depthStart,
