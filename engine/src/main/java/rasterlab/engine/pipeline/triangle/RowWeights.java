@@ -9,7 +9,7 @@ final class RowWeights {
 
     float toC;
 
-    /** Where the triangle is compact. */
+    /** What rows begin with where the triangle is compact. */
     final BoxWeights box = new BoxWeights();
 
     /** Where {@link RowDepth#first} counts the row's pixels from. */
@@ -26,9 +26,9 @@ final class RowWeights {
         row = 0;
         done = 0;
         depth.load(scan, v);
-        toB = scan.stepB * scan.inverseArea;
-        toC = scan.stepC * scan.inverseArea;
-        if (depth.compact) box.load(scan);
+        box.load(scan);
+        toB = box.rightB;
+        toC = box.rightC;
     }
 
     void at(TriangleScan scan, int row) {

@@ -32,7 +32,8 @@ final class VectorTiny {
 
     void draw(Band band, TinyScan scan, ScreenVertices v) {
         corners.load(scan, v);
-        findDepths(band.depth, band.depthStart, band.width, scan, v);
+        int first = scan.at - band.depthStart;
+        depthsInLanes(band.depth, first, band.width, scan, corners.za, corners.zb, corners.zc);
         colorsInLanes(band.argb, band.width, scan, corners);
     }
 
@@ -44,19 +45,14 @@ final class VectorTiny {
             TinyScan scan,
             ScreenVertices v,
             PixelBatch batch) {
-        findDepths(depth, depthStart, width, scan, v);
-        places.count = 0;
-        places.listInLanes(drawn, 0, LANES, scan.rows, 0);
-        weights.load(scan);
-        places.addInLanes(scan.at, width, weights, batch);
-    }
-
-    private void findDepths(
-            float[] depth, int depthStart, int width, TinyScan scan, ScreenVertices v) {
         float za = v.depth(scan.a);
         float zb = v.depth(scan.b) - za;
         float zc = v.depth(scan.c) - za;
         depthsInLanes(depth, scan.at - depthStart, width, scan, za, zb, zc);
+        places.count = 0;
+        places.listInLanes(drawn, 0, LANES, scan.rows, 0);
+        weights.load(scan);
+        places.addInLanes(scan.at, width, weights, batch);
     }
 
     /** Half a unit more makes a number of every edge function that has a sign. */
