@@ -136,8 +136,8 @@ public final class Bench implements Callable<Integer> {
             return 0;
         }
         if (group.equals(PIPELINE)) {
-            new PipelineBench(quick, only, words, console.out()).run();
-            return 0;
+            boolean measured = new PipelineBench(quick, only, words, console.out()).run();
+            return measured ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
         }
         List<Goal> goals = goals();
         var rounds = new ArrayList<Map<Timing.Key, Timing>>();

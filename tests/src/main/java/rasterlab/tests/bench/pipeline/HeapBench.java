@@ -1,16 +1,13 @@
 package rasterlab.tests.bench.pipeline;
 
 import java.io.IOException;
-import java.lang.management.ManagementFactory;
-import java.util.ArrayList;
+import java.io.UncheckedIOException;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import rasterlab.engine.pipeline.triangle.DepthRaster;
 import rasterlab.engine.pipeline.triangle.Surface;
 import rasterlab.engine.pipeline.triangle.TrianglePipeline;
 import rasterlab.tests.bench.BenchWords;
-import rasterlab.tests.bench.JavaCommand;
 
 /** A million triangles in a process of its own whose heap is small. */
 final class HeapBench {
@@ -46,31 +43,15 @@ final class HeapBench {
         return words -> words.text(drawn ? "note.drawn" : "note.drawn.not");
     }
 
-    /** Whether the process did its work; what it says is shown. */
     private static boolean ended() {
-        var options = new ArrayList<>(vectorOptions());
-        options.add(HEAP);
-        var command = JavaCommand.of(options, HeapBench.class.getName(), List.of());
         try {
-            Process process = new ProcessBuilder(command).inheritIO().start();
-            if (process.waitFor(5, TimeUnit.MINUTES)) return process.exitValue() == 0;
-            process.destroyForcibly();
-            return false;
+            return new OwnProcess(List.of(HEAP), HeapBench.class, List.of())
+                    .run(System.out, System.err);
         } catch (IOException e) {
-            throw new IllegalStateException("no process for the small heap", e);
+            throw new UncheckedIOException("no process for the small heap", e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return false;
         }
-    }
-
-    /** What this process was started with for the Vector API. */
-    private static List<String> vectorOptions() {
-        return ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
-                .filter(
-                        option ->
-                                option.startsWith("--add-modules")
-                                        || option.startsWith("-XX:CompileCommand"))
-                .toList();
     }
 }

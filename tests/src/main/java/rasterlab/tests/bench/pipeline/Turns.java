@@ -12,9 +12,7 @@ import java.util.Locale;
  */
 final class Turns {
     /** For each way: by then, on a quiet machine, the compiler has done with what is run most. */
-    private static final double WARM_UP_SECONDS = 3;
-
-    private static final int WARM_UP_ROUNDS = 5;
+    private static final double WARM_UP_SECONDS = 6;
 
     private static final int RUNS = 8;
 
@@ -30,7 +28,7 @@ final class Turns {
      */
     Turns(int turns, Runnable... ways) {
         millis = new double[ways.length][turns * RUNS];
-        for (Runnable way : ways) warmUp(way);
+        warmUp(ways);
         for (int turn = 0; turn < turns; turn++)
             for (int way = 0; way < ways.length; way++)
                 for (int run = 0; run < RUNS; run++)
@@ -38,10 +36,12 @@ final class Turns {
         for (double[] each : millis) Arrays.sort(each);
     }
 
-    private static void warmUp(Runnable way) {
-        double spent = 0;
-        for (int round = 0; round < WARM_UP_ROUNDS || spent < WARM_UP_SECONDS * 1e3; round++)
-            spent += millis(way);
+    private static void warmUp(Runnable[] ways) {
+        double[] spent = new double[ways.length];
+        while (Arrays.stream(spent).min().orElseThrow() < WARM_UP_SECONDS * 1e3)
+            for (int way = 0; way < ways.length; way++)
+                if (spent[way] < WARM_UP_SECONDS * 1e3)
+                    for (int run = 0; run < RUNS; run++) spent[way] += millis(ways[way]);
     }
 
     private static double millis(Runnable way) {
