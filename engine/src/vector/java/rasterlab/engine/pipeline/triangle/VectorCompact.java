@@ -25,7 +25,7 @@ final class VectorCompact {
     private static final float[] COLUMNS = columns();
 
     /** An opaque colour's highest bits, above those of its red. */
-    private static final int OPAQUE = 0xFF000000;
+    static final int OPAQUE = 0xFF000000;
 
     /** −1 where a pixel is owned and nearer than what was there, else 0. */
     private final int[] drawn = new int[TriangleScan.ROWS * PAIR];

@@ -87,7 +87,7 @@ final class VectorLoops implements RowLoops {
             if (n == 0) continue;
             int from = scan.cell(row);
             float z = (float) rows.z[row];
-            int firstRed = (int) rows.red[row];
+            int firstRed = (int) rows.red[row] + VectorCompact.OPAQUE;
             int firstGreen = (int) rows.green[row];
             int firstBlue = (int) rows.blue[row];
             if (from + n + LANES > scan.end) {
@@ -99,20 +99,30 @@ final class VectorLoops implements RowLoops {
                 FloatVector k = NUMBERS.add(done);
                 FloatVector here = k.mul(stepZ).add(z);
                 FloatVector there = FloatVector.fromArray(FLOATS, depth, from - start + done);
-                VectorMask<Float> nearer =
-                        here.compare(VectorOperators.LT, there)
-                                .and(k.compare(VectorOperators.LT, n));
-                IntVector before = IntVector.fromArray(INTS, argb, from + done);
+                IntVector nearer =
+                        here.sub(there)
+                                .reinterpretAsInts()
+                                .and(k.sub(n).reinterpretAsInts())
+                                .lanewise(VectorOperators.ASHR, Integer.SIZE - 1);
+                IntVector far = there.reinterpretAsInts();
+                far.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
+                        .and(nearer)
+                        .lanewise(VectorOperators.XOR, far)
+                        .reinterpretAsFloats()
+                        .intoArray(depth, from - start + done);
                 IntVector red = reds.add(firstRed + done * colors.stepRed);
-                IntVector green = greens.add(firstGreen + done * colors.stepGreen);
-                IntVector blue = blues.add(firstBlue + done * colors.stepBlue);
-                IntVector color =
-                        red.and(0xFF0000)
-                                .or(green.lanewise(VectorOperators.LSHR, 8).and(0xFF00))
-                                .or(blue.lanewise(VectorOperators.LSHR, 16))
-                                .or(0xFF000000);
-                there.blend(here, nearer).intoArray(depth, from - start + done);
-                before.blend(color, nearer.cast(INTS)).intoArray(argb, from + done);
+                IntVector green =
+                        greens.add(firstGreen + done * colors.stepGreen)
+                                .lanewise(VectorOperators.LSHR, 8);
+                IntVector blue =
+                        blues.add(firstBlue + done * colors.stepBlue)
+                                .lanewise(VectorOperators.LSHR, 16);
+                IntVector color = red.and(0xFFFF0000).or(green.and(0xFF00)).or(blue);
+                IntVector before = IntVector.fromArray(INTS, argb, from + done);
+                before.lanewise(VectorOperators.XOR, color)
+                        .and(nearer)
+                        .lanewise(VectorOperators.XOR, before)
+                        .intoArray(argb, from + done);
             }
         }
     }
