@@ -17,6 +17,7 @@ import rasterlab.tests.bench.JavaCommand;
  */
 final class OwnProcess {
     private static final int LIMIT_MINUTES = 10;
+    private static final String WARNING = "WARNING: Using incubator modules";
 
     private final List<String> options = new ArrayList<>();
     private final Class<?> program;
@@ -40,8 +41,8 @@ final class OwnProcess {
     }
 
     /**
-     * Runs it to its end and hands on what it printed, and what it complained of if it failed: Java
-     * warns of the Vector API in every process.
+     * Runs it to its end and hands on what it printed and complained of, but for Java's warning of
+     * the Vector API, which this process has given.
      *
      * @return whether it did its work; a process that takes longer than {@value #LIMIT_MINUTES}
      *     minutes is ended
@@ -53,7 +54,7 @@ final class OwnProcess {
         try {
             boolean done = end(printed, complained);
             handOn(printed, out);
-            if (!done) handOn(complained, err);
+            handOn(complained, err);
             return done;
         } finally {
             Files.delete(printed);
@@ -79,7 +80,9 @@ final class OwnProcess {
     }
 
     private static void handOn(Path file, PrintStream to) throws IOException {
-        to.print(Files.readString(file, Charset.defaultCharset()));
+        try (var lines = Files.lines(file, Charset.defaultCharset())) {
+            lines.filter(line -> !line.startsWith(WARNING)).forEach(to::println);
+        }
         to.flush();
     }
 }
