@@ -51,14 +51,16 @@ final class OwnProcess {
     boolean run(PrintStream out, PrintStream err) throws IOException, InterruptedException {
         Path printed = Files.createTempFile("rasterlab", ".out");
         Path complained = Files.createTempFile("rasterlab", ".err");
+        printed.toFile().deleteOnExit();
+        complained.toFile().deleteOnExit();
         try {
             boolean done = end(printed, complained);
             handOn(printed, out);
             handOn(complained, err);
             return done;
         } finally {
-            Files.delete(printed);
-            Files.delete(complained);
+            Files.deleteIfExists(printed);
+            Files.deleteIfExists(complained);
         }
     }
 
