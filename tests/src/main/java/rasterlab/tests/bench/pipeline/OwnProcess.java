@@ -3,7 +3,7 @@ package rasterlab.tests.bench.pipeline;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
-import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -82,9 +82,10 @@ final class OwnProcess {
     }
 
     private static void handOn(Path file, PrintStream to) throws IOException {
-        try (var lines = Files.lines(file, Charset.defaultCharset())) {
-            lines.filter(line -> !line.startsWith(WARNING)).forEach(to::println);
-        }
+        new String(Files.readAllBytes(file), StandardCharsets.UTF_8)
+                .lines()
+                .filter(line -> !line.startsWith(WARNING))
+                .forEach(to::println);
         to.flush();
     }
 }
