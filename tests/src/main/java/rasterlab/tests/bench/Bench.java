@@ -48,7 +48,7 @@ public final class Bench implements Callable<Integer> {
     /** Times that every benchmark gets a process of its own, all benchmarks once in each round. */
     private static final int ROUNDS = 3;
 
-    /** Measured by a runner of its own, beside OpenGL in the same process. */
+    /** Measured by a runner of its own, each line beside OpenGL in one process. */
     private static final String PIPELINE = "pipeline";
 
     /** Measured in the real window. */
@@ -136,7 +136,8 @@ public final class Bench implements Callable<Integer> {
             return 0;
         }
         if (group.equals(PIPELINE)) {
-            boolean measured = new PipelineBench(quick, only, words, console.out()).run();
+            boolean measured =
+                    new PipelineBench(quick, only, words, console.out(), console.err()).run();
             return measured ? CommandLine.ExitCode.OK : CommandLine.ExitCode.SOFTWARE;
         }
         List<Goal> goals = goals();

@@ -73,6 +73,10 @@ final class VectorLoops implements RowLoops {
         } else PlainLoops.rows(band, scan, colors);
     }
 
+    /**
+     * No depth here is −0 or NaN: the sign of {@code here − there} is their order. No red leaves 0
+     * to 255, so the alpha above it stays as it is.
+     */
     private static void drawRowsInLanes(
             Band band, TriangleScan scan, VectorRows rows, LinearColors colors) {
         IntVector reds = WHOLE_NUMBERS.mul(colors.stepRed);

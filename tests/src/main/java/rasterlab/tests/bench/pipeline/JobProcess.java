@@ -2,12 +2,12 @@ package rasterlab.tests.bench.pipeline;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
-import rasterlab.app.cli.Console;
-import rasterlab.app.cli.ReportLanguage;
 import rasterlab.app.language.Language;
 import rasterlab.app.opengl.context.OffscreenContext;
 import rasterlab.tests.bench.BenchWords;
+import rasterlab.tests.bench.pipeline.PipelineJobs.Job;
 
 /**
  * Measures one job in a process of its own.
@@ -18,21 +18,26 @@ import rasterlab.tests.bench.BenchWords;
 final class JobProcess {
     private JobProcess() {}
 
-    /** Whether that job of the list was measured; its lines go to {@code out}. */
-    static boolean run(int number, boolean quick, Language language, PrintStream out)
+    /**
+     * Hands on the lines of a job of the list, and what its process complained of.
+     *
+     * @return the exit code, as {@link OwnProcess#run} has it
+     */
+    static int run(int number, boolean quick, Language language, PrintStream out, PrintStream err)
             throws IOException, InterruptedException {
         var arguments =
                 List.of(String.valueOf(number), String.valueOf(quick), String.valueOf(language));
-        return new OwnProcess(List.of(), JobProcess.class, arguments).run(out, System.err);
+        Job job = PipelineJobs.all(quick, List.of()).get(number);
+        return new OwnProcess(job.options(), JobProcess.class, arguments).run(out, err);
     }
 
     /** Prints the job's lines; the context ends with the process. */
     public static void main(String[] arguments) {
         boolean quick = Boolean.parseBoolean(arguments[1]);
         var words = new BenchWords(Language.valueOf(arguments[2]));
-        PrintStream out = Console.of(System.in, System.out, System.err, ReportLanguage.EN).out();
+        var out = new PrintStream(System.out, false, StandardCharsets.UTF_8);
         List<Way> ways = Way.all();
-        var job = PipelineJobs.all(quick, ways).get(Integer.parseInt(arguments[0]));
+        Job job = PipelineJobs.all(quick, ways).get(Integer.parseInt(arguments[0]));
         if (job.openGl()) OffscreenContext.open(OffscreenContext.Profile.CORE);
         for (Row row : job.rows().get()) out.println(row.line(words));
         out.flush();

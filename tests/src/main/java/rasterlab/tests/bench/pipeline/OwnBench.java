@@ -17,10 +17,10 @@ import rasterlab.engine.scene.VertexQuantity;
 final class OwnBench {
     private static final TorusScene SCENE = new TorusScene(100_000, 1280, 720);
 
-    private final int turns;
+    private final Turns.Length length;
 
-    OwnBench(boolean quick) {
-        turns = Turns.count(quick);
+    OwnBench(Turns.Length length) {
+        this.length = length;
     }
 
     /** Two fills of plain arrays are what memory allows; the goal is 1.1 times their time. */
@@ -33,7 +33,7 @@ final class OwnBench {
         float[] depth = new float[1920 * 1080];
         var times =
                 new Turns(
-                        5 * turns,
+                        length.times(5),
                         () -> pipeline.drawOn(1, nothing, view, surface, out, () -> false),
                         () -> {
                             Arrays.fill(argb, 1);
@@ -57,7 +57,7 @@ final class OwnBench {
         graphics.setComposite(AlphaComposite.Src);
         var times =
                 new Turns(
-                        5 * turns,
+                        length.times(5),
                         () -> graphics.drawImage(picture.image(), 0, 0, null),
                         () -> System.arraycopy(picture.argb(), 0, copy, 0, copy.length));
         graphics.dispose();
@@ -81,7 +81,7 @@ final class OwnBench {
         float[] depth = new float[cells];
         var times =
                 new Turns(
-                        turns,
+                        length,
                         () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
                         () -> {
                             Arrays.fill(argb, 1);
@@ -107,7 +107,7 @@ final class OwnBench {
         try (var one = new TrianglePipeline(1)) {
             var times =
                     new Turns(
-                            turns,
+                            length,
                             () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
                             () -> one.drawOn(1, mesh, view, surface, alone, () -> false));
             boolean same = Arrays.equals(out.argb(), alone.argb());
@@ -134,7 +134,7 @@ final class OwnBench {
         int[] y = new int[3];
         var times =
                 new Turns(
-                        turns,
+                        length,
                         () -> pipeline.drawOn(1, mesh, view, surface, out, () -> false),
                         () -> {
                             graphics.clearRect(0, 0, SCENE.width(), SCENE.height());

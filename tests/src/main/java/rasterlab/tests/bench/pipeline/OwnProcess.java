@@ -2,6 +2,7 @@ package rasterlab.tests.bench.pipeline;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -9,75 +10,108 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import rasterlab.tests.bench.JavaCommand;
 
 /**
  * A program with this one's Java, classes and options in a process of its own, which ends with this
- * one at the latest.
+ * one unless this one is killed. Runs once.
  */
 final class OwnProcess {
-    private static final int LIMIT_MINUTES = 10;
+    static final int LIMIT_MINUTES = 10;
+
+    /** What {@link #run} returns for a process that had to be ended. */
+    static final int TOO_LONG = -1;
+
     private static final String WARNING = "WARNING: Using incubator modules";
 
-    private final List<String> options = new ArrayList<>();
-    private final Class<?> program;
-    private final List<String> arguments;
+    /** A debugger or profiler is for one process. */
+    private static final List<String> NOT_SHARED = List.of("-agent", "-javaagent", "-Xrun");
+
+    /** Java adds what they hold to its options, which are passed on already. */
+    private static final List<String> VARIABLES =
+            List.of("JAVA_TOOL_OPTIONS", "JDK_JAVA_OPTIONS", "_JAVA_OPTIONS");
+
+    private final ProcessBuilder builder;
+    private final Thread abandoner = new Thread(this::abandon, "end the process");
+    private final Path printed;
+    private final Path complained;
+    private volatile Process process;
+    private volatile boolean abandoned;
 
     /**
      * @param more options of Java's own after those of this process
      * @param program has a main method
+     * @throws IOException if there is no place for what it prints
      */
-    OwnProcess(List<String> more, Class<?> program, List<String> arguments) {
+    OwnProcess(List<String> more, Class<?> program, List<String> arguments) throws IOException {
+        var options = new ArrayList<String>();
         for (String option : ManagementFactory.getRuntimeMXBean().getInputArguments())
-            if (!isAgent(option)) options.add(option);
+            if (NOT_SHARED.stream().noneMatch(option::startsWith)) options.add(option);
+        options.addAll(List.of("-Dstdout.encoding=UTF-8", "-Dstderr.encoding=UTF-8"));
         options.addAll(more);
-        this.program = program;
-        this.arguments = arguments;
-    }
-
-    /** A debugger or profiler is for one process. */
-    private static boolean isAgent(String option) {
-        return option.startsWith("-agent") || option.startsWith("-javaagent");
+        printed = Files.createTempFile("rasterlab", ".out");
+        complained = Files.createTempFile("rasterlab", ".err");
+        builder =
+                new ProcessBuilder(JavaCommand.of(options, program.getName(), arguments))
+                        .redirectOutput(printed.toFile())
+                        .redirectError(complained.toFile());
+        builder.environment().keySet().removeAll(VARIABLES);
     }
 
     /**
      * Runs it to its end and hands on what it printed and complained of, but for Java's warning of
      * the Vector API, which this process has given.
      *
-     * @return whether it did its work; a process that takes longer than {@value #LIMIT_MINUTES}
-     *     minutes is ended
-     * @throws IOException if it cannot be started
+     * @return its exit code, or {@link #TOO_LONG} after {@value #LIMIT_MINUTES} minutes
+     * @throws IOException if it cannot be started or what it printed cannot be read
      */
-    boolean run(PrintStream out, PrintStream err) throws IOException, InterruptedException {
-        Path printed = Files.createTempFile("rasterlab", ".out");
-        Path complained = Files.createTempFile("rasterlab", ".err");
-        printed.toFile().deleteOnExit();
-        complained.toFile().deleteOnExit();
+    int run(PrintStream out, PrintStream err) throws IOException, InterruptedException {
+        remember();
         try {
-            boolean done = end(printed, complained);
+            process = builder.start();
+            if (abandoned) abandon();
+            boolean ended = process.waitFor(LIMIT_MINUTES, TimeUnit.MINUTES);
             handOn(printed, out);
             handOn(complained, err);
-            return done;
+            return ended ? process.exitValue() : TOO_LONG;
         } finally {
-            Files.deleteIfExists(printed);
-            Files.deleteIfExists(complained);
+            forget();
+            abandon();
         }
     }
 
-    private boolean end(Path printed, Path complained) throws IOException, InterruptedException {
-        Process process =
-                new ProcessBuilder(JavaCommand.of(options, program.getName(), arguments))
-                        .redirectOutput(printed.toFile())
-                        .redirectError(complained.toFile())
-                        .start();
-        var killer = new Thread(process::destroyForcibly);
+    private void remember() {
         try {
-            Runtime.getRuntime().addShutdownHook(killer);
-            boolean ended = process.waitFor(LIMIT_MINUTES, TimeUnit.MINUTES);
-            Runtime.getRuntime().removeShutdownHook(killer);
-            return ended && process.exitValue() == 0;
-        } finally {
-            process.destroyForcibly().waitFor();
+            Runtime.getRuntime().addShutdownHook(abandoner);
+        } catch (IllegalStateException ending) {
+            abandon();
+            awaitEnd();
+        }
+    }
+
+    private void forget() {
+        try {
+            Runtime.getRuntime().removeShutdownHook(abandoner);
+        } catch (IllegalStateException ending) {
+            awaitEnd();
+        }
+    }
+
+    /** This program is ending: nothing more is to be measured. */
+    private static void awaitEnd() {
+        while (true) LockSupport.park();
+    }
+
+    private void abandon() {
+        abandoned = true;
+        Process started = process;
+        if (started != null) started.destroyForcibly().onExit().join();
+        try {
+            Files.deleteIfExists(printed);
+            Files.deleteIfExists(complained);
+        } catch (IOException e) {
+            throw new UncheckedIOException("what a process printed stays behind", e);
         }
     }
 

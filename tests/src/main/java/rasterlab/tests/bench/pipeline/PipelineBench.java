@@ -22,15 +22,19 @@ public final class PipelineBench {
     private final String only;
     private final BenchWords words;
     private final PrintStream out;
+    private final PrintStream err;
 
     /**
      * @param only what a line's work must contain
+     * @param err for what goes wrong with a line
      */
-    public PipelineBench(boolean quick, String only, BenchWords words, PrintStream out) {
+    public PipelineBench(
+            boolean quick, String only, BenchWords words, PrintStream out, PrintStream err) {
         this.quick = quick;
         this.only = only;
         this.words = words;
         this.out = out;
+        this.err = err;
     }
 
     /**
@@ -72,9 +76,15 @@ public final class PipelineBench {
             return true;
         }
         out.flush();
-        boolean measured = JobProcess.run(number, quick, words.language(), out);
-        if (!measured) out.println(Row.without(job.work(), words.text("note.failed")).line(words));
-        return measured;
+        int code = JobProcess.run(number, quick, words.language(), out, err);
+        if (code != 0) out.println(Row.without(job.work(), failed(code)).line(words));
+        return code == 0;
+    }
+
+    private String failed(int code) {
+        return code == OwnProcess.TOO_LONG
+                ? words.text("note.late", String.valueOf(OwnProcess.LIMIT_MINUTES))
+                : words.text("note.failed", String.valueOf(code));
     }
 
     /** What there is to measure, in the table's order. */

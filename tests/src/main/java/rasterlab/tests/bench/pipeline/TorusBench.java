@@ -10,10 +10,10 @@ import rasterlab.engine.raster.Raster;
  * depths afterwards, and both are told so.
  */
 final class TorusBench {
-    private final int turns;
+    private final Turns.Length length;
 
-    TorusBench(boolean quick) {
-        turns = Turns.count(quick);
+    TorusBench(Turns.Length length) {
+        this.length = length;
     }
 
     /** One row for each way, the goal in the first one's. */
@@ -31,7 +31,7 @@ final class TorusBench {
         }
         try (var torus = new GlTorus(scene, look, mesh)) {
             runs.add(torus::draw);
-            var times = new Turns(turns, runs.toArray(Runnable[]::new));
+            var times = new Turns(length, runs.toArray(Runnable[]::new));
             int[] peer = torus.read();
             var rows = new ArrayList<Row>();
             for (int k = 0; k < ways.size(); k++)

@@ -11,36 +11,43 @@ import java.util.Locale;
  * caches what the way itself left there, not another one.
  */
 final class Turns {
-    /** For each way: by then, on a quiet machine, the compiler has done with what is run most. */
-    private static final double WARM_UP_SECONDS = 6;
-
     private static final int RUNS = 8;
 
     private final double[][] millis;
 
-    /** How many turns make a measurement. */
-    static int count(boolean quick) {
-        return quick ? 3 : 10;
+    /**
+     * How long a measurement is.
+     *
+     * @param turns how many turns each way has
+     * @param warmUpSeconds how long each way runs before: of 6, on a quiet machine, the compiler
+     *     has done with what is run most
+     */
+    record Length(int turns, double warmUpSeconds) {
+        static Length of(boolean quick) {
+            return quick ? new Length(3, 2) : new Length(10, 6);
+        }
+
+        /** As many times the turns after the same warm-up. */
+        Length times(int factor) {
+            return new Length(factor * turns, warmUpSeconds);
+        }
     }
 
-    /**
-     * @param turns how many turns each has, after it has warmed up
-     */
-    Turns(int turns, Runnable... ways) {
-        millis = new double[ways.length][turns * RUNS];
-        warmUp(ways);
-        for (int turn = 0; turn < turns; turn++)
+    Turns(Length length, Runnable... ways) {
+        millis = new double[ways.length][length.turns * RUNS];
+        warmUp(length.warmUpSeconds, ways);
+        for (int turn = 0; turn < length.turns; turn++)
             for (int way = 0; way < ways.length; way++)
                 for (int run = 0; run < RUNS; run++)
                     millis[way][turn * RUNS + run] = millis(ways[way]);
         for (double[] each : millis) Arrays.sort(each);
     }
 
-    private static void warmUp(Runnable[] ways) {
+    private static void warmUp(double seconds, Runnable[] ways) {
         double[] spent = new double[ways.length];
-        while (Arrays.stream(spent).min().orElseThrow() < WARM_UP_SECONDS * 1e3)
+        while (Arrays.stream(spent).min().orElseThrow() < seconds * 1e3)
             for (int way = 0; way < ways.length; way++)
-                if (spent[way] < WARM_UP_SECONDS * 1e3)
+                if (spent[way] < seconds * 1e3)
                     for (int run = 0; run < RUNS; run++) spent[way] += millis(ways[way]);
     }
 
