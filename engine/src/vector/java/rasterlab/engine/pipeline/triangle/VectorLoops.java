@@ -17,11 +17,12 @@ import rasterlab.engine.lanes.Lanes;
  * a band belongs to one thread. Where the eight would leave the band they are drawn one by one.
  *
  * <p>Vectors stay in registers only while the compiler sees through all that is done with them;
- * Java 17 gives up after about 18 000 nodes of its graph, some sixty operations, and makes objects
- * of what comes then. So each loop has at most fifty, in a method whose name ends in {@code
+ * Java 17 gives up after about 18 000 nodes of its graph, some fifty-five operations, and may make
+ * objects of what comes then, not each time that it compiles a loop. So each loop has at most
+ * fifty, a number that becomes a vector counted as one, in a method whose name ends in {@code
  * InLanes} and which is compiled on its own (see {@code vector-options}), and numbers go from one
- * to the next in arrays. No vector goes from one turn of a loop to the next: those that began as
- * constants would be made objects; nor to a method of our own that uses it twice.
+ * to the next in arrays. A vector that began as a constant does not go from one turn of a loop to
+ * the next, it would be made an object; nor does any go to a method of our own that uses it twice.
  *
  * <p>What is drawn and what stays is chosen by bits, {@code before ^ (before ^ now) & drawn}: of a
  * mask Java 17 makes three slow instructions where that is one.
@@ -58,16 +59,13 @@ final class VectorLoops implements RowLoops {
 
     @Override
     public void linear(Band band, TriangleScan scan, LinearColors colors) {
-        int blocks = (scan.boxRight - scan.boxLeft + LANES - 1) / LANES;
-        if (colors.depth.compact && scan.boxLeft + blocks * LANES <= band.width) {
-            int block = 0;
-            for (; block + 2 <= blocks; block += 2)
-                compact.drawPair(band, scan, colors, block * LANES);
-            if (block < blocks) compact.draw(band, scan, colors, block * LANES);
+        int columns = RowDepth.columns(scan);
+        if (colors.depth.compact && scan.boxLeft + columns <= band.width) {
+            compact.draw(band, scan, colors, columns);
             return;
         }
         rows.scan(scan);
-        if (blocks * LANES > RowDepth.WIDEST) {
+        if (columns > RowDepth.WIDEST) {
             rows.startInLanes(scan, colors);
             drawRowsInLanes(band, scan, rows, colors);
         } else PlainLoops.rows(band, scan, colors);

@@ -9,7 +9,7 @@ import jdk.incubator.vector.VectorSpecies;
  * What {@link TinyScan#look} and {@link TinyFill#smooth} do, a row of the box at a time. One per
  * thread.
  *
- * <p>Depths and colours have a loop each, as {@link VectorLoops} explains.
+ * <p>Depths, shares and colours have a loop each, as {@link VectorLoops} explains.
  */
 final class VectorTiny {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -18,11 +18,14 @@ final class VectorTiny {
     private static final FloatVector NUMBERS =
             FloatVector.fromArray(FLOATS, new float[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
 
+    /** {@link SmoothFill#ROUND} for the highest level, with 0xFF above it. */
+    private static final float OPAQUE_ROUND = SmoothFill.ROUND + 0xFF00;
+
     private final VectorPlaces places = new VectorPlaces();
     private final BoxWeights weights = new BoxWeights();
     private final SmoothCorners corners = new SmoothCorners();
 
-    /** Of each pixel of the box. */
+    /** Of each pixel of the box; then the shares of b and c. */
     private final float[] weightsB = new float[TinyScan.MOST];
 
     private final float[] weightsC = new float[TinyScan.MOST];
@@ -34,6 +37,7 @@ final class VectorTiny {
         corners.load(scan, v);
         int first = scan.at - band.depthStart;
         depthsInLanes(band.depth, first, band.width, scan, corners.za, corners.zb, corners.zc);
+        sharesInLanes(scan.rows, corners);
         colorsInLanes(band.argb, band.width, scan, corners);
     }
 
@@ -55,15 +59,19 @@ final class VectorTiny {
         places.addInLanes(scan.at, width, weights, batch);
     }
 
-    /** Half a unit more makes a number of every edge function that has a sign. */
+    /**
+     * Edge functions are negated, so that a pixel is owned where all are negative; half a unit
+     * makes a number of each that has a sign.
+     */
     private void depthsInLanes(
             float[] depth, int first, int width, TinyScan scan, float za, float zb, float zc) {
-        FloatVector columnsA = NUMBERS.mul(scan.stepA).add(0.5f);
-        FloatVector columnsB = NUMBERS.mul(scan.stepB);
-        FloatVector columnsC = NUMBERS.mul(scan.stepC);
+        FloatVector columnsA = NUMBERS.mul(-scan.stepA);
+        FloatVector columnsB = NUMBERS.mul(-scan.stepB);
+        FloatVector columnsC = NUMBERS.mul(-scan.stepC);
+        FloatVector scale = FloatVector.broadcast(FLOATS, -scan.inverseArea);
         float ownB = scan.ownB + 0.5f;
         float ownC = scan.ownC + 0.5f;
-        float rowA = scan.rowA;
+        float rowA = scan.rowA + 0.5f;
         float rowB = scan.rowB;
         float rowC = scan.rowC;
         float downA = scan.downA;
@@ -73,23 +81,22 @@ final class VectorTiny {
         float down = 0;
         for (int row = 0; row < rows; row++) {
             int cell = first + row * width;
-            FloatVector eA = columnsA.add(rowA + down * downA);
-            FloatVector eB = columnsB.add(rowB + down * downB);
-            FloatVector eC = columnsC.add(rowC + down * downC);
+            FloatVector eA = columnsA.sub(rowA + down * downA);
+            FloatVector eB = columnsB.sub(rowB + down * downB);
+            FloatVector eC = columnsC.sub(rowC + down * downC);
             down += 1;
-            IntVector beyond =
+            IntVector owned =
                     eA.reinterpretAsInts()
-                            .or(eB.add(ownB).reinterpretAsInts())
-                            .or(eC.add(ownC).reinterpretAsInts());
-            FloatVector weightB = eB.mul(scan.inverseArea);
-            FloatVector weightC = eC.mul(scan.inverseArea);
+                            .and(eB.sub(ownB).reinterpretAsInts())
+                            .and(eC.sub(ownC).reinterpretAsInts());
+            FloatVector weightB = eB.mul(scale);
+            FloatVector weightC = eC.mul(scale);
             weightB.intoArray(weightsB, row * LANES);
             weightC.intoArray(weightsC, row * LANES);
             FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
             FloatVector here = weightB.mul(zb).add(za).add(weightC.mul(zc));
             IntVector nearer =
-                    beyond.not()
-                            .and(here.sub(there).reinterpretAsInts())
+                    owned.and(here.sub(there).reinterpretAsInts())
                             .lanewise(VectorOperators.ASHR, Integer.SIZE - 1);
             nearer.intoArray(drawn, row * LANES);
             IntVector before = there.reinterpretAsInts();
@@ -101,25 +108,32 @@ final class VectorTiny {
         }
     }
 
+    /** In place of the weights, what {@link TinyFill#smooth} calls shares. */
+    private void sharesInLanes(int rows, SmoothCorners at) {
+        for (int from = 0; from < rows * LANES; from += LANES) {
+            FloatVector weightB = FloatVector.fromArray(FLOATS, weightsB, from);
+            FloatVector weightC = FloatVector.fromArray(FLOATS, weightsC, from);
+            FloatVector q = weightB.mul(at.qb).add(at.qa).add(weightC.mul(at.qc));
+            FloatVector w = FloatVector.broadcast(FLOATS, 1).div(q);
+            weightB.mul(at.ofB).mul(w).intoArray(weightsB, from);
+            weightC.mul(at.ofC).mul(w).intoArray(weightsC, from);
+        }
+    }
+
     private void colorsInLanes(int[] argb, int width, TinyScan scan, SmoothCorners at) {
         for (int row = 0; row < scan.rows; row++) {
             int cell = scan.at + row * width;
-            FloatVector weightB = FloatVector.fromArray(FLOATS, weightsB, row * LANES);
-            FloatVector weightC = FloatVector.fromArray(FLOATS, weightsC, row * LANES);
-            FloatVector q = weightB.mul(at.qb).add(at.qa).add(weightC.mul(at.qc));
-            FloatVector w = FloatVector.broadcast(FLOATS, 1).div(q);
-            FloatVector shareB = weightB.mul(at.ofB).mul(w);
-            FloatVector shareC = weightC.mul(at.ofC).mul(w);
+            FloatVector shareB = FloatVector.fromArray(FLOATS, weightsB, row * LANES);
+            FloatVector shareC = FloatVector.fromArray(FLOATS, weightsC, row * LANES);
             FloatVector red = shareB.mul(at.rb).add(at.ra).add(shareC.mul(at.rc));
             FloatVector green = shareB.mul(at.gb).add(at.ga).add(shareC.mul(at.gc));
             FloatVector blue = shareB.mul(at.bb).add(at.ba).add(shareC.mul(at.bc));
-            IntVector reds = red.add(SmoothFill.ROUND).reinterpretAsInts();
+            IntVector reds = red.add(OPAQUE_ROUND).reinterpretAsInts();
             IntVector greens = green.add(SmoothFill.ROUND).reinterpretAsInts();
             IntVector color =
                     reds.lanewise(VectorOperators.LSHL, 16)
                             .or(greens.lanewise(VectorOperators.LSHL, 8))
-                            .or(blue.add(SmoothFill.ROUND).reinterpretAsInts())
-                            .or(0xFF000000);
+                            .or(blue.add(SmoothFill.ROUND).reinterpretAsInts());
             IntVector before = IntVector.fromArray(INTS, argb, cell);
             before.lanewise(VectorOperators.XOR, color)
                     .and(IntVector.fromArray(INTS, drawn, row * LANES))
