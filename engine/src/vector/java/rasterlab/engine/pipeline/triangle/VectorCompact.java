@@ -44,7 +44,7 @@ final class VectorCompact {
         int first = scan.top * band.width + scan.boxLeft;
         int firstDepth = first - band.depthStart;
         depthsInLanes(band.depth, band.width, firstDepth, scan, colors.depth, columns);
-        colorsInLanes(band.argb, band.width, first, scan.rows, colors, columns);
+        colorsInLanes(band, first, scan.rows, colors, columns);
     }
 
     /** As {@link RowLoops#findInBox} does, where all columns that are asked are in the picture. */
@@ -65,12 +65,12 @@ final class VectorCompact {
     /** In a box of {@value RowDepth#WIDEST} columns edge functions fit an int. */
     private void depthsInLanes(
             float[] depth, int width, int first, TriangleScan scan, RowDepth at, int columns) {
-        IntVector downA = IntVector.broadcast(INTS, (int) scan.downA);
-        IntVector downB = IntVector.broadcast(INTS, (int) scan.downB);
-        IntVector downC = IntVector.broadcast(INTS, (int) scan.downC);
         double cornerZ = at.cornerZ;
         double downZ = at.downZ;
         int rows = scan.rows;
+        IntVector downA = IntVector.broadcast(INTS, (int) scan.downA);
+        IntVector downB = IntVector.broadcast(INTS, (int) scan.downB);
+        IntVector downC = IntVector.broadcast(INTS, (int) scan.downC);
         for (int column = 0; column < columns; column += LANES) {
             IntVector numbers = WHOLE_NUMBERS.add(column);
             IntVector edgesA = numbers.mul((int) scan.stepA).add((int) scan.rowA);
@@ -78,7 +78,7 @@ final class VectorCompact {
             IntVector edgesC = numbers.mul((int) scan.stepC).add((int) scan.rowC);
             FloatVector depths = FloatVector.fromArray(FLOATS, COLUMNS, column).mul(at.stepZ);
             for (int row = 0; row < rows; row++) {
-                int cell = first + row * width + column;
+                int cell = first + column + row * width;
                 FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
                 FloatVector here = depths.add((float) (cornerZ + row * downZ));
                 IntVector nearer =
@@ -87,6 +87,9 @@ final class VectorCompact {
                                 .not()
                                 .and(here.sub(there).reinterpretAsInts())
                                 .lanewise(VectorOperators.ASHR, SIGN);
+                edgesA = edgesA.add(downA);
+                edgesB = edgesB.add(downB);
+                edgesC = edgesC.add(downC);
                 nearer.intoArray(drawn, row * columns + column);
                 IntVector before = there.reinterpretAsInts();
                 before.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
@@ -94,15 +97,13 @@ final class VectorCompact {
                         .lanewise(VectorOperators.XOR, before)
                         .reinterpretAsFloats()
                         .intoArray(depth, cell);
-                edgesA = edgesA.add(downA);
-                edgesB = edgesB.add(downB);
-                edgesC = edgesC.add(downC);
             }
         }
     }
 
-    private void colorsInLanes(
-            int[] argb, int width, int first, int rows, LinearColors colors, int columns) {
+    private void colorsInLanes(Band band, int first, int rows, LinearColors colors, int columns) {
+        int[] argb = band.argb;
+        int width = band.width;
         IntVector downRed = IntVector.broadcast(INTS, colors.downRed);
         IntVector downGreen = IntVector.broadcast(INTS, colors.downGreen);
         IntVector downBlue = IntVector.broadcast(INTS, colors.downBlue);
@@ -112,19 +113,19 @@ final class VectorCompact {
             IntVector greens = numbers.mul(colors.stepGreen).add(colors.cornerGreen);
             IntVector blues = numbers.mul(colors.stepBlue).add(colors.cornerBlue);
             for (int row = 0; row < rows; row++) {
-                int cell = first + row * width + column;
+                int cell = first + column + row * width;
                 IntVector color =
                         reds.and(0xFFFF0000)
                                 .or(greens.lanewise(VectorOperators.LSHR, 8).and(0xFF00))
                                 .or(blues.lanewise(VectorOperators.LSHR, 16));
+                reds = reds.add(downRed);
+                greens = greens.add(downGreen);
+                blues = blues.add(downBlue);
                 IntVector before = IntVector.fromArray(INTS, argb, cell);
                 before.lanewise(VectorOperators.XOR, color)
                         .and(IntVector.fromArray(INTS, drawn, row * columns + column))
                         .lanewise(VectorOperators.XOR, before)
                         .intoArray(argb, cell);
-                reds = reds.add(downRed);
-                greens = greens.add(downGreen);
-                blues = blues.add(downBlue);
             }
         }
     }
