@@ -114,5 +114,5 @@ exit /b %errorlevel%
 rem Errorlevel 1 when a source is newer than the last build, or there was none.
 :stale
 if not exist "%stamp%" exit /b 1
-powershell -NoProfile -Command "$built = (Get-Item -LiteralPath $env:stamp).LastWriteTime; Set-Location -LiteralPath $env:root; if (Get-ChildItem pom.xml, */pom.xml, */src/main -Recurse | Where-Object { $_.LastWriteTime -gt $built } | Select-Object -First 1) { exit 1 }; exit 0"
+powershell -NoProfile -Command "$built = (Get-Item -LiteralPath $env:stamp).LastWriteTime; Set-Location -LiteralPath $env:root; if (Get-ChildItem pom.xml, */pom.xml, */src/main, */src/vector -Recurse | Where-Object { $_.LastWriteTime -gt $built } | Select-Object -First 1) { exit 1 }; exit 0"
 exit /b %errorlevel%

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.URI;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;
@@ -13,11 +14,17 @@ import org.objectweb.asm.Type;
 
 /**
  * Counts the operations of the Vector API that each method of a class holds, as the compiler sees
- * them: with those of the class's own methods that it calls and that take or return a vector, and
- * with one more for each number that first becomes a vector.
+ * them: with those of the class's own methods that it calls, but those that are compiled on their
+ * own, and with one more for each number that first becomes a vector.
  */
 final class VectorOperations extends ClassVisitor {
     private static final String VECTORS = "jdk/incubator/vector/";
+
+    /** See {@code engine/vector-options}. */
+    private static final String ON_ITS_OWN = "InLanes";
+
+    /** How many lanes a species has is a constant. */
+    private static final String CONSTANT = "length";
 
     /** By name and descriptor, what is called by it, and how often. */
     private final Map<String, Map<String, Integer>> calls = new HashMap<>();
@@ -66,24 +73,25 @@ final class VectorOperations extends ClassVisitor {
             @Override
             public void visitMethodInsn(
                     int opcode, String of, String called, String type, boolean ofInterface) {
-                if (of.startsWith(VECTORS) && !of.endsWith("Species"))
+                if (of.startsWith(VECTORS) && !called.equals(CONSTANT))
                     own.merge(method, operations(called, type), Integer::sum);
-                else if (of.equals(owner) && type.contains("L" + VECTORS))
+                else if (of.equals(owner) && !called.endsWith(ON_ITS_OWN))
                     calls.computeIfAbsent(method, none -> new HashMap<>())
                             .merge(called + type, 1, Integer::sum);
+                else if (!of.equals(owner)
+                        && of.startsWith("rasterlab/")
+                        && type.contains("L" + VECTORS))
+                    throw new AssertionError(
+                            owner + "." + name + " hands a vector to " + of + "." + called);
             }
         };
     }
 
-    /** Places in arrays and numbers that are asked for stay numbers. */
+    /** Places in arrays and numbers that are asked for stay numbers; a mask may come last. */
     private static int operations(String called, String descriptor) {
-        Type[] arguments = Type.getArgumentTypes(descriptor);
-        if (arguments.length == 0) return 1;
-        int last = arguments[arguments.length - 1].getSort();
-        boolean number = last == Type.INT || last == Type.FLOAT;
-        return switch (called) {
-            case "fromArray", "intoArray", "broadcast", "lane" -> 1;
-            default -> number ? 2 : 1;
-        };
+        if (Set.of("fromArray", "intoArray", "broadcast", "lane").contains(called)) return 1;
+        for (Type argument : Type.getArgumentTypes(descriptor))
+            if (argument.getSort() <= Type.DOUBLE) return 2;
+        return 1;
     }
 }

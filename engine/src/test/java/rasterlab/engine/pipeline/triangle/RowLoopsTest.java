@@ -213,6 +213,31 @@ class RowLoopsTest {
         EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
     }
 
+    /** On corners whose 1/w is far smaller than another's, colours leave 0 to 255. */
+    @RepeatedTest(40)
+    void drawTheSameColorsBeyondTheirRange() {
+        var expected = new DepthRaster(WIDTH, TriangleScan.ROWS);
+        var actual = new DepthRaster(WIDTH, TriangleScan.ROWS);
+        Band band = Bands.of(expected, 0);
+        var tiny = new TinyScan();
+        for (int round = 0; round < 1000; round++) {
+            var v = new ScreenVertices();
+            v.begin(3, 3);
+            int left = random.nextInt(WIDTH);
+            int top = random.nextInt(TriangleScan.ROWS);
+            for (int k = 0; k < 3; k++) {
+                int x = left + random.nextInt(TinyScan.SIDE) << Subpixels.BITS;
+                int y = top + random.nextInt(TinyScan.SIDE) << Subpixels.BITS;
+                float nearness = (float) Math.pow(10, -12 * random.nextDouble());
+                v.put(k, x, y, random.nextFloat(), nearness);
+            }
+            if (!tiny.load(colored(v), 0, 1, 2, band)) continue;
+            one.smooth(band, tiny, v);
+            eight.smooth(Bands.of(actual, 0), tiny, v);
+        }
+        EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
+    }
+
     /** Narrow triangles of every height, up to where their edge functions are no ints. */
     @RepeatedTest(40)
     void drawTheSameNarrowTriangles() {

@@ -38,6 +38,8 @@ final class VectorCompact {
     }
 
     /**
+     * Finds the pixels and draws them.
+     *
      * @param columns {@link RowDepth#columns}, all in the picture
      */
     void draw(Band band, TriangleScan scan, LinearColors colors, int columns) {

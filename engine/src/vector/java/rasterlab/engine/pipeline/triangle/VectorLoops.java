@@ -21,8 +21,8 @@ import rasterlab.engine.lanes.Lanes;
  * objects of what comes then, not each time that it compiles a loop. So each loop has at most
  * fifty, a number that becomes a vector counted as one, in a method whose name ends in {@code
  * InLanes} and which is compiled on its own (see {@code vector-options}), and numbers go from one
- * to the next in arrays. A vector that began as a constant does not go from one turn of a loop to
- * the next, it would be made an object; nor does any go to a method of our own that uses it twice.
+ * to the next in arrays. A constant, {@link #NUMBERS} say, does not go from one turn of a loop to
+ * the next, it would be made an object; what is computed from it may.
  *
  * <p>What is drawn and what stays is chosen by bits, {@code before ^ (before ^ now) & drawn}: of a
  * mask Java 17 makes three slow instructions where that is one.

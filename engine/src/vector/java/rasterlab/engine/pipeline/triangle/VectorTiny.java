@@ -18,14 +18,11 @@ final class VectorTiny {
     private static final FloatVector NUMBERS =
             FloatVector.fromArray(FLOATS, new float[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
 
-    /** {@link SmoothFill#ROUND} for the highest level, with 0xFF above it. */
-    private static final float OPAQUE_ROUND = SmoothFill.ROUND + 0xFF00;
-
     private final VectorPlaces places = new VectorPlaces();
     private final BoxWeights weights = new BoxWeights();
     private final SmoothCorners corners = new SmoothCorners();
 
-    /** Of each pixel of the box; then the shares of b and c. */
+    /** The weights of b and c at each pixel of the box; then their shares. */
     private final float[] weightsB = new float[TinyScan.MOST];
 
     private final float[] weightsC = new float[TinyScan.MOST];
@@ -128,12 +125,13 @@ final class VectorTiny {
             FloatVector red = shareB.mul(at.rb).add(at.ra).add(shareC.mul(at.rc));
             FloatVector green = shareB.mul(at.gb).add(at.ga).add(shareC.mul(at.gc));
             FloatVector blue = shareB.mul(at.bb).add(at.ba).add(shareC.mul(at.bc));
-            IntVector reds = red.add(OPAQUE_ROUND).reinterpretAsInts();
+            IntVector reds = red.add(SmoothFill.ROUND).reinterpretAsInts();
             IntVector greens = green.add(SmoothFill.ROUND).reinterpretAsInts();
             IntVector color =
                     reds.lanewise(VectorOperators.LSHL, 16)
                             .or(greens.lanewise(VectorOperators.LSHL, 8))
-                            .or(blue.add(SmoothFill.ROUND).reinterpretAsInts());
+                            .or(blue.add(SmoothFill.ROUND).reinterpretAsInts())
+                            .or(VectorCompact.OPAQUE);
             IntVector before = IntVector.fromArray(INTS, argb, cell);
             before.lanewise(VectorOperators.XOR, color)
                     .and(IntVector.fromArray(INTS, drawn, row * LANES))
