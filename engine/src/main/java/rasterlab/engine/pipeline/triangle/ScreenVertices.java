@@ -32,9 +32,14 @@ final class ScreenVertices {
     boolean[] needed = new boolean[0];
 
     void need(int a, int b, int c) {
-        needed[a >> GROUP_BITS] = true;
-        needed[b >> GROUP_BITS] = true;
-        needed[c >> GROUP_BITS] = true;
+        need(a);
+        need(b);
+        need(c);
+    }
+
+    /** Written once: threads whose groups share a cache line would take it from each other. */
+    private void need(int vertex) {
+        if (!needed[vertex >> GROUP_BITS]) needed[vertex >> GROUP_BITS] = true;
     }
 
     int x(int vertex) {
