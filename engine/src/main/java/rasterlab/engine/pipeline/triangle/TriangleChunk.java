@@ -27,4 +27,9 @@ final class TriangleChunk {
         clippedVertices = 0;
         clipped.begin(0, attributeCount);
     }
+
+    /** How many triangles touch a band. */
+    int triangles(int band) {
+        return start[band + 1] - start[band];
+    }
 }

@@ -11,11 +11,11 @@ import rasterlab.engine.scene.TriangleMesh;
  * Draws triangle meshes by depth, on several threads, the same picture bit for bit on any number.
  *
  * <p>One frame at a time: vertices by blocks, triangles by chunks, what triangles in sight want of
- * their vertices by blocks, pixels by bands of 32 rows; each stage begins when the one before has
- * ended; where a triangle may be clipped, which needs all of its vertices, the second comes third.
- * A chunk is sorted into bands by one thread and a band drawn by one thread in the mesh's order, so
- * no result depends on which thread was first. After the first frame nothing is allocated until a
- * larger mesh or picture comes.
+ * their vertices by blocks, pixels by bands of 32 rows, the fullest first; each stage begins when
+ * the one before has ended; where a triangle may be clipped, which needs all of its vertices, the
+ * second comes third. A chunk is sorted into bands by one thread and a band drawn by one thread in
+ * the mesh's order, so no result depends on which thread was first. After the first frame nothing
+ * is allocated until a larger mesh or picture comes.
  */
 public final class TrianglePipeline implements AutoCloseable {
     private static final float[] NOT_KEPT = {};
@@ -27,6 +27,7 @@ public final class TrianglePipeline implements AutoCloseable {
     private final WorkerTeam.Task attributeTask = this::attributes;
     private final WorkerTeam.Task binTask = this::bin;
     private final WorkerTeam.Task bandTask = this::band;
+    private final BandOrder order = new BandOrder();
     private TriangleChunk[] chunks = new TriangleChunk[0];
     private int chunkCount;
     private BooleanSupplier cancelled;
@@ -126,6 +127,7 @@ public final class TrianglePipeline implements AutoCloseable {
         if (frame.clips) team.run(attributeTask, blocks);
         team.run(binTask, chunkCount);
         if (!frame.clips) team.run(attributeTask, blocks);
+        order.find(chunks, chunkCount, frame.bands);
         team.run(bandTask, frame.bands);
     }
 
@@ -144,9 +146,9 @@ public final class TrianglePipeline implements AutoCloseable {
         workers[worker].binner.run(frame, chunk, chunks[chunk]);
     }
 
-    private void band(int band, int worker) {
+    private void band(int before, int worker) {
         checkCancelled();
-        workers[worker].bands.run(frame, band, chunks, chunkCount);
+        workers[worker].bands.run(frame, order.band(before), chunks, chunkCount);
     }
 
     private void checkCancelled() {
