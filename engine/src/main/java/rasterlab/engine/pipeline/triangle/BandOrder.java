@@ -10,7 +10,7 @@ import java.util.Arrays;
  * Mathematics 17(2), 1969, pp. 416–429.
  */
 final class BandOrder {
-    /** In order: what a band's triangles lack to 2³¹ − 1 above its number, 32 bits each. */
+    /** A band's number less 2³² times its triangles, in order. */
     private long[] keys = new long[0];
 
     /**
@@ -20,12 +20,10 @@ final class BandOrder {
      */
     void find(TriangleChunk[] sorted, int chunks, int bands) {
         if (keys.length < bands) keys = new long[bands];
-        for (int band = 0; band < bands; band++) {
-            long triangles = 0;
-            for (int k = 0; k < chunks; k++) triangles += sorted[k].triangles(band);
-            long lacks = Integer.MAX_VALUE - Math.min(triangles, Integer.MAX_VALUE);
-            keys[band] = lacks << Integer.SIZE | band;
-        }
+        for (int band = 0; band < bands; band++) keys[band] = band;
+        for (int k = 0; k < chunks; k++)
+            for (int band = 0; band < bands; band++)
+                keys[band] -= (long) sorted[k].triangles(band) << Integer.SIZE;
         Arrays.sort(keys, 0, bands);
     }
 
