@@ -11,11 +11,14 @@ final class RowDepth {
     /** The widest box, in pixels, from whose corner all may be counted. */
     static final int WIDEST = 32;
 
-    /** By how much weights may change within such a box: depths there keep 20 of 24 bits. */
-    private static final int STEEPEST = 16;
+    /** How large weights may be within such a box: as floats they keep 16 of 24 bits. */
+    private static final int STEEPEST = 64;
 
-    /** Up to this area no edge function there, {@link #STEEPEST} + 1 areas at most, is 2³¹. */
-    private static final double LARGEST = 0x1p26;
+    /** How large depths may be there: each of six roundings is one of 24 bits. */
+    private static final int DEEPEST = 2;
+
+    /** Below this edge functions, which are weights times the area, fit an int. */
+    private static final double LARGEST = 0x1p31;
 
     /** At corner a, and what the weights of b and c add. */
     double za;
@@ -29,9 +32,9 @@ final class RowDepth {
     boolean compact;
 
     /** At the corner of a compact triangle's box, and what it grows by from a row to the next. */
-    double cornerZ;
+    float cornerZ;
 
-    double downZ;
+    float downZ;
 
     /** Depth where {@link #at} counts pixels from, and the place of the row's first one. */
     float z;
@@ -49,11 +52,19 @@ final class RowDepth {
         double downC = scan.downC * inverseArea;
         stepZ = (float) (toB * zb + toC * zc);
         int columns = columns(scan);
+        double cornerB = scan.cornerB() * inverseArea;
+        double cornerC = scan.cornerC() * inverseArea;
+        cornerZ = (float) (cornerB * zb + za + cornerC * zc);
+        downZ = (float) (downB * zb + downC * zc);
         double across = (Math.abs(toB) + Math.abs(toC)) * columns;
         double along = (Math.abs(downB) + Math.abs(downC)) * scan.rows;
-        compact = columns <= WIDEST && across + along <= STEEPEST && inverseArea >= 1 / LARGEST;
-        cornerZ = scan.cornerB() * inverseArea * zb + za + scan.cornerC() * inverseArea * zc;
-        downZ = downB * zb + downC * zc;
+        double steep = 1 + Math.abs(cornerB) + Math.abs(cornerC) + across + along;
+        float deep = Math.abs(cornerZ) + Math.abs(stepZ) * columns + Math.abs(downZ) * scan.rows;
+        compact =
+                columns <= WIDEST
+                        && steep <= STEEPEST
+                        && steep + 1 <= LARGEST * inverseArea
+                        && deep <= DEEPEST;
     }
 
     /** How many columns are looked at, eight at a time: they may go beyond the box. */
@@ -65,7 +76,7 @@ final class RowDepth {
     void at(TriangleScan scan, int row) {
         if (compact) {
             first = scan.left[row] - scan.boxLeft;
-            z = (float) (cornerZ + row * downZ);
+            z = cornerZ + row * downZ;
         } else {
             first = 0;
             double weightB = scan.edgeB[row] * scan.inverseArea;

@@ -264,6 +264,38 @@ class RowLoopsTest {
         EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
     }
 
+    /** Where a picture cuts a box off, its triangle's edge functions are large all over it. */
+    @RepeatedTest(40)
+    void drawTheSameTrianglesThatReachFarOut() {
+        var expected = new DepthRaster(WIDTH, TriangleScan.ROWS);
+        var actual = new DepthRaster(WIDTH, TriangleScan.ROWS);
+        Band band = Bands.of(expected, 0);
+        var scan = new TriangleScan();
+        var colors = new LinearColors();
+        int compact = 0;
+        for (int round = 0; round < 2000; round++) {
+            boolean leftward = random.nextBoolean();
+            var v = new ScreenVertices();
+            v.begin(3, 3);
+            for (int k = 0; k < 3; k++) {
+                int out = 1 << random.nextInt(14);
+                int x = leftward ? RowDepth.WIDEST - out : WIDTH - RowDepth.WIDEST + out;
+                int tall = random.nextInt(1 << random.nextInt(14));
+                int y = random.nextBoolean() ? TriangleScan.ROWS + tall : -tall;
+                int fine = random.nextInt(Subpixels.ONE);
+                v.put(k, x * Subpixels.ONE, y * Subpixels.ONE + fine, random.nextFloat(), 1);
+            }
+            scan.load(colored(v), 0, 1, 2, band);
+            if (scan.rows <= 0 || scan.boxLeft >= scan.boxRight) continue;
+            colors.load(scan, v);
+            if (colors.depth.compact) compact++;
+            eight.linear(Bands.of(actual, 0), scan, colors);
+            one.linear(band, scan, colors);
+        }
+        assertTrue(compact > 20, compact + " compact triangles of seed " + seed);
+        EightLanes.assertSame(expected, actual, "seed %d".formatted(seed));
+    }
+
     /** Where depths are equal nothing is drawn twice. */
     @RepeatedTest(40)
     void drawAFewPixelsAsTheOthers() {

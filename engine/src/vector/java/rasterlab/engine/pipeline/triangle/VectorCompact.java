@@ -10,7 +10,9 @@ import jdk.incubator.vector.VectorSpecies;
  * bottom: to ask each pixel costs less than to find where rows begin and end. One per thread.
  *
  * <p>Depths and colours have a loop each, as {@link VectorLoops} explains. What grows from row to
- * row by whole numbers is added up: that costs less than to make eight of each row's number.
+ * row by whole numbers is added up: that costs less than to make eight of each row's number. A
+ * row's number is counted as a float: a conversion would wait for what the row before left in its
+ * register.
  */
 final class VectorCompact {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
@@ -67,8 +69,8 @@ final class VectorCompact {
     /** In a box of {@value RowDepth#WIDEST} columns edge functions fit an int. */
     private void depthsInLanes(
             float[] depth, int width, int first, TriangleScan scan, RowDepth at, int columns) {
-        double cornerZ = at.cornerZ;
-        double downZ = at.downZ;
+        float cornerZ = at.cornerZ;
+        float downZ = at.downZ;
         int rows = scan.rows;
         IntVector downA = IntVector.broadcast(INTS, (int) scan.downA);
         IntVector downB = IntVector.broadcast(INTS, (int) scan.downB);
@@ -79,10 +81,12 @@ final class VectorCompact {
             IntVector edgesB = numbers.mul((int) scan.stepB).add((int) scan.rowB);
             IntVector edgesC = numbers.mul((int) scan.stepC).add((int) scan.rowC);
             FloatVector depths = FloatVector.fromArray(FLOATS, COLUMNS, column).mul(at.stepZ);
+            float down = 0;
             for (int row = 0; row < rows; row++) {
                 int cell = first + column + row * width;
                 FloatVector there = FloatVector.fromArray(FLOATS, depth, cell);
-                FloatVector here = depths.add((float) (cornerZ + row * downZ));
+                FloatVector here = depths.add(cornerZ + down * downZ);
+                down += 1;
                 IntVector nearer =
                         edgesA.or(edgesB)
                                 .or(edgesC)
