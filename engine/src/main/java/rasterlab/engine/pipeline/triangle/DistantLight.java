@@ -83,7 +83,8 @@ public final class DistantLight implements VertexColors, PixelColors {
         int n = block.count;
         float[] diffuse = block.nx;
         float[] highlight = block.nz;
-        one.cosines(
+        LightLoops loops = block.lanes() == Lanes.ONE ? one : best;
+        loops.cosines(
                 n,
                 light,
                 block.x,
@@ -95,9 +96,9 @@ public final class DistantLight implements VertexColors, PixelColors {
                 block.red,
                 block.green);
         power(n, block.ny, highlight);
-        channel(one, n, 0, diffuse, highlight, block.red);
-        channel(one, n, 1, diffuse, highlight, block.green);
-        channel(one, n, 2, diffuse, highlight, block.blue);
+        channel(loops, n, 0, diffuse, highlight, block.red);
+        channel(loops, n, 1, diffuse, highlight, block.green);
+        channel(loops, n, 2, diffuse, highlight, block.blue);
     }
 
     @Override

@@ -130,7 +130,12 @@ final class LinearColors {
 
     /** The nearest whole number, or its lowest bits where that is no int. */
     private static int whole(double value) {
-        return (int) Double.doubleToRawLongBits(value + ROUND);
+        return lowestBits(value + ROUND);
+    }
+
+    /** The number that adding {@link #ROUND} has left. */
+    static int lowestBits(double sum) {
+        return (int) Double.doubleToRawLongBits(sum);
     }
 
     /** Finds depth and colours where a row begins. */

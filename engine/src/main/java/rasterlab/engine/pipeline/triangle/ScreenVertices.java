@@ -12,7 +12,10 @@ final class ScreenVertices {
     /**
      * Of each vertex y and, in the lower half, x, in steps of 1/256 pixel: see {@link Subpixels}.
      */
-    private long[] places = new long[0];
+    long[] places = new long[0];
+
+    /** The half of a place that is x. */
+    static final long X_MASK = 0xFFFFFFFFL;
 
     /** See {@link ClipCode}. */
     short[] code = new short[0];
@@ -71,8 +74,8 @@ final class ScreenVertices {
         values[at(vertex) + k] = value;
     }
 
-    void place(int vertex, int x, int y) {
-        places[vertex] = (long) y << 32 | x & 0xFFFFFFFFL;
+    static long place(int x, int y) {
+        return (long) y << 32 | x & X_MASK;
     }
 
     void put(int vertex, float depth, float nearness) {
@@ -81,7 +84,7 @@ final class ScreenVertices {
     }
 
     void put(int vertex, int x, int y, float depth, float nearness) {
-        place(vertex, x, y);
+        places[vertex] = place(x, y);
         put(vertex, depth, nearness);
     }
 
@@ -97,7 +100,7 @@ final class ScreenVertices {
         if (room < vertices) room = Math.max(vertices, room + (room >> 1));
         if (values.length < vertices * stride) values = Arrays.copyOf(values, room * stride);
         if (room == code.length) return;
-        places = Arrays.copyOf(places, room);
+        places = Arrays.copyOf(places, room + VertexLoops.SPARE);
         code = Arrays.copyOf(code, room);
         needed = new boolean[room / GROUP + 1];
     }

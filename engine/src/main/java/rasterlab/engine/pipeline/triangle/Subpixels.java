@@ -4,8 +4,9 @@ package rasterlab.engine.pipeline.triangle;
  * From −1..1 to whole steps of 1/256 pixel, 0 being the centre of the top left pixel.
  *
  * <p>{@code x = (X + 1)·width/2 − 1/2} and {@code y = (1 − Y)·height/2 − 1/2} pixels, to the
- * nearest step. Up to {@link #GUARD} times the picture's half side they stay below 2²⁴ steps, so
- * that products of two differences are below 2⁵¹: exact in a long and in a double.
+ * nearest step, halfway to the even one. Up to {@link #GUARD} times the picture's half side they
+ * stay below 2²⁴ steps, so that products of two differences are below 2⁵¹: exact in a long and in a
+ * double.
  */
 final class Subpixels {
     /** Bits of a pixel's fraction. */
@@ -19,8 +20,13 @@ final class Subpixels {
      */
     static final int GUARD = 8;
 
-    private final double halfWidth;
-    private final double halfHeight;
+    /** From the picture's side to its first pixel's centre, and what rounds to a whole number. */
+    static final double ROUND = LinearColors.ROUND - ONE / 2.0;
+
+    /** Of the picture, in steps. */
+    final double halfWidth;
+
+    final double halfHeight;
 
     Subpixels(int width, int height) {
         halfWidth = width * (ONE / 2.0);
@@ -28,11 +34,11 @@ final class Subpixels {
     }
 
     int x(double ndcX) {
-        return (int) Math.floor((ndcX + 1) * halfWidth - ONE / 2.0 + 0.5);
+        return LinearColors.lowestBits((ndcX + 1) * halfWidth + ROUND);
     }
 
     int y(double ndcY) {
-        return (int) Math.floor((1 - ndcY) * halfHeight - ONE / 2.0 + 0.5);
+        return LinearColors.lowestBits((1 - ndcY) * halfHeight + ROUND);
     }
 
     /** The first pixel whose centre is at a step or after it. */

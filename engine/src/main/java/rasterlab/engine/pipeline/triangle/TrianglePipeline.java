@@ -56,7 +56,7 @@ public final class TrianglePipeline implements AutoCloseable {
         team = new WorkerTeam(threads);
         workers = new Worker[threads];
         for (int k = 0; k < threads; k++)
-            workers[k] = new Worker(new VertexStage(), new Binner(), new BandStage(lanes));
+            workers[k] = new Worker(new VertexStage(lanes), new Binner(), new BandStage(lanes));
     }
 
     /** Number of threads, the caller's included. */

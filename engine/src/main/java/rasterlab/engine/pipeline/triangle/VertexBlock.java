@@ -1,10 +1,14 @@
 package rasterlab.engine.pipeline.triangle;
 
+import rasterlab.engine.lanes.Lanes;
+
 /**
  * A few hundred vertices in eye space, one array for each quantity; cells [0, count) are used. Who
  * gets a block may overwrite all of it.
  */
 public final class VertexBlock {
+    private final Lanes lanes;
+
     /** The most vertices of a block: all arrays together stay in the first-level cache. */
     public static final int SIZE = 256;
 
@@ -33,4 +37,16 @@ public final class VertexBlock {
 
     /** 0 is transparent, 1 opaque. */
     public final float[] alpha = new float[SIZE];
+
+    /**
+     * @param lanes how many numbers are computed at a time
+     */
+    VertexBlock(Lanes lanes) {
+        this.lanes = lanes;
+    }
+
+    /** How many numbers are computed at a time. */
+    public Lanes lanes() {
+        return lanes;
+    }
 }

@@ -1,6 +1,7 @@
 package rasterlab.engine.pipeline.triangle;
 
 import java.util.Arrays;
+import rasterlab.engine.lanes.Lanes;
 import rasterlab.engine.scene.TriangleMesh;
 import rasterlab.engine.scene.VertexQuantity;
 
@@ -12,7 +13,8 @@ import rasterlab.engine.scene.VertexQuantity;
  * vector instructions. One per thread.
  */
 final class VertexStage {
-    private final VertexBlock block = new VertexBlock();
+    private final VertexBlock block;
+    private final VertexLoops loops;
 
     /** Of the block's vertices what is transformed: world positions or normals. */
     private final float[] worldX = new float[VertexBlock.SIZE];
@@ -23,6 +25,11 @@ final class VertexStage {
     private final float[] clipY = new float[VertexBlock.SIZE];
     private final float[] clipZ = new float[VertexBlock.SIZE];
     private final float[] clipW = new float[VertexBlock.SIZE];
+
+    VertexStage(Lanes lanes) {
+        block = new VertexBlock(lanes);
+        loops = VertexLoops.of(lanes);
+    }
 
     static int blocks(TriangleMesh mesh) {
         return (mesh.vertexCount() + VertexBlock.SIZE - 1) / VertexBlock.SIZE;
@@ -73,7 +80,8 @@ final class VertexStage {
         transform(matrix, 2, clipZ);
         transform(matrix, 3, clipW);
         ScreenVertices out = frame.vertices;
-        int any = divide(from, frame.subpixels, out);
+        loops.place(block.count, clipX, clipY, clipW, frame.subpixels, out.places, from);
+        int any = findCodes(out.code, from);
         double[][] planes = frame.view.worldPlanes();
         if (planes.length > 0)
             for (int i = 0; i < block.count; i++) {
@@ -108,23 +116,16 @@ final class VertexStage {
     }
 
     /** Returns what some vertex has of a {@link ClipCode}. */
-    private int divide(int from, Subpixels subpixels, ScreenVertices out) {
+    private int findCodes(short[] codes, int from) {
+        if (loops.allSeen(block.count, clipX, clipY, clipZ, clipW)) {
+            Arrays.fill(codes, from, from + block.count, (short) 0);
+            return 0;
+        }
         int any = 0;
         for (int i = 0; i < block.count; i++) {
-            float x = clipX[i];
-            float y = clipY[i];
-            float z = clipZ[i];
-            float w = clipW[i];
-            boolean seen =
-                    Math.abs(x) <= w
-                            && Math.abs(y) <= w
-                            && Math.abs(z) <= w
-                            && w >= ClipCode.SMALLEST_W;
-            double nearness = 1.0 / w;
-            int code = seen ? 0 : ClipCode.of(x, y, z, w);
+            int code = ClipCode.of(clipX[i], clipY[i], clipZ[i], clipW[i]);
             any |= code;
-            out.code[from + i] = (short) code;
-            out.place(from + i, subpixels.x(x * nearness), subpixels.y(y * nearness));
+            codes[from + i] = (short) code;
         }
         return any;
     }
@@ -133,11 +134,8 @@ final class VertexStage {
     private void putDepths(Frame frame, int from) {
         transform(frame.view.toClip(), 2, clipZ);
         transform(frame.view.toClip(), 3, clipW);
-        for (int i = 0; i < block.count; i++) {
-            double nearness = 1.0 / clipW[i];
-            frame.vertices.put(
-                    from + i, (float) (0.5 + 0.5 * (clipZ[i] * nearness)), (float) nearness);
-        }
+        loops.depths(block.count, clipZ, clipW);
+        for (int i = 0; i < block.count; i++) frame.vertices.put(from + i, clipZ[i], clipW[i]);
     }
 
     private void toEye(Frame frame, int from) {
