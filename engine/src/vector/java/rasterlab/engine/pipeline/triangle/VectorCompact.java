@@ -9,10 +9,9 @@ import jdk.incubator.vector.VectorSpecies;
  * The box of a {@linkplain RowDepth compact} triangle, eight columns at a time from its top to its
  * bottom: to ask each pixel costs less than to find where rows begin and end. One per thread.
  *
- * <p>Depths and colours have a loop each, as {@link VectorLoops} explains. What grows from row to
- * row by whole numbers is added up: that costs less than to make eight of each row's number. A
- * row's number is counted as a float: a conversion would wait for what the row before left in its
- * register.
+ * <p>Depths and colours have a loop each, and rows are counted as floats, as {@link VectorLoops}
+ * explains. What grows from row to row by whole numbers is added up: that costs less than to make
+ * eight of each row's number.
  */
 final class VectorCompact {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;

@@ -24,6 +24,10 @@ import rasterlab.engine.lanes.Lanes;
  * to the next in arrays. A constant, {@link #NUMBERS} say, does not go from one turn of a loop to
  * the next, it would be made an object; what is computed from it may.
  *
+ * <p>Loops count by adding to vectors, or to floats and doubles, and turn no int into one: Java
+ * 17's conversion waits for what its register has held, which may be the last that the turn before
+ * computes.
+ *
  * <p>What is drawn and what stays is chosen by bits, {@code before ^ (before ^ now) & drawn}: of a
  * mask Java 17 makes three slow instructions where that is one.
  */
@@ -31,8 +35,9 @@ final class VectorLoops implements RowLoops {
     private static final VectorSpecies<Float> FLOATS = FloatVector.SPECIES_256;
     private static final VectorSpecies<Integer> INTS = IntVector.SPECIES_256;
     private static final int LANES = FLOATS.length();
-    private static final FloatVector NUMBERS =
-            FloatVector.fromArray(FLOATS, new float[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
+    private static final float[] FIRST_NUMBERS = {0, 1, 2, 3, 4, 5, 6, 7};
+    private static final FloatVector NUMBERS = FloatVector.fromArray(FLOATS, FIRST_NUMBERS, 0);
+    private static final FloatVector NEXT = FloatVector.broadcast(FLOATS, LANES);
     private static final IntVector WHOLE_NUMBERS =
             IntVector.fromArray(INTS, new int[] {0, 1, 2, 3, 4, 5, 6, 7}, 0);
 
@@ -80,6 +85,9 @@ final class VectorLoops implements RowLoops {
         IntVector reds = WHOLE_NUMBERS.mul(colors.stepRed);
         IntVector greens = WHOLE_NUMBERS.mul(colors.stepGreen);
         IntVector blues = WHOLE_NUMBERS.mul(colors.stepBlue);
+        int nextRed = LANES * colors.stepRed;
+        int nextGreen = LANES * colors.stepGreen;
+        int nextBlue = LANES * colors.stepBlue;
         int[] argb = band.argb;
         float[] depth = band.depth;
         int start = band.depthStart;
@@ -88,43 +96,44 @@ final class VectorLoops implements RowLoops {
             int n = scan.count[row];
             if (n == 0) continue;
             int from = scan.cell(row);
-            float z = (float) rows.z[row];
-            int firstRed = (int) rows.red[row] + VectorCompact.OPAQUE;
-            int firstGreen = (int) rows.green[row];
-            int firstBlue = (int) rows.blue[row];
             if (from + n + LANES > scan.end) {
                 colors.at(scan, row);
                 PlainLoops.linear(band, colors, from, n);
                 continue;
             }
-            for (int done = 0; done < n; done += LANES) {
-                FloatVector k = NUMBERS.add(done);
-                FloatVector here = k.mul(stepZ).add(z);
-                FloatVector there = FloatVector.fromArray(FLOATS, depth, from - start + done);
+            float z = (float) rows.z[row];
+            int red = (int) rows.red[row] + VectorCompact.OPAQUE;
+            int green = (int) rows.green[row];
+            int blue = (int) rows.blue[row];
+            FloatVector column = FloatVector.fromArray(FLOATS, FIRST_NUMBERS, 0);
+            for (int cell = from; cell < from + n; cell += LANES) {
+                FloatVector here = column.mul(stepZ).add(z);
+                FloatVector there = FloatVector.fromArray(FLOATS, depth, cell - start);
                 IntVector nearer =
                         here.sub(there)
                                 .reinterpretAsInts()
-                                .and(k.sub(n).reinterpretAsInts())
+                                .and(column.sub(n).reinterpretAsInts())
                                 .lanewise(VectorOperators.ASHR, Integer.SIZE - 1);
+                column = column.add(NEXT);
                 IntVector far = there.reinterpretAsInts();
                 far.lanewise(VectorOperators.XOR, here.reinterpretAsInts())
                         .and(nearer)
                         .lanewise(VectorOperators.XOR, far)
                         .reinterpretAsFloats()
-                        .intoArray(depth, from - start + done);
-                IntVector red = reds.add(firstRed + done * colors.stepRed);
-                IntVector green =
-                        greens.add(firstGreen + done * colors.stepGreen)
-                                .lanewise(VectorOperators.LSHR, 8);
-                IntVector blue =
-                        blues.add(firstBlue + done * colors.stepBlue)
-                                .lanewise(VectorOperators.LSHR, 16);
-                IntVector color = red.and(0xFFFF0000).or(green.and(0xFF00)).or(blue);
-                IntVector before = IntVector.fromArray(INTS, argb, from + done);
+                        .intoArray(depth, cell - start);
+                IntVector color =
+                        reds.add(red)
+                                .and(0xFFFF0000)
+                                .or(greens.add(green).lanewise(VectorOperators.LSHR, 8).and(0xFF00))
+                                .or(blues.add(blue).lanewise(VectorOperators.LSHR, 16));
+                red += nextRed;
+                green += nextGreen;
+                blue += nextBlue;
+                IntVector before = IntVector.fromArray(INTS, argb, cell);
                 before.lanewise(VectorOperators.XOR, color)
                         .and(nearer)
                         .lanewise(VectorOperators.XOR, before)
-                        .intoArray(argb, from + done);
+                        .intoArray(argb, cell);
             }
         }
     }

@@ -61,13 +61,14 @@ final class VectorRows {
         double rowA = s.rowA + 0.5;
         double rowB = s.rowB + 0.5;
         double rowC = s.rowC + 0.5;
+        DoubleVector down = NUMBERS.add(0);
         for (int row = 0; row < rows; row += LANES) {
-            DoubleVector down = NUMBERS.add(row);
             DoubleVector a = down.mul(downA).add(rowA).mul(perA);
             DoubleVector b = down.mul(downB).add(rowB).mul(perB);
             DoubleVector c = down.mul(downC).add(rowC).mul(perC);
             DoubleVector end = DoubleVector.broadcast(FOUR, width);
             ceil(least(most(most(a, b), c), end)).intoArray(to, row);
+            down = down.add(LANES);
         }
     }
 
@@ -85,8 +86,8 @@ final class VectorRows {
         double rowA = s.rowA + 0.5;
         double rowB = s.rowB + 0.5;
         double rowC = s.rowC + 0.5;
+        DoubleVector down = NUMBERS.add(0);
         for (int row = 0; row < rows; row += LANES) {
-            DoubleVector down = NUMBERS.add(row);
             DoubleVector a = down.mul(downA).add(rowA).mul(perA).add(noEndA);
             DoubleVector b = down.mul(downB).add(rowB).mul(perB).add(noEndB);
             DoubleVector c = down.mul(downC).add(rowC).mul(perC).add(noEndC);
@@ -94,6 +95,7 @@ final class VectorRows {
             ceil(least(least(a, b), least(c, end)))
                     .sub(DoubleVector.fromArray(FOUR, first, row))
                     .intoArray(to, row);
+            down = down.add(LANES);
         }
     }
 
@@ -109,11 +111,12 @@ final class VectorRows {
         double stepC = s.stepC;
         double cornerB = s.cornerB();
         double cornerC = s.cornerC();
+        DoubleVector down = NUMBERS.add(0);
         for (int row = 0; row < rows; row += LANES) {
-            DoubleVector down = NUMBERS.add(row);
             DoubleVector right = DoubleVector.fromArray(FOUR, first, row);
             right.mul(stepB).add(down.mul(downB).add(cornerB)).intoArray(edgeB, row);
             right.mul(stepC).add(down.mul(downC).add(cornerC)).intoArray(edgeC, row);
+            down = down.add(LANES);
         }
     }
 
