@@ -106,15 +106,17 @@ final class PlainLoops implements RowLoops {
         float stepZ = weights.depth.stepZ;
         float start = weights.depth.first;
         float k = start + first - 1;
+        float column = (float) weights.first + first - 1;
         for (int cell = from; cell < from + n; cell++) {
             k += 1;
+            column += 1;
             float here = z + k * stepZ;
             if (!(here < depth[cell - depthStart])) continue;
             if (early) depth[cell - depthStart] = here;
             else batch.depth[kept] = here;
             batch.cell[kept] = cell;
-            batch.weightB[kept] = weights.rowB + k * weights.toB;
-            batch.weightC[kept++] = weights.rowC + k * weights.toC;
+            batch.weightB[kept] = weights.rowB + column * weights.toB;
+            batch.weightC[kept++] = weights.rowC + column * weights.toC;
         }
         batch.count = kept;
     }

@@ -11,10 +11,13 @@ final class RowDepth {
     /** The widest box, in pixels, from whose corner all may be counted. */
     static final int WIDEST = 32;
 
-    /** How large weights may be within such a box: as floats they keep 16 of 24 bits. */
+    /** How large weights may be within such a box. */
     private static final int STEEPEST = 64;
 
-    /** How large depths may be there: each of six roundings is one of 24 bits. */
+    /** Up to this weights as floats are off by 2⁻²⁰ at most where they too are counted so. */
+    private static final int GENTLE = 16;
+
+    /** How large depths may be there: seven roundings, those of 1/area too, add up to 2⁻²¹. */
     private static final int DEEPEST = 2;
 
     /** Below this edge functions, which are weights times the area, fit an int. */
@@ -30,6 +33,9 @@ final class RowDepth {
     float stepZ;
 
     boolean compact;
+
+    /** Whether weights may be counted from the box's corner too. */
+    boolean gentle;
 
     /** At the corner of a compact triangle's box, and what it grows by from a row to the next. */
     float cornerZ;
@@ -60,11 +66,13 @@ final class RowDepth {
         double along = (Math.abs(downB) + Math.abs(downC)) * scan.rows;
         double steep = 1 + Math.abs(cornerB) + Math.abs(cornerC) + across + along;
         float deep = Math.abs(cornerZ) + Math.abs(stepZ) * columns + Math.abs(downZ) * scan.rows;
+        // 1 more for what edges that own no centre have less, and for the rounding of 1/area.
         compact =
                 columns <= WIDEST
                         && steep <= STEEPEST
                         && steep + 1 <= LARGEST * inverseArea
                         && deep <= DEEPEST;
+        gentle = compact && steep <= GENTLE;
     }
 
     /** How many columns are looked at, eight at a time: they may go beyond the box. */

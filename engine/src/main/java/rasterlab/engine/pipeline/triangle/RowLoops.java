@@ -50,9 +50,10 @@ interface RowLoops {
     int NOT_SOUGHT = -1;
 
     /**
-     * Finds those pixels of a {@linkplain RowDepth compact} triangle that are nearer than what is
-     * there, and writes their depth; its rows need not have been found. Returns how many there are,
-     * at most as many as a batch has, or {@link #NOT_SOUGHT} where {@link #collect} has to do it.
+     * Finds those pixels of a {@linkplain RowDepth#gentle gentle} triangle that are nearer than
+     * what is there, and writes their depth; its rows need not have been found. Returns how many
+     * there are, at most as many as a batch has, or {@link #NOT_SOUGHT} where {@link #collect} has
+     * to do it.
      *
      * @param depthStart the cell whose depth is {@code depth[0]}
      * @param width of the picture

@@ -9,13 +9,14 @@ final class RowWeights {
 
     float toC;
 
-    /** What rows begin with where the triangle is compact. */
+    /** What rows begin with where the triangle is {@linkplain RowDepth#gentle gentle}. */
     final BoxWeights box = new BoxWeights();
 
-    /** Where {@link RowDepth#first} counts the row's pixels from. */
+    /** The weights where they are counted from, and the place of the row's first pixel. */
     float rowB;
 
     float rowC;
+    int first;
 
     /** The row that is looked at, and how many of its pixels have been. */
     int row;
@@ -33,10 +34,12 @@ final class RowWeights {
 
     void at(TriangleScan scan, int row) {
         depth.at(scan, row);
-        if (depth.compact) {
+        if (depth.gentle) {
+            first = depth.first;
             rowB = row * box.downB + box.cornerB;
             rowC = row * box.downC + box.cornerC;
         } else {
+            first = 0;
             rowB = (float) (scan.edgeB[row] * scan.inverseArea);
             rowC = (float) (scan.edgeC[row] * scan.inverseArea);
         }

@@ -9,13 +9,13 @@ final class ScreenVertices {
     /** Successive vertices whose attributes are needed together or not at all. */
     static final int GROUP = 1 << GROUP_BITS;
 
+    /** The half of a place that is x. */
+    static final long X_MASK = 0xFFFFFFFFL;
+
     /**
      * Of each vertex y and, in the lower half, x, in steps of 1/256 pixel: see {@link Subpixels}.
      */
     long[] places = new long[0];
-
-    /** The half of a place that is x. */
-    static final long X_MASK = 0xFFFFFFFFL;
 
     /** See {@link ClipCode}. */
     short[] code = new short[0];

@@ -36,14 +36,15 @@ final class SmoothFill {
             weights.at(scan, row);
             float z = weights.depth.z;
             int first = weights.depth.first;
+            int firstWeight = weights.first;
             float rowB = weights.rowB;
             float rowC = weights.rowC;
             int from = scan.cell(row);
             for (int k = 0; k < scan.count[row]; k++) {
-                float column = first + k;
-                float here = z + column * stepZ;
+                float here = z + (first + k) * stepZ;
                 if (!(here < depth[from + k - start])) continue;
                 depth[from + k - start] = here;
+                float column = firstWeight + k;
                 float weightB = rowB + column * toB;
                 float weightC = rowC + column * toC;
                 float w = 1 / (qa + weightB * qb + weightC * qc);

@@ -20,7 +20,7 @@ final class Subpixels {
      */
     static final int GUARD = 8;
 
-    /** From the picture's side to its first pixel's centre, and what rounds to a whole number. */
+    /** From the picture's side to its first pixel's centre, in steps, and what rounds to one. */
     static final double ROUND = LinearColors.ROUND - ONE / 2.0;
 
     /** Of the picture, in steps. */

@@ -49,7 +49,7 @@ public final class TrianglePipeline implements AutoCloseable {
 
     /**
      * @param threads 1 to 256, the caller's included
-     * @param lanes how many pixels are computed at a time
+     * @param lanes how many vertices or pixels are computed at a time
      * @throws IllegalStateException where there are not so many lanes
      */
     public TrianglePipeline(int threads, Lanes lanes) {

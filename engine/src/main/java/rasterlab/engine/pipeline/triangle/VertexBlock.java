@@ -7,10 +7,10 @@ import rasterlab.engine.lanes.Lanes;
  * gets a block may overwrite all of it.
  */
 public final class VertexBlock {
-    private final Lanes lanes;
-
     /** The most vertices of a block: all arrays together stay in the first-level cache. */
     public static final int SIZE = 256;
+
+    private final Lanes lanes;
 
     /** Vertices in use. */
     public int count;

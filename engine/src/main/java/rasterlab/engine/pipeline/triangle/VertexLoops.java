@@ -6,10 +6,14 @@ import rasterlab.engine.lanes.Lanes;
  * The loops of {@link VertexStage} that there are for one lane and for eight.
  *
  * <p>Both write the same bit for bit, but cells beyond the vertices asked for. They keep nothing,
- * so several threads may use them. Arrays have room for whole eights.
+ * so several threads may use them. Arrays have room for whole eights, places for {@link #SPARE}
+ * more than the mesh's vertices.
  */
 interface VertexLoops {
-    /** Cells beyond the last vertex that may be written. */
+    /**
+     * Places beyond the mesh's last vertex that may be written; none of another block's are, since
+     * {@link VertexBlock#SIZE} is whole fours.
+     */
     int SPARE = 3;
 
     static VertexLoops of(Lanes lanes) {
@@ -17,14 +21,14 @@ interface VertexLoops {
     }
 
     /**
-     * Whether all of n vertices in clip space have the {@link ClipCode} 0; false also where a cell
-     * beyond them has not.
+     * Whether all of n vertices in clip space have the {@link ClipCode} 0; may be false, too, for
+     * what up to seven cells beyond them hold and for a number that is none.
      */
     boolean allSeen(int n, float[] x, float[] y, float[] z, float[] w);
 
     /**
-     * Finds the {@linkplain ScreenVertices#places places} of n vertices in clip space; what w gives
-     * none has any.
+     * Finds the {@linkplain ScreenVertices#places places} of n vertices in clip space; one that w
+     * gives none, or that is beyond the guard, has any.
      *
      * @param places the first vertex's is {@code places[from]}
      */

@@ -65,7 +65,7 @@ final class VectorCompact {
         places.addInLanes(scan.top * width + scan.boxLeft, width, weights.box, batch);
     }
 
-    /** In a box of {@value RowDepth#WIDEST} columns edge functions fit an int. */
+    /** A compact triangle's edge functions fit an int. */
     private void depthsInLanes(
             float[] depth, int width, int first, TriangleScan scan, RowDepth at, int columns) {
         float cornerZ = at.cornerZ;

@@ -24,9 +24,9 @@ import rasterlab.engine.lanes.Lanes;
  * to the next in arrays. A constant, {@link #NUMBERS} say, does not go from one turn of a loop to
  * the next, it would be made an object; what is computed from it may.
  *
- * <p>Loops count by adding to vectors, or to floats and doubles, and turn no int into one: Java
- * 17's conversion waits for what its register has held, which may be the last that the turn before
- * computes.
+ * <p>Loops that draw count columns and rows by adding to vectors, or to floats and doubles, and
+ * turn no int into one: Java 17's conversion waits for what its register has held, which may be the
+ * last that the turn before computes.
  *
  * <p>What is drawn and what stays is chosen by bits, {@code before ^ (before ^ now) & drawn}: of a
  * mask Java 17 makes three slow instructions where that is one.
@@ -153,7 +153,7 @@ final class VectorLoops implements RowLoops {
     public int findInBox(float[] depth, int depthStart, int width, TriangleScan scan, RowDepth at) {
         int columns = RowDepth.columns(scan);
         boolean fits = columns * scan.rows <= PixelBatch.SIZE && scan.boxLeft + columns <= width;
-        if (!at.compact || !fits) return NOT_SOUGHT;
+        if (!at.gentle || !fits) return NOT_SOUGHT;
         return compact.find(depth, depthStart, width, scan, at);
     }
 
@@ -211,8 +211,9 @@ final class VectorLoops implements RowLoops {
                         if (early) here.blend(there, beyond).intoArray(depth, cell - depthStart);
                         else here.intoArray(batch.depth, kept);
                         WHOLE_NUMBERS.add(cell).intoArray(batch.cell, kept);
-                        k.mul(toB).add(weights.rowB).intoArray(batch.weightB, kept);
-                        k.mul(toC).add(weights.rowC).intoArray(batch.weightC, kept);
+                        FloatVector column = NUMBERS.add((float) (weights.first + done));
+                        column.mul(toB).add(weights.rowB).intoArray(batch.weightB, kept);
+                        column.mul(toC).add(weights.rowC).intoArray(batch.weightC, kept);
                         kept += Math.min(LANES, left);
                     } else any = nearer.anyTrue();
                 }

@@ -15,8 +15,8 @@ import jdk.incubator.vector.VectorSpecies;
 final class VectorRows {
     private static final VectorSpecies<Double> FOUR = DoubleVector.SPECIES_256;
     private static final int LANES = FOUR.length();
-    private static final DoubleVector NUMBERS =
-            DoubleVector.fromArray(FOUR, new double[] {0, 1, 2, 3}, 0);
+    private static final double[] FIRST_NUMBERS = {0, 1, 2, 3};
+    private static final DoubleVector NEXT = DoubleVector.broadcast(FOUR, LANES);
 
     /** Above every number of pixels. */
     private static final double NO_END = 0x1p20;
@@ -61,14 +61,14 @@ final class VectorRows {
         double rowA = s.rowA + 0.5;
         double rowB = s.rowB + 0.5;
         double rowC = s.rowC + 0.5;
-        DoubleVector down = NUMBERS.add(0);
+        DoubleVector down = DoubleVector.fromArray(FOUR, FIRST_NUMBERS, 0);
         for (int row = 0; row < rows; row += LANES) {
             DoubleVector a = down.mul(downA).add(rowA).mul(perA);
             DoubleVector b = down.mul(downB).add(rowB).mul(perB);
             DoubleVector c = down.mul(downC).add(rowC).mul(perC);
             DoubleVector end = DoubleVector.broadcast(FOUR, width);
             ceil(least(most(most(a, b), c), end)).intoArray(to, row);
-            down = down.add(LANES);
+            down = down.add(NEXT);
         }
     }
 
@@ -86,7 +86,7 @@ final class VectorRows {
         double rowA = s.rowA + 0.5;
         double rowB = s.rowB + 0.5;
         double rowC = s.rowC + 0.5;
-        DoubleVector down = NUMBERS.add(0);
+        DoubleVector down = DoubleVector.fromArray(FOUR, FIRST_NUMBERS, 0);
         for (int row = 0; row < rows; row += LANES) {
             DoubleVector a = down.mul(downA).add(rowA).mul(perA).add(noEndA);
             DoubleVector b = down.mul(downB).add(rowB).mul(perB).add(noEndB);
@@ -95,7 +95,7 @@ final class VectorRows {
             ceil(least(least(a, b), least(c, end)))
                     .sub(DoubleVector.fromArray(FOUR, first, row))
                     .intoArray(to, row);
-            down = down.add(LANES);
+            down = down.add(NEXT);
         }
     }
 
@@ -111,12 +111,12 @@ final class VectorRows {
         double stepC = s.stepC;
         double cornerB = s.cornerB();
         double cornerC = s.cornerC();
-        DoubleVector down = NUMBERS.add(0);
+        DoubleVector down = DoubleVector.fromArray(FOUR, FIRST_NUMBERS, 0);
         for (int row = 0; row < rows; row += LANES) {
             DoubleVector right = DoubleVector.fromArray(FOUR, first, row);
             right.mul(stepB).add(down.mul(downB).add(cornerB)).intoArray(edgeB, row);
             right.mul(stepC).add(down.mul(downC).add(cornerC)).intoArray(edgeC, row);
-            down = down.add(LANES);
+            down = down.add(NEXT);
         }
     }
 

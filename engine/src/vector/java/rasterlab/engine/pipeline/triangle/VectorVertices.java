@@ -25,21 +25,21 @@ final class VectorVertices implements VertexLoops {
         return beyondInLanes(n, x, y, z, w) >= 0;
     }
 
-    /** Negative where a vertex is beyond a plane or is none. */
+    /** Negative where a vertex, or what a cell beyond the last one holds, is beyond a plane. */
     private static int beyondInLanes(int n, float[] x, float[] y, float[] z, float[] w) {
         IntVector beyond = IntVector.zero(INTS);
         for (int i = 0; i < n; i += FLOATS.length()) {
             FloatVector here = FloatVector.fromArray(FLOATS, w, i);
             beyond =
-                    beyond.or(within(here, x, i))
-                            .or(within(here, y, i))
-                            .or(within(here, z, i))
+                    beyond.or(margin(here, x, i))
+                            .or(margin(here, y, i))
+                            .or(margin(here, z, i))
                             .or(here.sub(ClipCode.SMALLEST_W).reinterpretAsInts());
         }
         return beyond.reduceLanes(VectorOperators.OR);
     }
 
-    private static IntVector within(FloatVector w, float[] coordinate, int i) {
+    private static IntVector margin(FloatVector w, float[] coordinate, int i) {
         return w.sub(FloatVector.fromArray(FLOATS, coordinate, i).abs()).reinterpretAsInts();
     }
 
