@@ -78,12 +78,16 @@ public final class DistantLight implements VertexColors, PixelColors {
         return WANTS;
     }
 
+    private LightLoops loops(Lanes lanes) {
+        return lanes == Lanes.ONE ? one : best;
+    }
+
     @Override
     public void color(VertexBlock block) {
         int n = block.count;
         float[] diffuse = block.nx;
         float[] highlight = block.nz;
-        LightLoops loops = block.lanes() == Lanes.ONE ? one : best;
+        LightLoops loops = loops(block.lanes());
         loops.cosines(
                 n,
                 light,
@@ -110,7 +114,7 @@ public final class DistantLight implements VertexColors, PixelColors {
         float[] halfway = batch.values(VertexQuantity.NORMAL_Y);
         float[] highlight = batch.values(VertexQuantity.NORMAL_Z);
         int n = batch.count;
-        LightLoops loops = batch.lanes() == Lanes.ONE ? one : best;
+        LightLoops loops = loops(batch.lanes());
         loops.cosines(n, light, x, y, z, diffuse, halfway, highlight, batch.weightB, batch.weightC);
         power(n, halfway, highlight);
         channel(loops, n, 0, diffuse, highlight, x);

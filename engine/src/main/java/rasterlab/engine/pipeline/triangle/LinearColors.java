@@ -21,9 +21,6 @@ final class LinearColors {
     /** Rounds to the nearest level. */
     private static final int HALF = 32768;
 
-    /** Added to a number below 2⁵¹ it leaves the nearest whole one in the sum's lowest bits. */
-    static final double ROUND = 0x1.8p52;
-
     final RowDepth depth = new RowDepth();
 
     /** At corner a, and what the weights of b and c add. */
@@ -110,32 +107,22 @@ final class LinearColors {
         double inverseArea = scan.inverseArea;
         double toB = scan.stepB * inverseArea;
         double toC = scan.stepC * inverseArea;
-        stepRed = whole(toB * rb + toC * rc);
-        stepGreen = whole(toB * gb + toC * gc);
-        stepBlue = whole(toB * bb + toC * bc);
+        stepRed = WholeNumbers.nearest(toB * rb + toC * rc);
+        stepGreen = WholeNumbers.nearest(toB * gb + toC * gc);
+        stepBlue = WholeNumbers.nearest(toB * bb + toC * bc);
         if (!depth.compact) return;
         toCorner(scan.cornerB() * inverseArea, scan.cornerC() * inverseArea);
         double downB = scan.downB * inverseArea;
         double downC = scan.downC * inverseArea;
-        downRed = whole(downB * rb + downC * rc);
-        downGreen = whole(downB * gb + downC * gc);
-        downBlue = whole(downB * bb + downC * bc);
+        downRed = WholeNumbers.nearest(downB * rb + downC * rc);
+        downGreen = WholeNumbers.nearest(downB * gb + downC * gc);
+        downBlue = WholeNumbers.nearest(downB * bb + downC * bc);
     }
 
     private void toCorner(double weightB, double weightC) {
-        cornerRed = whole(weightB * rb + ra + weightC * rc);
-        cornerGreen = whole(weightB * gb + ga + weightC * gc);
-        cornerBlue = whole(weightB * bb + ba + weightC * bc);
-    }
-
-    /** The nearest whole number, or its lowest bits where that is no int. */
-    private static int whole(double value) {
-        return lowestBits(value + ROUND);
-    }
-
-    /** The number that adding {@link #ROUND} has left. */
-    static int lowestBits(double sum) {
-        return (int) Double.doubleToRawLongBits(sum);
+        cornerRed = WholeNumbers.nearest(weightB * rb + ra + weightC * rc);
+        cornerGreen = WholeNumbers.nearest(weightB * gb + ga + weightC * gc);
+        cornerBlue = WholeNumbers.nearest(weightB * bb + ba + weightC * bc);
     }
 
     /** Finds depth and colours where a row begins. */
@@ -152,9 +139,9 @@ final class LinearColors {
     }
 
     private void weigh(double weightB, double weightC) {
-        red = whole(weightB * rb + ra + weightC * rc);
-        green = whole(weightB * gb + ga + weightC * gc);
-        blue = whole(weightB * bb + ba + weightC * bc);
+        red = WholeNumbers.nearest(weightB * rb + ra + weightC * rc);
+        green = WholeNumbers.nearest(weightB * gb + ga + weightC * gc);
+        blue = WholeNumbers.nearest(weightB * bb + ba + weightC * bc);
     }
 
     /** 0xFFRRGGBB of whole numbers of 1/65536 level. */

@@ -104,8 +104,7 @@ final class PlainLoops implements RowLoops {
         int kept = batch.count;
         float z = weights.depth.z;
         float stepZ = weights.depth.stepZ;
-        float start = weights.depth.first;
-        float k = start + first - 1;
+        float k = (float) weights.depth.first + first - 1;
         float column = (float) weights.first + first - 1;
         for (int cell = from; cell < from + n; cell++) {
             k += 1;

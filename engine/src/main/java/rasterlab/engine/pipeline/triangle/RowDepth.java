@@ -14,7 +14,7 @@ final class RowDepth {
     /** How large weights may be within such a box. */
     private static final int STEEPEST = 64;
 
-    /** Up to this weights as floats are off by 2⁻²⁰ at most where they too are counted so. */
+    /** Up to this weights may be counted so as floats: they are off by 2⁻²⁰ at most. */
     private static final int GENTLE = 16;
 
     /** How large depths may be there: seven roundings, those of 1/area too, add up to 2⁻²¹. */

@@ -21,7 +21,7 @@ final class Subpixels {
     static final int GUARD = 8;
 
     /** From the picture's side to its first pixel's centre, in steps, and what rounds to one. */
-    static final double ROUND = LinearColors.ROUND - ONE / 2.0;
+    static final double ROUND = WholeNumbers.ROUND - ONE / 2.0;
 
     /** Of the picture, in steps. */
     final double halfWidth;
@@ -34,11 +34,11 @@ final class Subpixels {
     }
 
     int x(double ndcX) {
-        return LinearColors.lowestBits((ndcX + 1) * halfWidth + ROUND);
+        return WholeNumbers.lowestBits((ndcX + 1) * halfWidth + ROUND);
     }
 
     int y(double ndcY) {
-        return LinearColors.lowestBits((1 - ndcY) * halfHeight + ROUND);
+        return WholeNumbers.lowestBits((1 - ndcY) * halfHeight + ROUND);
     }
 
     /** The first pixel whose centre is at a step or after it. */

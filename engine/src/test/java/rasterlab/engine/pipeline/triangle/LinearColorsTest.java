@@ -33,7 +33,7 @@ class LinearColorsTest {
         int others = 0;
         for (int round = 0; round < 500; round++) {
             place(random);
-            if (area() == 0) continue;
+            if (TwiceArea.of(v) == 0) continue;
             scan.load(v, 0, 1, 2, band);
             scan.scan();
             colors.load(scan, v);
@@ -58,15 +58,10 @@ class LinearColorsTest {
         }
     }
 
-    private long area() {
-        return (long) (v.x(1) - v.x(0)) * (v.y(2) - v.y(0))
-                - (long) (v.x(2) - v.x(0)) * (v.y(1) - v.y(0));
-    }
-
     private void assertRow(int row, String place) {
         colors.at(scan, row);
         RowDepth at = colors.depth;
-        double area = Math.abs(area());
+        double area = Math.abs(TwiceArea.of(v));
         for (int k = 0; k < scan.count[row]; k++) {
             double b = (scan.edgeB[row] + k * scan.stepB) / area;
             double c = (scan.edgeC[row] + k * scan.stepC) / area;

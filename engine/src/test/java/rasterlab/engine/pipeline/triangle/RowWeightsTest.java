@@ -30,7 +30,7 @@ class RowWeightsTest {
         int steep = 0;
         for (int round = 0; round < 2000; round++) {
             place(random);
-            if (Math.abs(area()) == 0) continue;
+            if (TwiceArea.of(v) == 0) continue;
             scan.load(v, 0, 1, 2, band);
             if (scan.rows <= 0 || scan.boxLeft >= scan.boxRight) continue;
             scan.scan();
@@ -55,14 +55,9 @@ class RowWeightsTest {
         }
     }
 
-    private long area() {
-        return (long) (v.x(1) - v.x(0)) * (v.y(2) - v.y(0))
-                - (long) (v.x(2) - v.x(0)) * (v.y(1) - v.y(0));
-    }
-
     private void assertRow(int row, String place) {
         weights.at(scan, row);
-        double area = Math.abs(area());
+        double area = Math.abs(TwiceArea.of(v));
         for (int k = 0; k < scan.count[row]; k++) {
             int column = weights.first + k;
             double b = (scan.edgeB[row] + k * scan.stepB) / area;

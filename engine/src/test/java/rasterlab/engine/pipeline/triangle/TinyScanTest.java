@@ -26,7 +26,7 @@ class TinyScanTest {
         int found = 0;
         for (int round = 0; round < TRIANGLES; round++) {
             place(random);
-            if (area() == 0) continue;
+            if (TwiceArea.of(v) == 0) continue;
             for (int top : new int[] {0, TriangleScan.ROWS}) {
                 Band band = Bands.of(out, top);
                 if (!tiny.load(v, 0, 1, 2, band)) continue;
@@ -57,11 +57,6 @@ class TinyScanTest {
         }
     }
 
-    private long area() {
-        return (long) (v.x(1) - v.x(0)) * (v.y(2) - v.y(0))
-                - (long) (v.x(2) - v.x(0)) * (v.y(1) - v.y(0));
-    }
-
     private void compare(String triangle) {
         var owned = new BitSet();
         int at = 0;
@@ -88,7 +83,15 @@ class TinyScanTest {
         assertEquals(
                 owned.isEmpty(),
                 TinyScan.misses(
-                        left, top, v.x(0), v.y(0), v.x(1), v.y(1), v.x(2), v.y(2), area() < 0),
+                        left,
+                        top,
+                        v.x(0),
+                        v.y(0),
+                        v.x(1),
+                        v.y(1),
+                        v.x(2),
+                        v.y(2),
+                        TwiceArea.of(v) < 0),
                 triangle);
     }
 }

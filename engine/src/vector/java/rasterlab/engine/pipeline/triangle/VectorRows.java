@@ -135,12 +135,12 @@ final class VectorRows {
     }
 
     private static LongVector whole(DoubleVector value) {
-        return value.add(LinearColors.ROUND).reinterpretAsLongs();
+        return value.add(WholeNumbers.ROUND).reinterpretAsLongs();
     }
 
     /** ⌈k⌉ of a k that is 0 or no whole number. */
     private static DoubleVector ceil(DoubleVector k) {
-        return k.add(0.5).add(LinearColors.ROUND).sub(LinearColors.ROUND);
+        return k.add(0.5).add(WholeNumbers.ROUND).sub(WholeNumbers.ROUND);
     }
 
     /** As max has it but for what no edge is: −0 and numbers that are none cost it much. */
