@@ -7,9 +7,13 @@ final class BandStage {
     /** The most pixels of a box that are asked one by one. */
     static final int FEW = 4;
 
+    /** Where there is a triangle for so many pixels of a band, most are small. */
+    private static final int DENSE = 5;
+
     private final Band band = new Band();
     private final TriangleScan scan = new TriangleScan();
     private final TinyScan tiny = new TinyScan();
+    private final TinyBlock block = new TinyBlock();
     private final LinearColors linear = new LinearColors();
     private final RowWeights weights = new RowWeights();
     private final RowLoops loops;
@@ -26,25 +30,68 @@ final class BandStage {
     void run(Frame frame, int number, TriangleChunk[] sorted, int chunks) {
         band.begin(frame, number);
         if (frame.surface instanceof Surface.PerPixel) pixels.begin(frame);
+        boolean inBlocks = loops.findsInBlocks() && isDense(number, sorted, chunks);
         for (int k = 0; k < chunks; k++) {
             TriangleChunk chunk = sorted[k];
-            int[] corners = chunk.corners;
-            for (int i = 3 * chunk.start[number]; i < 3 * chunk.start[number + 1]; i += 3) {
-                int first = corners[i];
-                int second = corners[i + 1];
-                int third = corners[i + 2];
-                if (first >= 0) draw(frame, frame.vertices, first, second, third);
-                else draw(frame, chunk.clipped, ~first, ~second, ~third);
-            }
+            if (inBlocks) drawBlocks(frame, chunk, chunk.start[number], chunk.start[number + 1]);
+            else drawEach(frame, chunk, chunk.start[number], chunk.start[number + 1]);
         }
         if (frame.surface instanceof Surface.PerPixel) pixels.flush();
     }
 
-    private void draw(Frame frame, ScreenVertices vertices, int first, int second, int third) {
-        if (tiny.load(vertices, first, second, third, band)) {
-            fillTiny(frame, vertices, third);
-            return;
+    private boolean isDense(int number, TriangleChunk[] sorted, int chunks) {
+        long triangles = 0;
+        for (int k = 0; k < chunks; k++) triangles += sorted[k].triangles(number);
+        return triangles * DENSE > (long) (band.bottom() - band.top) * band.width;
+    }
+
+    private void drawEach(Frame frame, TriangleChunk chunk, int from, int end) {
+        int[] corners = chunk.corners;
+        for (int i = 3 * from; i < 3 * end; i += 3) {
+            int first = corners[i];
+            int second = corners[i + 1];
+            int third = corners[i + 2];
+            if (first >= 0) draw(frame, frame.vertices, first, second, third);
+            else draw(frame, chunk.clipped, ~first, ~second, ~third);
         }
+    }
+
+    private void draw(Frame frame, ScreenVertices vertices, int first, int second, int third) {
+        if (tiny.load(vertices, first, second, third, band)) fillTiny(frame, vertices, third);
+        else drawLarge(frame, vertices, first, second, third);
+    }
+
+    private void drawBlocks(Frame frame, TriangleChunk chunk, int from, int end) {
+        for (int first = from; first < end; first += block.count) {
+            block.take(chunk, first, end, frame.vertices);
+            loops.find(block, band);
+            block.list();
+            int place = fillFew(frame, 0);
+            while (place < block.length) {
+                drawOther(frame, block.kind(place), block.triangle(place));
+                place = fillFew(frame, place + 1);
+            }
+        }
+    }
+
+    private int fillFew(Frame frame, int place) {
+        if (frame.surface instanceof Surface.Smooth) return TinyFill.few(band, block, place);
+        if (frame.surface instanceof Surface.PerPixel) return pixels.few(block, tiny, place);
+        return TinyFill.flat(band, block, place);
+    }
+
+    private void drawOther(Frame frame, int kind, int triangle) {
+        int third = block.corner(triangle, 2);
+        if (kind == TinyBlock.LARGE) {
+            int first = block.corner(triangle, 0);
+            drawLarge(frame, block.vertices, first, block.corner(triangle, 1), third);
+        } else {
+            tiny.take(block, triangle);
+            fillTiny(frame, block.vertices, third);
+        }
+    }
+
+    private void drawLarge(Frame frame, ScreenVertices vertices, int first, int second, int third) {
         scan.load(vertices, first, second, third, band);
         if (frame.surface instanceof Surface.Smooth) {
             fillSmooth(vertices);

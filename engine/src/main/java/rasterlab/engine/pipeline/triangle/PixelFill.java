@@ -100,6 +100,67 @@ final class PixelFill {
         interpolate(scan, v, third, first);
     }
 
+    /**
+     * Pixels that a block lists one after the other from a place on, which has some. Returns the
+     * place after them.
+     *
+     * @param scan what the next triangle is put into
+     */
+    int few(TinyBlock block, TinyScan scan, int from) {
+        float[] depth = testedDepth();
+        ScreenVertices v = block.vertices;
+        boolean early = blending.early();
+        int place = from;
+        for (; place < block.length && block.kind(place) < TinyBlock.FEW; place++) {
+            if (batch.count == PixelBatch.SIZE) flush();
+            int triangle = block.triangle(place);
+            int cell = block.cell[block.pixel(place)];
+            float weightB = block.weightB[block.pixel(place)];
+            float weightC = block.weightC[block.pixel(place)];
+            float za = v.depth(block.a[triangle]);
+            float zb = v.depth(block.b[triangle]) - za;
+            float zc = v.depth(block.c[triangle]) - za;
+            float here = za + weightB * zb + weightC * zc;
+            if (!(here < depth[cell - band.depthStart])) continue;
+            if (early) depth[cell - band.depthStart] = here;
+            else batch.depth[batch.count] = here;
+            batch.cell[batch.count] = cell;
+            batch.weightB[batch.count] = weightB;
+            batch.weightC[batch.count++] = weightC;
+            scan.takeCorners(block, triangle);
+            interpolateLast(scan, v, block.corner(triangle, 2));
+        }
+        return place;
+    }
+
+    /**
+     * {@link #interpolate} for the last pixel alone: that it is one, not a few, costs less than a
+     * loop whose length nobody foresees.
+     */
+    private void interpolateLast(Scan scan, ScreenVertices v, int third) {
+        int i = batch.count - 1;
+        float weightB = batch.weightB[i];
+        float weightC = batch.weightC[i];
+        float qa = v.nearness(scan.a);
+        float qb = v.nearness(scan.b);
+        float qc = v.nearness(scan.c);
+        batch.fromBehind[i] = scan.fromBehind;
+        fromBehind |= scan.fromBehind;
+        boolean slopes = batch.slopes.wanted();
+        for (int k = 0; k < firstFlat; k++) {
+            float a = v.attribute(k, scan.a) * (affine[k] ? 1 : qa);
+            float b = v.attribute(k, scan.b) * (affine[k] ? 1 : qb) - a;
+            float c = v.attribute(k, scan.c) * (affine[k] ? 1 : qc) - a;
+            values[k][i] = a + weightB * b + weightC * c;
+            if (slopes) put(k, a, b, c);
+        }
+        if (divides) batch.nearness[i] = qa + weightB * (qb - qa) + weightC * (qc - qa);
+        for (int k = firstFlat; k < count; k++) values[k][i] = v.attribute(k, third);
+        if (!slopes) return;
+        if (divides) put(firstFlat, qa, qb - qa, qc - qa);
+        batch.slopes.endRun(scan, frame, corners, firstFlat, batch.count);
+    }
+
     /** Returns false, and does nothing, where the triangle's rows have to be found. */
     private boolean addBox(float[] depth, TriangleScan scan, ScreenVertices v, int third) {
         int found = loops.findInBox(depth, band.depthStart, band.width, scan, weights.depth);

@@ -20,6 +20,16 @@ final class PlainLoops implements RowLoops {
     }
 
     @Override
+    public boolean findsInBlocks() {
+        return false;
+    }
+
+    @Override
+    public void find(TinyBlock block, Band band) {
+        throw new IllegalStateException("nothing is sought in blocks");
+    }
+
+    @Override
     public void smooth(Band band, TinyScan scan, ScreenVertices v) {
         scan.look(band.width);
         if (scan.count == 0) return;

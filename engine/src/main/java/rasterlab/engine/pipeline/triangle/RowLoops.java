@@ -24,6 +24,12 @@ interface RowLoops {
     /** Finds each row's pixels, as {@link TriangleScan#scan} does. */
     void scan(TriangleScan scan);
 
+    /** Whether small triangles, where there are many, are found faster in blocks. */
+    boolean findsInBlocks();
+
+    /** Finds the small triangles of a block, which pixels they own, and which are not small. */
+    void find(TinyBlock block, Band band);
+
     /** Finds the pixels of a small triangle and draws them, with a division for each. */
     void smooth(Band band, TinyScan scan, ScreenVertices v);
 

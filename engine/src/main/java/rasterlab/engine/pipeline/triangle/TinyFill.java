@@ -56,7 +56,7 @@ final class TinyFill {
                     float here = za + weightB * zb + weightC * zc;
                     if (here < depth[cell - start]) {
                         depth[cell - start] = here;
-                        argb[cell] = color(scan, v, weightB, weightC);
+                        argb[cell] = color(v, scan.a, scan.b, scan.c, weightB, weightC);
                     }
                 }
                 eA += stepA;
@@ -66,24 +66,74 @@ final class TinyFill {
         }
     }
 
-    private static int color(TinyScan scan, ScreenVertices v, float weightB, float weightC) {
-        float qa = v.nearness(scan.a);
-        float ofB = v.nearness(scan.b);
-        float ofC = v.nearness(scan.c);
+    /**
+     * Pixels that a block lists one after the other from a place on, which has some. Returns the
+     * place after them.
+     */
+    static int few(Band band, TinyBlock block, int from) {
+        int[] argb = band.argb;
+        float[] depth = band.depth;
+        int start = band.depthStart;
+        ScreenVertices v = block.vertices;
+        int place = from;
+        for (; place < block.length && block.kind(place) < TinyBlock.FEW; place++) {
+            int triangle = block.triangle(place);
+            int a = block.a[triangle];
+            int b = block.b[triangle];
+            int c = block.c[triangle];
+            int cell = block.cell[block.pixel(place)];
+            float weightB = block.weightB[block.pixel(place)];
+            float weightC = block.weightC[block.pixel(place)];
+            float za = v.depth(a);
+            float here = za + weightB * (v.depth(b) - za) + weightC * (v.depth(c) - za);
+            if (!(here < depth[cell - start])) continue;
+            depth[cell - start] = here;
+            argb[cell] = color(v, a, b, c, weightB, weightC);
+        }
+        return place;
+    }
+
+    private static int color(ScreenVertices v, int a, int b, int c, float weightB, float weightC) {
+        float qa = v.nearness(a);
+        float ofB = v.nearness(b);
+        float ofC = v.nearness(c);
         float w = 1 / (qa + weightB * (ofB - qa) + weightC * (ofC - qa));
         float shareB = weightB * ofB * w;
         float shareC = weightC * ofC * w;
         float[] rgb = v.values;
-        int a = v.at(scan.a);
-        int b = v.at(scan.b);
-        int c = v.at(scan.c);
-        float red = rgb[a];
-        float green = rgb[a + 1];
-        float blue = rgb[a + 2];
+        int atA = v.at(a);
+        int atB = v.at(b);
+        int atC = v.at(c);
+        float red = rgb[atA];
+        float green = rgb[atA + 1];
+        float blue = rgb[atA + 2];
         return SmoothFill.argb(
-                red + shareB * (rgb[b] - red) + shareC * (rgb[c] - red),
-                green + shareB * (rgb[b + 1] - green) + shareC * (rgb[c + 1] - green),
-                blue + shareB * (rgb[b + 2] - blue) + shareC * (rgb[c + 2] - blue));
+                red + shareB * (rgb[atB] - red) + shareC * (rgb[atC] - red),
+                green + shareB * (rgb[atB + 1] - green) + shareC * (rgb[atC + 1] - green),
+                blue + shareB * (rgb[atB + 2] - blue) + shareC * (rgb[atC + 2] - blue));
+    }
+
+    /** As {@link #few(Band, TinyBlock, int)}, each triangle in the colour of its third corner. */
+    static int flat(Band band, TinyBlock block, int from) {
+        int[] argb = band.argb;
+        float[] depth = band.depth;
+        int start = band.depthStart;
+        ScreenVertices v = block.vertices;
+        int place = from;
+        for (; place < block.length && block.kind(place) < TinyBlock.FEW; place++) {
+            int triangle = block.triangle(place);
+            int cell = block.cell[block.pixel(place)];
+            float za = v.depth(block.a[triangle]);
+            float zb = v.depth(block.b[triangle]) - za;
+            float zc = v.depth(block.c[triangle]) - za;
+            float weightB = block.weightB[block.pixel(place)];
+            float weightC = block.weightC[block.pixel(place)];
+            float here = za + weightB * zb + weightC * zc;
+            if (!(here < depth[cell - start])) continue;
+            depth[cell - start] = here;
+            argb[cell] = FlatFill.argb(v, block.corner(triangle, 2));
+        }
+        return place;
     }
 
     static void flat(Band band, TinyScan scan, ScreenVertices v, int color) {

@@ -15,7 +15,8 @@ final class TinyScan extends Scan {
     /** The most centres in a box. */
     static final int MOST = SIDE * SIDE;
 
-    private static final int WIDEST = SIDE * Subpixels.ONE - 1;
+    /** The longest side of what is small, in steps. */
+    static final int WIDEST = SIDE * Subpixels.ONE - 1;
 
     /** The box: the cell of its first pixel, its first column, its sides in pixels. */
     int at;
@@ -84,6 +85,35 @@ final class TinyScan extends Scan {
             edges(cx, cy, bx, by, px, py);
         }
         return true;
+    }
+
+    /** Takes what was found of a triangle with a larger box. */
+    void take(TinyBlock block, int triangle) {
+        takeCorners(block, triangle);
+        left = block.left[triangle];
+        columns = block.columns[triangle];
+        rows = block.rows[triangle];
+        at = block.at[triangle];
+        rowA = block.rowA[triangle];
+        rowB = block.rowB[triangle];
+        rowC = block.rowC[triangle];
+        stepA = block.stepA[triangle];
+        downA = block.downA[triangle];
+        ownB = block.ownB[triangle];
+        ownC = block.ownC[triangle];
+    }
+
+    /** Takes only what values between the corners depend on. */
+    void takeCorners(TinyBlock block, int triangle) {
+        a = block.a[triangle];
+        b = block.b[triangle];
+        c = block.c[triangle];
+        fromBehind = block.fromBehind[triangle] != 0;
+        inverseArea = block.inverseArea[triangle];
+        stepB = block.stepB[triangle];
+        stepC = block.stepC[triangle];
+        downB = block.downB[triangle];
+        downC = block.downC[triangle];
     }
 
     /** b, c and the first centre p are seen from a. */

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Random;
+import org.joml.Matrix4d;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -18,10 +19,12 @@ import rasterlab.engine.pipeline.surface.TextureFilter;
 import rasterlab.engine.pipeline.surface.TexturedPixels;
 import rasterlab.engine.raster.Raster;
 import rasterlab.engine.scene.TriangleMesh;
+import rasterlab.engine.scene.shape.Torus;
 import rasterlab.engine.texture.Texture;
 import rasterlab.engine.texture.TextureEnvironment;
 import rasterlab.engine.texture.TextureSampler;
 import rasterlab.engine.texture.Wrap;
+import rasterlab.engine.transform.GlMatrices;
 
 /** The picture of eight lanes beside that of one, bit for bit. */
 class EightLanesTest {
@@ -69,34 +72,82 @@ class EightLanesTest {
             for (int k = 0; k < PICTURES; k++) {
                 int width = 1 + random.nextInt(k % 4 == 0 ? 1500 : 70);
                 int height = 1 + random.nextInt(100);
+                var mesh = mesh(random, width, height, TRIANGLES, 3 * width + 50);
                 var view = PixelSpace.view(width, height, Culling.NONE);
-                var mesh = mesh(random, width, height);
-                for (Surface surface : SURFACES) {
-                    var expected = new DepthRaster(width, height);
-                    var actual = new DepthRaster(width, height);
-                    one.drawOn(7, mesh, view, surface, expected, () -> false);
-                    eight.drawOn(7, mesh, view, surface, actual, () -> false);
-                    String what = "seed %d, picture %d, %s".formatted(seed, k, surface);
-                    EightLanes.assertSame(expected, actual, what);
-                    for (var pipeline : List.of(one, eight)) {
-                        var alone = new Raster(width, height);
-                        pipeline.drawOn(7, mesh, view, surface, alone, () -> false);
-                        assertArrayEquals(expected.raster().argb(), alone.argb(), what);
-                    }
-                }
+                String what = "seed %d, picture %d".formatted(seed, k);
+                drawBoth(new Scene(what, width, height, view, mesh), one, eight);
             }
         }
     }
 
-    /** Some corners on whole pixels, some triangles far beyond the picture. */
-    private static TriangleMesh mesh(Random random, int width, int height) {
-        float[] corners = new float[6 * TRIANGLES];
-        float[] depth = new float[3 * TRIANGLES];
-        float[][] color = new float[4][3 * TRIANGLES];
-        float[][] st = new float[2][3 * TRIANGLES];
-        int[] triangles = new int[3 * TRIANGLES];
-        for (int t = 0; t < TRIANGLES; t++) {
-            float reach = (float) Math.exp(random.nextDouble() * Math.log(3 * width + 50));
+    /** More triangles than every fifth pixel has, so that small ones are found in blocks. */
+    @ParameterizedTest(name = "with {0} threads a bit of a crowded picture is another")
+    @ValueSource(ints = {1, 2, 3})
+    void drawTheSameCrowdedPicture(int threads) {
+        long seed = 2036 + threads;
+        var random = new Random(seed);
+        try (var one = new TrianglePipeline(1, Lanes.ONE);
+                var eight = new TrianglePipeline(threads, Lanes.EIGHT)) {
+            for (int k = 0; k < PICTURES / 4; k++) {
+                int width = 1 + random.nextInt(70);
+                int height = 1 + random.nextInt(100);
+                int size = random.nextBoolean() ? 4 : 40;
+                var mesh = mesh(random, width, height, width * height, size);
+                var view = PixelSpace.view(width, height, Culling.NONE);
+                String what = "seed %d, picture %d".formatted(seed, k);
+                drawBoth(new Scene(what, width, height, view, mesh), one, eight);
+            }
+        }
+    }
+
+    /** Where corners are not all as far from the eye. */
+    @ParameterizedTest(name = "with {0} threads a bit of a crowded torus is another")
+    @ValueSource(ints = {1, 3})
+    void drawTheSameCrowdedTorus(int threads) {
+        var toEye = new Matrix4d().translate(0, 0.2, -2).rotateX(-0.9);
+        var view = new TriangleView(toEye, GlMatrices.perspective(60, 1.25, 0.1, 10));
+        var mesh = Torus.ofTriangles(1, 0.45, 40_000).mesh();
+        try (var one = new TrianglePipeline(1, Lanes.ONE);
+                var eight = new TrianglePipeline(threads, Lanes.EIGHT)) {
+            drawBoth(new Scene("torus", 100, 80, view, mesh), one, eight);
+        }
+    }
+
+    private record Scene(String what, int width, int height, TriangleView view, TriangleMesh mesh) {
+        DepthRaster picture() {
+            return new DepthRaster(width, height);
+        }
+    }
+
+    private static void drawBoth(Scene scene, TrianglePipeline one, TrianglePipeline eight) {
+        for (Surface surface : SURFACES) {
+            DepthRaster expected = scene.picture();
+            DepthRaster actual = scene.picture();
+            one.drawOn(7, scene.mesh, scene.view, surface, expected, () -> false);
+            eight.drawOn(7, scene.mesh, scene.view, surface, actual, () -> false);
+            String what = scene.what + ", " + surface;
+            EightLanes.assertSame(expected, actual, what);
+            for (var pipeline : List.of(one, eight)) {
+                var alone = new Raster(scene.width, scene.height);
+                pipeline.drawOn(7, scene.mesh, scene.view, surface, alone, () -> false);
+                assertArrayEquals(expected.raster().argb(), alone.argb(), what);
+            }
+        }
+    }
+
+    /**
+     * Some corners on whole pixels, some triangles beyond the picture.
+     *
+     * @param size up to how many pixels a triangle's box has along a side
+     */
+    private static TriangleMesh mesh(Random random, int width, int height, int count, int size) {
+        float[] corners = new float[6 * count];
+        float[] depth = new float[3 * count];
+        float[][] color = new float[4][3 * count];
+        float[][] st = new float[2][3 * count];
+        int[] triangles = new int[3 * count];
+        for (int t = 0; t < count; t++) {
+            float reach = (float) Math.exp(random.nextDouble() * Math.log(size));
             float x = random.nextFloat() * (width + reach) - reach;
             float y = random.nextFloat() * (height + reach) - reach;
             boolean whole = random.nextInt(4) == 0;

@@ -43,6 +43,7 @@ final class VectorLoops implements RowLoops {
 
     private final VectorRows rows = new VectorRows();
     private final VectorTiny tiny = new VectorTiny();
+    private final VectorTinies tinies = new VectorTinies();
     private final VectorCompact compact = new VectorCompact();
     private final PlainLoops plain = new PlainLoops();
 
@@ -54,6 +55,16 @@ final class VectorLoops implements RowLoops {
     @Override
     public void scan(TriangleScan scan) {
         rows.scan(scan);
+    }
+
+    @Override
+    public boolean findsInBlocks() {
+        return true;
+    }
+
+    @Override
+    public void find(TinyBlock block, Band band) {
+        tinies.find(block, band);
     }
 
     @Override
